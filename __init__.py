@@ -1,0 +1,1 @@
+"""Burnish: a declarative shader-graph compiler."""

@@ -1,0 +1,96 @@
+"""What is wrong, as data: renderers and exit codes are derived from it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+from .source import Span
+
+Severity = Literal["error", "warning", "note"]
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """One row of the table: everything about a kind of diagnostic but its place."""
+
+    code: str
+    severity: Severity
+    message: str
+    """``str.format`` template over the arguments given where the rule is reported."""
+    help: str
+    """What the rule means and how to satisfy it; shown by ``burnish explain``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A second place that the reader should see, with what it has to do with the first."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One finding at one place."""
+
+    rule: Rule
+    message: str
+    span: Span | None = None
+    """``None`` for findings about no text at all, such as an unwritable folder."""
+    caption: str = ""
+    """Printed beside the carets."""
+    labels: tuple[Label, ...] = ()
+    hint: str = ""
+    """How to mend this very case, where that is known."""
+
+    @property
+    def severity(self) -> Severity:
+        """The rule's severity."""
+        return self.rule.severity
+
+
+class Report:
+    """Collects diagnostics in the order found; the same finding at the same place counts once."""
+
+    def __init__(self) -> None:
+        self._found: dict[tuple[str, str, Span | None], Diagnostic] = {}
+
+    def add(
+        self,
+        rule: Rule,
+        span: Span | None,
+        *,
+        caption: str = "",
+        labels: Iterable[Label] = (),
+        hint: str = "",
+        **arguments: object,
+    ) -> None:
+        """Record a finding; ``arguments`` fill the rule's message."""
+        message = rule.message.format(**arguments)
+        found = Diagnostic(rule, message, span, caption, tuple(labels), hint)
+        self._found.setdefault((rule.code, message, span), found)
+
+    def extend(self, others: Iterable[Diagnostic]) -> None:
+        """Take over diagnostics collected elsewhere."""
+        for other in others:
+            self._found.setdefault((other.rule.code, other.message, other.span), other)
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """All findings so far."""
+        return tuple(self._found.values())
+
+    @property
+    def failed(self) -> bool:
+        """Whether any finding is an error."""
+        return any(found.severity == "error" for found in self._found.values())
+
+
+class CompileError(Exception):
+    """Raised when a compile ends in errors; ``diagnostics`` carries all of them."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = tuple(diagnostics)
+        super().__init__("\n".join(str(d.message) for d in self.diagnostics))

@@ -1,0 +1,449 @@
+"""Every kind of diagnostic, declared once: code, severity, message and what the rule teaches.
+
+Codes are stable: they are written in build logs and looked up with ``burnish explain``. The first
+two digits name the section; a retired code is never used again.
+"""
+
+from __future__ import annotations
+
+from .diagnostic import Rule
+
+
+def _error(code: str, message: str, help: str) -> Rule:
+    return Rule(code, "error", message, help)
+
+
+def _warning(code: str, message: str, help: str) -> Rule:
+    return Rule(code, "warning", message, help)
+
+
+# --- B00: files and the command line -------------------------------------------------------------
+
+MISSING_FILE = _error(
+    "B0001",
+    "there is no file `{path}`",
+    "Check the path: it is taken relative to the folder the command is run in.",
+)
+NOT_A_FILE = _error(
+    "B0002",
+    "`{path}` is a folder, not a file",
+    "Name the `.burnish` files to compile; folders are not searched.",
+)
+UNREADABLE_FILE = _error(
+    "B0003",
+    "`{path}` cannot be read: {reason}",
+    "The file exists, but the system refuses to hand it out. Check its permissions.",
+)
+NOT_TEXT = _error(
+    "B0004",
+    "`{path}` is not UTF-8 text: {reason}",
+    "Burnish files are UTF-8 text. Save the file as UTF-8, or check that it is the file you meant.",
+)
+TOO_LARGE = _error(
+    "B0005",
+    "`{path}` is larger than {limit}",
+    "A material of this size is almost certainly not the file you meant. Generated text should be "
+    "split into several files that import each other.",
+)
+MISSING_IMPORT = _error(
+    "B0006",
+    "cannot find `{path}`",
+    "`import std.lights` looks for `std/lights.burnish` along the search path; a quoted import is "
+    "taken relative to the importing file.",
+)
+IMPORT_ESCAPES = _error(
+    "B0007",
+    "`{path}` leads out of the search path",
+    "Imports may not leave the folders of the search path: a material has to compile the same way "
+    "wherever it is checked out. Move the file inside, or add its folder to the search path.",
+)
+IMPORT_CYCLE = _error(
+    "B0008",
+    "these files import each other: {cycle}",
+    "Imports must not form a cycle. Move what both files need into a third one.",
+)
+UNWRITABLE_OUTPUT = _error(
+    "B0009",
+    "cannot write to `{path}`: {reason}",
+    "Output folders are made where needed; check that the place may be written to.",
+)
+UNKNOWN_TARGET = _error(
+    "B0010",
+    "unknown target `{name}`",
+    "`burnish targets` lists the known ones. Several are given separated by commas.",
+)
+UNKNOWN_PROFILE = _error(
+    "B0011",
+    "target `{target}` has no profile `{name}`",
+    "A profile is a version of a target's language, such as `glsl-es300`.",
+)
+UNKNOWN_EXPORT = _error(
+    "B0012",
+    "`{path}` does not declare `{name}`",
+    "Only what a file declares itself can be imported from it, not what it imports in turn.",
+)
+
+# --- B01: syntax ---------------------------------------------------------------------------------
+
+UNEXPECTED = _error(
+    "B0101",
+    "expected {expected}, found {found}",
+    "The text does not follow the grammar here. A file is a set of declarations, and the body of a "
+    "declaration a set of equations `name = expression`.",
+)
+UNKNOWN_CHARACTER = _error(
+    "B0102",
+    "unexpected character {character}",
+    "Names are made of the letters a to z, digits and `_`. Other characters belong in comments.",
+)
+FOREIGN_OPERATOR = _error(
+    "B0103",
+    "Burnish has no operator `{operator}`",
+    "Logic is spelt `and`, `or`, `not`; the remainder `mod`; a choice `if c then a else b`. There "
+    "is no assignment: a name is given its value once, by an equation.",
+)
+BAD_NAME = _error(
+    "B0115",
+    "`{text}` is not a name",
+    "Names are made of the letters a to z and A to Z, digits and `_`, which every shading "
+    "language can spell.",
+)
+BAD_NUMBER = _error(
+    "B0104",
+    "`{text}` is not a number",
+    "Numbers are written `2`, `7u`, `0.5`, `1e-3`, angles `30deg` or `0.5rad`. A float needs "
+    "no suffix, and digits follow its point.",
+)
+BAD_COLOR = _error(
+    "B0105",
+    "`{text}` is not a colour",
+    "Colours have 3, 6 or 8 hexadecimal digits: `#rgb`, `#rrggbb`, `#rrggbbaa`.",
+)
+UNFINISHED_TEXT = _error(
+    "B0106",
+    'this text has no closing `"`',
+    "Quoted texts name files and end on the line they begin on.",
+)
+UNFINISHED_COMMENT = _error(
+    "B0107",
+    "this comment has no closing `*/`",
+    "A comment from `/*` runs to the next `*/`; comments do not nest.",
+)
+UNCLOSED = _error(
+    "B0108",
+    "this `{opening}` is never closed",
+    "Every opening bracket needs its closing one.",
+)
+CHAINED_COMPARISON = _error(
+    "B0109",
+    "comparisons do not chain",
+    "`a < b < c` would compare a truth value with `c`. Write `a < b and b < c`.",
+)
+RESERVED_WORD = _error(
+    "B0110",
+    "`{word}` is a reserved word and cannot be a name",
+    "Reserved are only: and, else, false, if, mod, not, or, then, true.",
+)
+TOO_NESTED = _error(
+    "B0111",
+    "brackets are nested too deeply: more than {limit}",
+    "Give the inner parts names of their own: an equation for each costs nothing.",
+)
+UNKNOWN_EDITION = _error(
+    "B0112",
+    "unknown edition `{edition}`",
+    "The first line may name the edition of the language that the file is written in. This "
+    "compiler knows edition 1.",
+)
+STRAY_DOC = _warning(
+    "B0113",
+    "this doc comment describes nothing",
+    "A `///` comment stands above a declaration or member, or on the line it ends on. Use `//!` "
+    "for the file as a whole, and `//` for a remark of any other kind.",
+)
+UNPARENTHESISED = _error(
+    "B0114",
+    "`{word}` needs parentheses here",
+    "`if`, `sum` and `product` reach as far to the right as they can, so as part of a larger "
+    "expression they stand in parentheses.",
+)
+
+# --- B02: names ----------------------------------------------------------------------------------
+
+UNKNOWN_NAME = _error(
+    "B0201",
+    "unknown {kind} `{name}`",
+    "A name is visible where it is declared in the same body, inherited, declared in the file, "
+    "imported, or built in.",
+)
+DUPLICATE_NAME = _error(
+    "B0202",
+    "`{name}` is declared twice",
+    "Equations have no order, so a second one for the same name would contradict the first.",
+)
+CYCLIC_DEFINITION = _error(
+    "B0203",
+    "`{name}` is defined by itself: {cycle}",
+    "An equation may use any other name, but following the uses must never lead back. Break the "
+    "cycle by giving one of these a value that does not need the others.",
+)
+RECURSIVE_FUNCTION = _error(
+    "B0204",
+    "`{name}` calls itself: {cycle}",
+    "Every program has to end on every device, so functions do not call themselves. Use `sum` or "
+    "`product` to repeat something a bounded number of times.",
+)
+CYCLIC_INHERITANCE = _error(
+    "B0205",
+    "`{name}` inherits from itself: {cycle}",
+    "The chain of bases has to end.",
+)
+NO_MATERIAL = _error(
+    "B0206",
+    "`{path}` has no material",
+    "A shader is a material under a rig, drawn by a pass. Declare one: "
+    "`material Plain { color = #ffffff }`.",
+)
+AMBIGUOUS_NAME = _error(
+    "B0207",
+    "`{name}` is imported from several files",
+    "Import the one that is meant by name: `import std.terms.{name}`.",
+)
+
+WRONG_BASE = _error(
+    "B0208",
+    "`{name}` is not a {kind}",
+    "A material extends a material, a light a light, a pass a pass.",
+)
+NOT_A_VALUE = _error(
+    "B0209",
+    "this is no value by itself",
+    "Functions and terms are called; of `light`, `material` and `inherited` a slot is read.",
+)
+
+# --- B03: types ----------------------------------------------------------------------------------
+
+WRONG_TYPE = _error(
+    "B0301",
+    "expected {expected}, found {found}",
+    "Types are never converted silently, except whole-number literals to `float`. Write the "
+    "constructor: `float(n)`, `vec3(x)`.",
+)
+NO_OVERLOAD = _error(
+    "B0302",
+    "`{name}` cannot be called with ({arguments})",
+    "The candidates are listed below the message; count and types of the arguments have to match.",
+)
+WRONG_COUNT = _error(
+    "B0303",
+    "`{name}` takes {expected} arguments, found {found}",
+    "Arguments are given by position; none has a default.",
+)
+NO_MEMBER = _error(
+    "B0304",
+    "{type} has no member `{name}`",
+    "Vectors have lanes (`v.xyz`, `c.rgb`), structures members, `light` and `material` slots.",
+)
+NO_OPERATOR = _error(
+    "B0305",
+    "no `{operator}` between {left} and {right}",
+    "Both sides need the same shape, or one of them is a plain number. Values that live in two "
+    "spaces have to be brought into one first.",
+)
+OVERRIDE_CHANGES_TYPE = _error(
+    "B0306",
+    "`{name}` is {expected} in `{base}`, and {found} here",
+    "An override keeps the type, because everything the base computes from the slot relies on it.",
+)
+NOT_CALLABLE = _error(
+    "B0307",
+    "{found} cannot be called",
+    "Functions, terms and type constructors are called with arguments, textures with a coordinate.",
+)
+
+NO_PREFIX_OPERATOR = _error(
+    "B0308",
+    "no `{operator}` of {left}",
+    "`-` takes numbers, `not` takes a `bool`.",
+)
+BRANCH_TYPES = _error(
+    "B0309",
+    "the branches differ: {then} and {otherwise}",
+    "An `if` is one value, so both of its branches have one type.",
+)
+NOT_INDEXABLE = _error(
+    "B0310",
+    "{type} has no elements to index",
+    "Vectors, matrices and arrays have; the lanes of a vector are also read as `v.x`.",
+)
+SPACE_COUNT = _error(
+    "B0311",
+    "`{type}` names {expected} spaces, found {found}",
+    "`point<world>` names one space, `transform<object, world>` two, plain types none.",
+)
+NO_RANGE = _error(
+    "B0312",
+    "{type} cannot have a range",
+    "Only numbers, and vectors of numbers lane by lane, are bounded by `in a..b`.",
+)
+
+# --- B04: values and meaning ---------------------------------------------------------------------
+
+ZERO_DIVISOR = _error(
+    "B0401",
+    "this divisor is always zero",
+    "The quotient would be undefined on some backends and infinite on others.",
+)
+NUMBER_TOO_LARGE = _error(
+    "B0402",
+    "`{text}` does not fit into {type}",
+    "`float` reaches to about 3.4e38, `int` to 2147483647, `uint` to 4294967295.",
+)
+OUT_OF_RANGE = _error(
+    "B0403",
+    "{value} is outside of {range}",
+    "The declared range is a promise that the compiler uses to prove guards away; a default or "
+    "override has to keep it.",
+)
+EMPTY_RANGE = _error(
+    "B0404",
+    "the range {range} is empty",
+    "The lower bound stands first: `0..1`.",
+)
+OUT_OF_BOUNDS = _error(
+    "B0405",
+    "index {index} is outside of {type}",
+    "Lanes, columns and elements are counted from 0.",
+)
+NOT_CONSTANT = _error(
+    "B0406",
+    "this has to be known when compiling",
+    "Array lengths, light counts and ranges are part of the shader's text, so they are built from "
+    "literals and constants only.",
+)
+ABSTRACT_SLOT = _error(
+    "B0407",
+    "`{record}` does not set the abstract slot `{name}`",
+    "A slot declared without a value has to be set before its material, light or pass is used.",
+)
+ABSTRACT_USE = _error(
+    "B0408",
+    "`{name}` is abstract and cannot be used itself",
+    "Declare an heir that sets what is missing: `material Mine : Base { … }`.",
+)
+
+BAD_COUNT = _error(
+    "B0409",
+    "{count} is no count of elements",
+    "Arrays and rig entries hold at least 1 element and at most 4096.",
+)
+FOLD_TOO_LONG = _error(
+    "B0410",
+    "a fold of {count} terms is too long",
+    "Folds become loops or are unrolled; at most 4096 terms are allowed.",
+)
+ZERO_DIRECTION = _error(
+    "B0411",
+    "a direction cannot be zero",
+    "A `direction` has length one; defaults are brought to it, and zero has no direction.",
+)
+UNGUARDED = _error(
+    "B0412",
+    "`unguarded` takes one operation",
+    "`unguarded(x / y)` or `unguarded(sqrt(x))` means what the hardware does there.",
+)
+
+# --- B05: stages and rates -----------------------------------------------------------------------
+
+UNKNOWN_RATE = _error(
+    "B0501",
+    "unknown stage `{name}`",
+    "`@vertex e` computes `e` at the vertices and interpolates it.",
+)
+NOT_AT_VERTEX = _error(
+    "B0502",
+    "{what} is not available at the vertex",
+    "Reads with an implicit level and derivatives compare neighbouring pixels, which vertices do "
+    "not have. Give the level, or move the read out of `@vertex`.",
+)
+
+CANNOT_CROSS = _error(
+    "B0503",
+    "a {type} cannot cross from the vertex to the fragment stage",
+    "Numbers and vectors of numbers can; let the columns of a matrix cross one by one.",
+)
+NO_CLIP_POSITION = _error(
+    "B0504",
+    "`{name}` does not say where vertices go",
+    "A pass, or the material it draws, defines `clip_position`, a vec4 in clip space.",
+)
+NO_TARGET = _error(
+    "B0505",
+    "`{name}` writes nothing",
+    "A pass has at least one target: `target color : rgba8 = vec4(color, alpha)`.",
+)
+
+# --- B06: rigs and lights ------------------------------------------------------------------------
+
+OUTSIDE_LIGHT = _error(
+    "B0601",
+    "`{name}` is known only per light",
+    "`light` means the light being summed over; it exists in a light's own slots and inside of a "
+    "`term … per light`.",
+)
+UNKNOWN_LIGHT = _error(
+    "B0602",
+    "`{name}` is not a light",
+    "A rig entry names a light type: `sun : MyLight`.",
+)
+BAD_LIGHT_COUNT = _error(
+    "B0603",
+    "a rig entry cannot hold {count} lights",
+    "The count is a whole number of at least 1.",
+)
+NO_SUCH_RIG = _error(
+    "B0604",
+    "which rig is meant? {known}",
+    "A file with one rig uses it by itself; with several, name one: `--rig Studio`.",
+)
+
+TERM_WITHOUT_SURFACE = _error(
+    "B0605",
+    "`{name}` needs a surface to shade",
+    "Terms read the slots of the material that uses them, so they are called in materials, lights "
+    "and passes, not in functions or constants.",
+)
+EMPTY_RIG = _error(
+    "B0606",
+    "`{name}` is summed over the lights of a rig that has none",
+    "Give the rig a light, or use a term that is not `per light`.",
+)
+LIGHT_LACKS_SLOT = _error(
+    "B0607",
+    "light `{light}` has no `{slot}`",
+    "A `per light` term is applied to every light of the rig, so it reads only what all have.",
+)
+WITH_NEEDS_TERM = _error(
+    "B0608",
+    "`with` replaces slots for a term",
+    "Write it behind the call of a term: `name(k) with { normal = coat }`.",
+)
+NO_ARRAY_OF = _error(
+    "B0609",
+    "there can be no array of `{light}`",
+    "An array of lights keeps their parameters in one uniform array: the light needs at least one "
+    "parameter, and textures cannot be elements.",
+)
+
+# --- B07: targets --------------------------------------------------------------------------------
+
+UNSUPPORTED = _error(
+    "B0701",
+    "{target} has no {feature}",
+    "The target's language cannot express this, and no exact replacement is known.",
+)
+TOO_MANY = _error(
+    "B0702",
+    "{count} {what}, but {target} has only {limit}",
+    "The limit is what every device of the target is guaranteed to have.",
+)

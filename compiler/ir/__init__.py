@@ -1,0 +1,1 @@
+"""The graph: types, hash-consed nodes, the builtin rows they call, and the verifier."""

@@ -1,0 +1,114 @@
+"""Opening and closing binders (the locally nameless representation).
+
+While a body is being built or optimised its variables are ``formal`` leaves, each its own object.
+At rest they are ``bound`` leaves with de Bruijn indices, so that equal bodies are one node.
+
+Source: Charguéraud, *The Locally Nameless Representation*, 2012.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from .node import Formal, Graph, Node, binders, body_of, reachable
+
+Leaf = Callable[[Node, int], Node | None]
+"""From a leaf and the number of binders around it to its replacement, if any."""
+
+
+def close(graph: Graph, body: Node, formals: Sequence[Formal]) -> Node:
+    """``body`` with ``formals`` turned into bound variables 0, 1, … of one new binder.
+
+    A formal that occurs nowhere leaves an unused index; ``body`` has no free bound variables.
+    """
+    position = {formal: i for i, formal in enumerate(formals)}
+    affected = _dependents(body, lambda node: node.op == "formal" and node.data in position)
+
+    def leaf(node: Node, depth: int) -> Node | None:
+        if node.op == "formal" and isinstance(node.data, Formal) and node.data in position:
+            return graph.node("bound", node.type, (), depth + position[node.data])
+        return None
+
+    return _transform(graph, body, leaf, lambda node, _depth: node.id in affected)
+
+
+def open_body(graph: Graph, body: Node, arguments: Sequence[Node]) -> Node:
+    """``body`` with its binder's variables replaced by ``arguments``.
+
+    The arguments themselves have no free bound variables (they may contain formals). Variables of
+    binders further out stay, one binder nearer.
+    """
+
+    def leaf(node: Node, depth: int) -> Node | None:
+        if node.op != "bound" or not isinstance(node.data, int) or node.data < depth:
+            return None
+        position = node.data - depth
+        if position < len(arguments):
+            return arguments[position]
+        return graph.node("bound", node.type, (), node.data - len(arguments))
+
+    return _transform(graph, body, leaf, lambda node, depth: node.free >> depth != 0)
+
+
+def substitute(graph: Graph, root: Node, replacements: Mapping[Formal, Node]) -> Node:
+    """``root`` with formals replaced; for graphs whose binders are all open."""
+    affected = _dependents(root, lambda node: node.op == "formal" and node.data in replacements)
+
+    def leaf(node: Node, _depth: int) -> Node | None:
+        if node.op == "formal" and isinstance(node.data, Formal):
+            return replacements.get(node.data)
+        return None
+
+    return _transform(graph, root, leaf, lambda node, _depth: node.id in affected)
+
+
+def _dependents(root: Node, is_source: Callable[[Node], bool]) -> set[int]:
+    """Ids of the nodes under ``root`` that contain a source."""
+    found: set[int] = set()
+    for node in reachable((root,)):
+        if is_source(node) or any(operand.id in found for operand in node.operands):
+            found.add(node.id)
+    return found
+
+
+def _transform(
+    graph: Graph, root: Node, leaf: Leaf, affected: Callable[[Node, int], bool]
+) -> Node:
+    """Rebuild ``root`` with leaves replaced, counting binders on the way; without recursion."""
+    done: dict[tuple[int, int], Node] = {}
+    pending: list[tuple[Node, int]] = [(root, 0)]
+    while pending:
+        node, depth = pending[-1]
+        key = node.id, depth
+        if key in done:
+            pending.pop()
+            continue
+        if not affected(node, depth):
+            done[key] = node
+            pending.pop()
+            continue
+        inner = _operand_depths(node, depth)
+        missing = [
+            (operand, at)
+            for operand, at in zip(node.operands, inner, strict=True)
+            if (operand.id, at) not in done
+        ]
+        if missing:
+            pending.extend(missing)
+            continue
+        pending.pop()
+        operands = tuple(
+            done[operand.id, at] for operand, at in zip(node.operands, inner, strict=True)
+        )
+        replaced = leaf(node, depth) if not operands else None
+        done[key] = replaced or graph.node(node.op, node.type, operands, node.data)
+    return done[root.id, 0]
+
+
+def _operand_depths(node: Node, depth: int) -> list[int]:
+    body = body_of(node)
+    count = binders(node)
+    if body is None or not count:
+        return [depth] * len(node.operands)
+    position = 2 if node.op == "fold" else 0
+    return [depth + count if i == position else depth for i in range(len(node.operands))]

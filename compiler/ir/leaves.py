@@ -1,0 +1,48 @@
+"""Leaves of the graph: what comes from outside a shader."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from ...stdlib.builtins.facts import UNKNOWN, Fact
+from .types import Type
+
+InterpolationMode = Literal["perspective", "flat"]
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A member of a group's uniform block.
+
+    ``name`` is how a host sets it (``power``, ``torch.axis``, ``lamps.count``). Struct-valued
+    members carry a fact per struct member.
+    """
+
+    name: str
+    type: Type
+    group: str
+    fact: Fact = UNKNOWN
+    member_facts: tuple[tuple[str, Fact], ...] = ()
+    derived: bool = False
+    """Computed on the host side from other parameters and kept in the group's derived block."""
+
+
+@dataclass(frozen=True, slots=True)
+class Resource:
+    """A texture and the state of the sampler that reads it."""
+
+    name: str
+    type: Type
+    group: str
+    default: str = "white"
+    state: tuple[tuple[str, str], ...] = field(default=())
+    """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
+
+
+@dataclass(frozen=True, slots=True)
+class Attribute:
+    """A vertex input."""
+
+    name: str
+    type: Type

@@ -1,0 +1,178 @@
+"""What the compiler hands to a backend: staged, laid out and scheduled, in no language yet.
+
+A backend prints a ``Program``. It prints a node that some statement binds as that statement's name
+and every other node in place; it decides nothing about order, sharing, stages or offsets.
+All names here are suggestions in the user's spelling; a backend's ``Namer`` makes them legal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from .leaves import InterpolationMode, Parameter, Resource
+from .node import Formal, Node
+from .types import Struct, Type
+
+StageName = Literal["vertex", "fragment"]
+
+
+@dataclass(frozen=True, slots=True)
+class StoredMember:
+    """One member of a block in its stored form: the same bytes on every backend."""
+
+    name: str
+    """Suggested identifier, ``torch_axis``; paddings are ``pad_0`` …"""
+    type: Type
+    """Stored type: bools as uint, mat2/mat3 and packed arrays as arrays of vec4."""
+    offset: int
+    """Bytes from the start of the block (or of the struct)."""
+    size: int
+    """Bytes occupied."""
+    parameter: Parameter | None
+    """What it holds; ``None`` for explicit padding."""
+    doc: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A uniform block: one group's parameters, or what was derived from them."""
+
+    name: str
+    """Suggested identifier, ``Material`` or ``MaterialDerived``."""
+    group: str
+    derived: bool
+    members: tuple[StoredMember, ...]
+    size: int
+    """Bytes, a multiple of 16."""
+    structs: tuple[Struct, ...]
+    """Stored struct types (padded) that members use, in order of definition."""
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """A stage input or output: vertex attribute, varying slot, or render target."""
+
+    name: str
+    type: Type
+    location: int
+    mode: InterpolationMode = "perspective"
+    doc: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Varying:
+    """Values that cross from the vertex to the fragment stage in one location."""
+
+    field: Field
+    values: tuple[Node, ...]
+    """Vertex-domain values whose lanes, joined, fill the slot."""
+
+
+@dataclass(frozen=True, slots=True)
+class Let:
+    """``name = value``, once."""
+
+    name: str
+    node: Node
+    doc: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """``node`` (a select) computed by a branch, so that only one side is evaluated."""
+
+    name: str
+    node: Node
+    then: Region
+    otherwise: Region
+    """The sides' values are ``node.operands[1]`` and ``[2]``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """``node`` (an opened fold) computed by a loop over ``0 <= index < min(count, bound)``."""
+
+    name: str
+    node: Node
+    count: Node
+    bound: int
+    start: Node
+    index: Formal
+    operator: Literal["add", "mul"]
+    body: Region
+    value: Node
+    """What each turn adds (or multiplies), in terms of ``index``."""
+
+
+Statement = Let | Branch | Loop
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """Statements in order; each may use the names bound before it, here or further out."""
+
+    statements: tuple[Statement, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A body used more than once, such as what one light contributes.
+
+    A call is an ``apply`` node whose first operand is ``body``; ``arguments`` of the call are the
+    apply node's further operands followed by ``captured``.
+    """
+
+    name: str
+    doc: str
+    parameters: tuple[tuple[Formal, Type], ...]
+    captured: tuple[Node, ...]
+    """Values of the caller that the body needs besides its arguments; each has a parameter too."""
+    body: Node
+    """Identifies the function: the first operand of the calls."""
+    region: Region
+    value: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """One shader stage."""
+
+    name: StageName
+    inputs: tuple[Field, ...]
+    outputs: tuple[Field, ...]
+    blocks: tuple[Block, ...]
+    """Blocks the stage reads, in binding order."""
+    resources: tuple[Resource, ...]
+    functions: tuple[Function, ...]
+    region: Region
+    position: Node | None
+    """Clip-space position (vertex stage)."""
+    results: tuple[Node, ...]
+    """One value for each of ``outputs``."""
+    discard: Node | None
+    """Where true the pixel is not written; comes last."""
+    builtin_inputs: tuple[str, ...] = ()
+    """``frag_coord``, ``front_facing``, ``vertex_index``, ``instance_index`` when read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """One material under one pass and one rig."""
+
+    name: str
+    doc: str
+    vertex: Stage
+    fragment: Stage
+    blocks: tuple[Block, ...]
+    """All blocks of both stages, in group order."""
+    resources: tuple[Resource, ...]
+    varyings: tuple[Varying, ...]
+    docs: Mapping[str, str] = field(default_factory=dict)
+    """Doc comments by user's name."""
+
+    @property
+    def stages(self) -> tuple[Stage, Stage]:
+        """Both stages, in pipeline order."""
+        return self.vertex, self.fragment

@@ -1,0 +1,123 @@
+"""Representation types: what a value *is* on the machine, without what it means.
+
+Meaning-carrying types of the language (``rgb``, ``angle``, ``point<world>`` …) cost nothing at run
+time; ``semantics`` maps each onto one of these. All instances are frozen, compare by value and are
+safe as dictionary keys.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+ScalarKind = Literal["float", "int", "uint", "bool"]
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """One lane."""
+
+    kind: ScalarKind
+
+    def __str__(self) -> str:
+        return self.kind
+
+
+@dataclass(frozen=True, slots=True)
+class Vector:
+    """Two to four lanes of one scalar kind; a column where matrices are concerned."""
+
+    kind: ScalarKind
+    size: int
+
+    def __str__(self) -> str:
+        prefix = {"float": "", "int": "i", "uint": "u", "bool": "b"}[self.kind]
+        return f"{prefix}vec{self.size}"
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """Square float matrix of ``size`` columns, each a ``Vector("float", size)``."""
+
+    size: int
+
+    def __str__(self) -> str:
+        return f"mat{self.size}"
+
+
+@dataclass(frozen=True, slots=True)
+class Array:
+    """A fixed number of elements."""
+
+    element: Type
+    count: int
+
+    def __str__(self) -> str:
+        return f"{self.element}[{self.count}]"
+
+
+@dataclass(frozen=True, slots=True)
+class Struct:
+    """Named members in declaration order."""
+
+    name: str
+    members: tuple[tuple[str, Type], ...]
+
+    def member(self, name: str) -> Type:
+        """The type of member ``name``; ``KeyError`` if there is none."""
+        return dict(self.members)[name]
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True, slots=True)
+class Texture:
+    """A sampled texture; dimension and sample type are part of the type (WebGPU layouts need both)."""
+
+    dimension: Literal["2d"] = "2d"
+    sample: Literal["float"] = "float"
+
+    def __str__(self) -> str:
+        return f"texture{self.dimension}"
+
+
+Type = Scalar | Vector | Matrix | Array | Struct | Texture
+Numeric = Scalar | Vector
+
+FLOAT = Scalar("float")
+INT = Scalar("int")
+UINT = Scalar("uint")
+BOOL = Scalar("bool")
+VEC2 = Vector("float", 2)
+VEC3 = Vector("float", 3)
+VEC4 = Vector("float", 4)
+
+
+def width(type_: Type) -> int:
+    """Lanes of a scalar or vector; components of a matrix."""
+    match type_:
+        case Scalar():
+            return 1
+        case Vector(size=size):
+            return size
+        case Matrix(size=size):
+            return size * size
+        case _:
+            raise TypeError(f"{type_} has no width")
+
+
+def with_width(kind: ScalarKind, lanes: int) -> Numeric:
+    """The scalar or vector of ``lanes`` lanes."""
+    return Scalar(kind) if lanes == 1 else Vector(kind, lanes)
+
+
+def scalar_kind(type_: Type) -> ScalarKind | None:
+    """The kind of a type's lanes; ``None`` for aggregates and textures."""
+    match type_:
+        case Scalar(kind) | Vector(kind):
+            return kind
+        case Matrix():
+            return "float"
+        case _:
+            return None

@@ -1,0 +1,220 @@
+"""One byte layout for uniform blocks that std140, D3D and WGSL all agree on.
+
+The three rule sets differ as soon as they have a choice, so the text leaves them none:
+
+- every gap is a scalar member of its own (D3D would move a ``vec2`` up into the gap before it);
+- arrays are ``vec4[n]`` with the elements in the lanes (std140 and D3D pad elements to 16 bytes,
+  WGSL refuses element strides that are not multiples of 16);
+- 2- and 3-row matrices are arrays of ``vec4`` columns (a ``mat2`` column takes 8 bytes in WGSL and
+  16 elsewhere);
+- structs start at multiples of 16 bytes and end in explicit padding at one;
+- bools are uints (no rule set gives a bool a size that all of them keep).
+
+Sources: OpenGL 4.6 specification, 7.6.2.2 "Standard Uniform Block Layout"; Microsoft, "Packing
+Rules for Constant Variables"; WGSL, "Memory Layout" and "Address Space Layout Constraints".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from .ir.leaves import Parameter
+from .ir.program import Block, StoredMember
+from .ir.types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector
+
+STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
+"""The groups that every shader has, in binding order."""
+
+ROW = 16
+"""Bytes of a ``vec4``: what arrays, matrices, structs and blocks are counted in."""
+
+LANE = 4
+"""Bytes of a scalar."""
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A stored member at its offset in bytes."""
+
+    name: str
+    type: Type
+    offset: int
+    padding: bool = False
+
+
+def layout_blocks(
+    parameters: Sequence[Parameter],
+    group_order: Sequence[str] = STANDARD_GROUPS,
+    docs: Mapping[str, str] | None = None,
+) -> tuple[Block, ...]:
+    """One block for each group's parameters, each followed by the one of what is derived there.
+
+    Groups that ``group_order`` does not name come last, in order of first appearance. ``docs``
+    are doc comments by parameter name. Nothing but the declarations decides the layout.
+    """
+    groups = dict.fromkeys((*group_order, *(parameter.group for parameter in parameters)))
+    blocks = []
+    for group in groups:
+        for derived in (False, True):
+            held = [p for p in parameters if p.group == group and p.derived == derived]
+            if held:
+                blocks.append(_block(group, derived, held, docs or {}))
+    return tuple(blocks)
+
+
+def block_name(group: str, derived: bool) -> str:
+    """Suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
+    return group[:1].upper() + group[1:] + ("Derived" if derived else "")
+
+
+def _block(
+    group: str, derived: bool, parameters: list[Parameter], docs: Mapping[str, str]
+) -> Block:
+    placed = place((suggested_name(p), stored_type(p.type)) for p in parameters)
+    remaining = iter(parameters)
+    members = []
+    for row in placed:
+        parameter = None if row.padding else next(remaining)
+        doc = docs.get(parameter.name, "") if parameter else ""
+        size = byte_size(row.type)
+        members.append(StoredMember(row.name, row.type, row.offset, size, parameter, doc))
+    return Block(
+        name=block_name(group, derived),
+        group=group,
+        derived=derived,
+        members=tuple(members),
+        size=sum(member.size for member in members),
+        structs=_structs(member.type for member in members),
+    )
+
+
+def suggested_name(parameter: Parameter) -> str:
+    """``sun.direction`` as an identifier.
+
+    A backend's namer keeps it apart from a ``sun_direction`` that may stand beside it.
+    """
+    return parameter.name.replace(".", "_")
+
+
+def place(members: Iterable[tuple[str, Type]]) -> tuple[Placed, ...]:
+    """Stored members in order with every gap filled, up to a whole number of rows."""
+    members = tuple(members)
+    taken = {name for name, _ in members}
+    placed: list[Placed] = []
+    end = 0
+
+    def pad_to(alignment: int) -> None:
+        nonlocal end
+        while end % alignment:
+            name = _padding_name(taken)
+            placed.append(Placed(name, FLOAT, end, padding=True))
+            end += LANE
+
+    for name, type_ in members:
+        pad_to(_alignment(type_))
+        placed.append(Placed(name, type_, end))
+        end += byte_size(type_)
+    pad_to(ROW)
+    return tuple(placed)
+
+
+def _padding_name(taken: set[str]) -> str:
+    """The next free ``pad_N``; it is taken afterwards."""
+    number = 0
+    while f"pad_{number}" in taken:
+        number += 1
+    taken.add(f"pad_{number}")
+    return f"pad_{number}"
+
+
+@cache
+def stored_type(type_: Type) -> Type:
+    """How a value of ``type_`` lies in a block. What is stored already is left as it is."""
+    match type_:
+        case Scalar(kind):
+            return Scalar(_stored_kind(kind))
+        case Vector(kind, size):
+            return Vector(_stored_kind(kind), size)
+        case Matrix(size):
+            return type_ if size == 4 else Array(Vector("float", 4), size)
+        case Array(element, count):
+            return _stored_array(element, count)
+        case Struct():
+            return stored_struct(type_)
+        case _:
+            raise TypeError(f"{type_} cannot be kept in a uniform block")
+
+
+@cache
+def stored_struct(struct: Struct) -> Struct:
+    """A struct whose members are in stored form, with its gaps as members."""
+    placed = place((name, stored_type(type_)) for name, type_ in struct.members)
+    return Struct(struct.name, tuple((row.name, row.type) for row in placed))
+
+
+def _stored_array(element: Type, count: int) -> Array:
+    match element:
+        case Scalar(kind) | Vector(kind):
+            rows = -(-count // elements_in_row(element))
+            return Array(Vector(_stored_kind(kind), 4), rows)
+        case Matrix(size):
+            return Array(Vector("float", 4), size * count)
+        case Struct():
+            return Array(stored_struct(element), count)
+        case _:
+            raise TypeError(f"an array of {element} cannot be kept in a uniform block")
+
+
+def elements_in_row(element: Scalar | Vector) -> int:
+    """How many elements of an array share a ``vec4``: 4 scalars, 2 ``vec2``, 1 longer vector."""
+    match element:
+        case Scalar():
+            return 4
+        case Vector(size=2):
+            return 2
+        case _:
+            return 1
+
+
+def _stored_kind(kind: ScalarKind) -> ScalarKind:
+    return "uint" if kind == "bool" else kind
+
+
+def byte_size(stored: Type) -> int:
+    """Bytes that a stored type occupies; gaps are members, so nothing needs rounding."""
+    match stored:
+        case Scalar():
+            return LANE
+        case Vector(size=size):
+            return LANE * size
+        case Matrix(size=4):
+            return 4 * ROW
+        case Array(element, count):
+            return count * byte_size(element)
+        case Struct(members=members):
+            return sum(byte_size(type_) for _, type_ in members)
+        case _:
+            raise TypeError(f"{stored} is not a stored type")
+
+
+def _alignment(stored: Type) -> int:
+    match stored:
+        case Scalar():
+            return LANE
+        case Vector(size=2):
+            return 2 * LANE
+        case _:
+            return ROW
+
+
+def _structs(types: Iterable[Type]) -> tuple[Struct, ...]:
+    """The structs that ``types`` use, those inside others first, each once."""
+    found: dict[Struct, None] = {}
+    for type_ in types:
+        inner = type_.element if isinstance(type_, Array) else type_
+        if isinstance(inner, Struct):
+            found.update(dict.fromkeys(_structs(member for _, member in inner.members)))
+            found[inner] = None
+    return tuple(found)

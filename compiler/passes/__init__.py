@@ -1,0 +1,1 @@
+"""From the graph that semantics leaves to programs that backends print; see ``pipeline``."""

@@ -1,0 +1,256 @@
+"""Simplification rules of single builtins: neutral operands, known ranges, equal operands.
+
+Rules hold for finite operands; that is what "finite in, finite out" is for. The sign of a zero is no
+part of the meaning.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from ..ir import build
+from ..ir.node import Node, Op
+from ..ir.types import Matrix, Scalar, Type, Vector, scalar_kind, width
+
+if TYPE_CHECKING:
+    from .simplify import Simplifier
+
+BuiltinRule = Callable[["Simplifier", Op, Type, tuple[Node, ...]], Node | None]
+
+
+def _lane(node: Node) -> float | int | bool | None:
+    from .simplify import uniform_lane  # noqa: PLC0415
+
+    return uniform_lane(node)
+
+
+def _is_call(node: Node, name: str) -> bool:
+    return node.op in ("call", "native") and node.data == name
+
+
+def _fits(s: Simplifier, node: Node, type_: Type) -> Node | None:
+    """An operand as the whole result: itself, or a scalar in every lane."""
+    if node.type == type_:
+        return node
+    if isinstance(node.type, Scalar) and isinstance(type_, Vector):
+        return s.make("splat", type_, (node,))
+    return None
+
+
+def _scalar_form(s: Simplifier, name: str, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    """Arithmetic with equal lanes as arithmetic with a scalar."""
+    if not isinstance(type_, Vector):
+        return None
+    lanes = [_equal_lane(s, operand) for operand in operands]
+    if all(lane is not None for lane in lanes):
+        scalar = s.call(name, Scalar(type_.kind), *[lane for lane in lanes if lane is not None])
+        return s.make("splat", type_, (scalar,))
+    changed = [
+        lane if lane is not None and isinstance(operand.type, Vector) else operand
+        for lane, operand in zip(lanes, operands, strict=True)
+    ]
+    if changed == list(operands):
+        return None
+    return s.call(name, type_, *changed)
+
+
+def _equal_lane(s: Simplifier, node: Node) -> Node | None:
+    """The scalar that fills every lane of ``node``, if one does."""
+    if isinstance(node.type, Scalar):
+        return node
+    if node.op == "splat":
+        return node.operands[0]
+    value = _lane(node)
+    kind = scalar_kind(node.type)
+    if value is None or kind is None:
+        return None
+    return build.constant(s.graph, Scalar(kind), value)
+
+
+def _add(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    left, right = operands
+    if _lane(left) == 0:
+        return _fits(s, right, type_)
+    if _lane(right) == 0:
+        return _fits(s, left, type_)
+    if _is_call(right, "neg") and right.type == type_:
+        return s.call("sub", type_, left, right.operands[0])
+    return _scalar_form(s, "add", type_, operands) if op == "call" else None
+
+
+def _sub(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    left, right = operands
+    if _lane(right) == 0:
+        return _fits(s, left, type_)
+    if _lane(left) == 0 and scalar_kind(type_) != "uint":
+        fitted = _fits(s, right, type_)
+        return None if fitted is None else s.call("neg", type_, fitted)
+    if left is right and not isinstance(type_, Matrix):
+        return s.constant(type_, 0)
+    return _scalar_form(s, "sub", type_, operands) if op == "call" else None
+
+
+def _mul(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    left, right = operands
+    if isinstance(type_, Matrix) or any(isinstance(o.type, Matrix) for o in operands):
+        return None
+    for one, other in ((left, right), (right, left)):
+        value = _lane(one)
+        if value == 0:
+            return s.constant(type_, 0)
+        if value == 1:
+            return _fits(s, other, type_)
+        if value == -1 and (fitted := _fits(s, other, type_)) is not None:
+            return s.call("neg", type_, fitted)
+    return _scalar_form(s, "mul", type_, operands) if op == "call" else None
+
+
+def _div(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    left, right = operands
+    if isinstance(type_, Matrix):
+        return None
+    if _lane(right) == 1:
+        return _fits(s, left, type_)
+    if _lane(left) == 0 and scalar_kind(type_) == "float":
+        return s.constant(type_, 0)
+    return _scalar_form(s, "div", type_, operands) if op == "call" else None
+
+
+def _neg(_s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
+    (operand,) = operands
+    return operand.operands[0] if _is_call(operand, "neg") else None
+
+
+def _min(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    x, y = operands
+    fx, fy = s.ranges.of(x), s.ranges.of(y)
+    if fx.hi <= fy.lo:
+        return _fits(s, x, type_)
+    return _fits(s, y, type_) if fy.hi <= fx.lo else None
+
+
+def _max(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    x, y = operands
+    fx, fy = s.ranges.of(x), s.ranges.of(y)
+    if fx.lo >= fy.hi:
+        return _fits(s, x, type_)
+    return _fits(s, y, type_) if fy.lo >= fx.hi else None
+
+
+def _clamp(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    x, low, high = operands
+    if s.ranges.of(x).within(s.ranges.of(low).hi, s.ranges.of(high).lo):
+        return _fits(s, x, type_)
+    if scalar_kind(type_) == "float" and (_lane(low), _lane(high)) == (0, 1) and x.type == type_:
+        return s.call("saturate", type_, x)
+    return None
+
+
+def _saturate(s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
+    return operands[0] if s.ranges.of(operands[0]).within(0.0, 1.0) else None
+
+
+def _abs(s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
+    return operands[0] if s.ranges.of(operands[0]).lo >= 0 else None
+
+
+def _normalize(s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
+    """Normalising what is known to be of unit length costs nothing."""
+    return operands[0] if s.ranges.of(operands[0]).unit else None
+
+
+def _pow(s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
+    base, exponent = operands
+    return base if _lane(exponent) == 1 and s.ranges.of(base).lo >= 0 else None
+
+
+def _transpose(_s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
+    return operands[0].operands[0] if _is_call(operands[0], "transpose") else None
+
+
+def _comparison(decide: Callable[[Simplifier, Node, Node], bool | None]) -> BuiltinRule:
+    def rule(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+        left, right = operands
+        decided = decide(s, left, right) if width(left.type) == 1 else None
+        return None if decided is None else s.constant(type_, decided)
+
+    return rule
+
+
+def _below(s: Simplifier, left: Node, right: Node) -> bool | None:
+    """Whether ``left < right``, where the ranges decide it."""
+    if s.ranges.of(left).hi < s.ranges.of(right).lo:
+        return True
+    return False if s.ranges.of(left).lo >= s.ranges.of(right).hi else None
+
+
+def _at_most(s: Simplifier, left: Node, right: Node) -> bool | None:
+    above = _below(s, right, left)
+    return None if above is None else not above
+
+
+def _equal(s: Simplifier, left: Node, right: Node) -> bool | None:
+    if left is right:
+        return True
+    fl, fr = s.ranges.of(left), s.ranges.of(right)
+    return False if fl.hi < fr.lo or fr.hi < fl.lo else None
+
+
+def _negated(decide: Callable[[Simplifier, Node, Node], bool | None]) -> BuiltinRule:
+    def opposite(s: Simplifier, left: Node, right: Node) -> bool | None:
+        decided = decide(s, left, right)
+        return None if decided is None else not decided
+
+    return _comparison(opposite)
+
+
+_OPPOSITES = {"lt": "ge", "ge": "lt", "gt": "le", "le": "gt", "eq": "ne", "ne": "eq"}
+
+
+def _not(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    (operand,) = operands
+    if _is_call(operand, "not"):
+        return operand.operands[0]
+    if operand.op == op and operand.data in _OPPOSITES and type_ == Scalar("bool"):
+        return s.make(op, type_, operand.operands, _OPPOSITES[str(operand.data)])
+    return None
+
+
+def _connective(absorbing: bool) -> BuiltinRule:
+    """``and`` (absorbed by false) and ``or`` (absorbed by true)."""
+
+    def rule(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+        left, right = operands
+        for one, other in ((left, right), (right, left)):
+            if one.op == "constant":
+                return s.constant(type_, absorbing) if one.data is absorbing else other
+        return left if left is right else None
+
+    return rule
+
+
+BUILTIN_RULES: Mapping[str, BuiltinRule] = {
+    "add": _add,
+    "sub": _sub,
+    "mul": _mul,
+    "div": _div,
+    "neg": _neg,
+    "min": _min,
+    "max": _max,
+    "clamp": _clamp,
+    "saturate": _saturate,
+    "abs": _abs,
+    "normalize": _normalize,
+    "pow": _pow,
+    "transpose": _transpose,
+    "lt": _comparison(_below),
+    "ge": _negated(_below),
+    "le": _comparison(_at_most),
+    "gt": _negated(_at_most),
+    "eq": _comparison(_equal),
+    "ne": _negated(_equal),
+    "not": _not,
+    "and": _connective(False),
+    "or": _connective(True),
+}

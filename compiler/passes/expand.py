@@ -1,0 +1,81 @@
+"""Templates of the builtins' expansions, lowered from ``stdlib/meaning.burnish`` once per process."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+from functools import lru_cache
+
+from ...stdlib.builtins import BUILTINS
+from ..diagnostics.diagnostic import Report
+from ..diagnostics.source import Span
+from ..ir.node import Formal, Node, Op, reachable
+from ..ir.types import Scalar, Type, Vector
+from ..library import expansions
+from ..semantics.calls import accepts, apply_body
+from ..semantics.lower import Lowering
+from ..semantics.records import Records
+from ..semantics.scope import Failure
+from ..semantics.trampoline import run
+from ..semantics.typenames import TypeResolver
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One node of a template; operands are numbers of earlier steps."""
+
+    op: Op
+    type: Type
+    operands: tuple[int, ...]
+    data: Hashable
+
+
+@dataclass(frozen=True, slots=True)
+class Template:
+    """An expansion as steps; the first ones are its parameters, the last one its value."""
+
+    parameters: int
+    steps: tuple[Step, ...]
+    result: int
+    lanewise: bool
+    """Declared on scalars: applies to each lane of vector operands."""
+
+
+@lru_cache(maxsize=None)
+def template(name: str, types: tuple[Type, ...]) -> Template:
+    """The expansion of builtin ``name`` for operands of these types."""
+    found = _lowered(name, types)
+    if found is not None:
+        return found
+    lanes = tuple(Scalar(t.kind) if isinstance(t, Vector) else t for t in types)
+    scalar = _lowered(name, lanes)
+    assert scalar is not None, f"no expansion of {name} takes {types}"
+    return Template(scalar.parameters, scalar.steps, scalar.result, lanewise=True)
+
+
+def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
+    _, functions = expansions()
+    report = Report()
+    low = Lowering(report, Records(report), TypeResolver(report))
+    arguments = tuple(
+        low.graph.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
+    )
+    for symbol in functions[BUILTINS[name].expansion]:
+        if accepts(low, symbol, arguments):
+            source = symbol.module.file.source
+            value = run(apply_body(low, symbol, arguments, Span(source, 0, 0)))
+            assert not isinstance(value, Failure), report.diagnostics
+            return _steps(arguments, value)
+    return None
+
+
+def _steps(arguments: tuple[Node, ...], value: Node) -> Template:
+    number = {argument.id: i for i, argument in enumerate(arguments)}
+    steps = [Step(node.op, node.type, (), None) for node in arguments]
+    for node in reachable((value,)):
+        if node.id in number:
+            continue
+        number[node.id] = len(steps)
+        operands = tuple(number[operand.id] for operand in node.operands)
+        steps.append(Step(node.op, node.type, operands, node.data))
+    return Template(len(arguments), tuple(steps), number[value.id], lanewise=False)

@@ -1,0 +1,153 @@
+"""Fuses sums over the same lights: one loop, and one function a light, for all terms together.
+
+``Σ f(light) + Σ g(light)`` is ``Σ (f + g)(light)``; so ``lambert(…) + phong(…)`` costs one pass over the rig.
+In the graph: two applies in one sum that share an argument become an apply of the sum of their
+bodies, and two folds of one count become a fold of the sum of theirs. Real addition is associative,
+and the accuracy that a backend owes is worked out on the fused graph.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ..ir.binding import substitute
+from ..ir.node import Folding, Formals, Graph, Node, reachable
+from ..semantics.shader import Notes
+from .rewrite import following, rewrite
+from .simplify import Simplifier
+
+
+def fuse(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
+    """The roots with the sums in them fused."""
+    wanted = list(roots)
+    fusing = _Fusing(graph, notes, simplifier, _inner_sums(wanted))
+    return rewrite(graph, wanted, fusing.rule, following(notes))
+
+
+def _is_sum(node: Node) -> bool:
+    return node.op == "call" and node.data == "add"
+
+
+def _inner_sums(roots: list[Node]) -> set[int]:
+    """Sums that are only parts of other sums: their terms are gathered there."""
+    inner: set[int] = set()
+    outer = {root.id for root in roots}
+    for node in reachable(roots):
+        for operand in node.operands:
+            if _is_sum(operand):
+                (inner if _is_sum(node) and operand.type == node.type else outer).add(operand.id)
+    return inner - outer
+
+
+class _Fusing:
+    def __init__(
+        self, graph: Graph, notes: Notes, simplifier: Simplifier, inner: set[int]
+    ) -> None:
+        self._graph = graph
+        self._notes = notes
+        self._simplifier = simplifier
+        self._inner = inner
+        self._merged: dict[tuple[object, ...], tuple[Node, Formals]] = {}
+
+    def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        """Fuse a sum that is not part of a larger one."""
+        if not _is_sum(node) or node.id in self._inner:
+            return None
+        return self._sum(graph.node(node.op, node.type, operands, node.data))
+
+    def _sum(self, root: Node) -> Node:
+        groups: list[Node] = []
+        for term in _terms(root):
+            position = next((i for i, g in enumerate(groups) if _fusable(g, term)), None)
+            if position is None:
+                groups.append(term)
+            else:
+                groups[position] = self._fused(groups[position], term)
+        total = groups[0]
+        for group in groups[1:]:
+            total = self._simplifier.call("add", root.type, total, group)
+        return total
+
+    def _fused(self, left: Node, right: Node) -> Node:
+        return self._folds(left, right) if left.op == "fold" else self._applies(left, right)
+
+    def _folds(self, left: Node, right: Node) -> Node:
+        assert isinstance(left.data, Folding) and isinstance(right.data, Folding)
+        assert left.data.index is not None and right.data.index is not None
+        count, start, body = left.operands
+        index = self._graph.node("formal", count.type, (), left.data.index)
+        other = substitute(self._graph, right.operands[2], {right.data.index: index})
+        joined = self._sum(self._graph.node("call", left.type, (body, other), "add"))
+        return self._graph.node("fold", left.type, (count, start, joined), left.data)
+
+    def _applies(self, left: Node, right: Node) -> Node:
+        arguments = list(left.operands[1:])
+        for argument in right.operands[1:]:
+            if argument not in arguments:
+                arguments.append(argument)
+        places = tuple(arguments.index(argument) for argument in right.operands[1:])
+        body, formals = self._bodies(left, right, places)
+        return self._graph.node("apply", left.type, (body, *arguments), formals)
+
+    def _bodies(
+        self, left: Node, right: Node, places: tuple[int, ...]
+    ) -> tuple[Node, Formals]:
+        """The sum of two bodies; the same two bodies with the same sharing are one body."""
+        key = (left.operands[0].id, right.operands[0].id, places)
+        if key not in self._merged:
+            self._merged[key] = self._new_body(left, right, places)
+        return self._merged[key]
+
+    def _new_body(
+        self, left: Node, right: Node, places: tuple[int, ...]
+    ) -> tuple[Node, Formals]:
+        formals, theirs = left.data, right.data
+        assert isinstance(formals, tuple) and isinstance(theirs, tuple)
+        replacements = {}
+        for formal, place, argument in zip(theirs, places, right.operands[1:], strict=True):
+            if place < len(formals):
+                replacements[formal] = self._graph.node(
+                    "formal", argument.type, (), formals[place]
+                )
+            else:
+                formals += (formal,)
+        other = substitute(self._graph, right.operands[0], replacements)
+        body = self._simplifier.call("add", left.type, left.operands[0], other)
+        names = [self._notes.functions.get(part.operands[0].id, "") for part in (left, right)]
+        self._notes.functions.setdefault(body.id, "_".join(filter(None, names)))
+        return body, formals
+
+
+def _terms(root: Node) -> list[Node]:
+    """The terms of a sum, left to right."""
+    terms: list[Node] = []
+    pending = [root]
+    while pending:
+        node = pending.pop()
+        if _is_sum(node) and node.type == root.type and all(
+            operand.type == root.type for operand in node.operands
+        ):
+            pending.extend(reversed(node.operands))
+        else:
+            terms.append(node)
+    return terms
+
+
+def _fusable(left: Node, right: Node) -> bool:
+    if left.op != right.op or left.type != right.type:
+        return False
+    if left.op == "fold":
+        return _same_turns(left, right)
+    if left.op != "apply":
+        return False
+    varying = {arg for arg in left.operands[1:] if arg.op != "constant"}
+    return any(argument in varying for argument in right.operands[1:])
+
+
+def _same_turns(left: Node, right: Node) -> bool:
+    assert isinstance(left.data, Folding) and isinstance(right.data, Folding)
+    return (
+        left.data.operator == right.data.operator == "add"
+        and left.data.bound == right.data.bound
+        and left.operands[:2] == right.operands[:2]
+    )

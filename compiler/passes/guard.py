@@ -1,0 +1,90 @@
+"""From Burnish's meaning to hardware operations.
+
+Where range analysis proves that a builtin's operands lie where all backends agree, the hardware's own
+operation is used; elsewhere the builtin's expansion, whose parts are treated the same way. What
+could not be proven is kept for the reader as a ``Guard``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+
+from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.facts import Fact
+from ..diagnostics.source import Span
+from ..ir.node import Graph, Node, Op
+from ..ir.types import Scalar, Type, Vector, with_width
+from .expand import Template, template
+from .ranges import Ranges
+from .simplify import Simplifier
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """A builtin that keeps its guard, and what was known of its operands."""
+
+    builtin: str
+    facts: tuple[Fact, ...]
+    span: Span | None
+
+    @property
+    def reason(self) -> str:
+        """Why the guard is needed, in words."""
+        known = ", ".join(_interval(fact) for fact in self.facts)
+        return f"operands in {known}; {BUILTINS[self.builtin].outside}"
+
+
+def _interval(fact: Fact) -> str:
+    return f"[{fact.lo:g}, {fact.hi:g}]"
+
+
+class Guarding(Simplifier):
+    """Builds nodes without any ``call``: natives and expansions."""
+
+    def __init__(self, graph: Graph, ranges: Ranges) -> None:
+        super().__init__(graph, ranges)
+        self.kept: dict[int, Guard] = {}
+        """By the id of the ``call`` that was expanded."""
+        self._expanded: dict[int, Node] = {}
+
+    def make(
+        self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
+    ) -> Node:
+        """The simplest node with this value, in hardware operations."""
+        node = super().make(op, type_, operands, data)
+        if node.op != "call":
+            return node
+        row = BUILTINS[str(node.data)]
+        facts = tuple(self.ranges.of(operand) for operand in node.operands)
+        if not row.expansion or row.domain(facts):
+            return self.graph.node("native", node.type, node.operands, node.data)
+        if node.id not in self._expanded:
+            if row.outside:
+                self.kept[node.id] = Guard(row.name, facts, None)
+            self._expanded[node.id] = self._expand(node)
+        return self._expanded[node.id]
+
+    def _expand(self, node: Node) -> Node:
+        found = template(str(node.data), tuple(operand.type for operand in node.operands))
+        if not found.lanewise:
+            return self._instantiate(found, node.operands)
+        assert isinstance(node.type, Vector)
+        lanes = tuple(
+            self._instantiate(found, tuple(self._lane(operand, i) for operand in node.operands))
+            for i in range(node.type.size)
+        )
+        return self.make("vector", with_width(node.type.kind, len(lanes)), lanes)
+
+    def _lane(self, operand: Node, lane: int) -> Node:
+        if not isinstance(operand.type, Vector):
+            return operand
+        return self.make("swizzle", Scalar(operand.type.kind), (operand,), (lane,))
+
+    def _instantiate(self, found: Template, operands: tuple[Node, ...]) -> Node:
+        values = list(operands)
+        for step in found.steps[found.parameters :]:
+            inner = tuple(values[i] for i in step.operands)
+            values.append(self.make(step.op, step.type, inner, step.data))
+        return values[found.result]
+

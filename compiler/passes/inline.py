@@ -1,0 +1,32 @@
+"""Writes a body out where it is used once, or where calling it would cost more than it does."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+
+from ..ir.node import Graph, Node, reachable
+from ..semantics.shader import Notes
+from .cost import cost
+from .rewrite import following, rewrite
+from .simplify import Simplifier, substitute_through
+
+TRIVIAL = 4
+"""Bodies of at most this cost are written out wherever they are used."""
+
+
+def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
+    """The roots with applies of bodies that are used once replaced by the bodies."""
+    wanted = list(roots)
+    uses = Counter(node.operands[0].id for node in reachable(wanted) if node.op == "apply")
+
+    def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        if node.op != "apply":
+            return None
+        if uses[node.operands[0].id] > 1 and cost(operands[0]) > TRIVIAL:
+            return None
+        assert isinstance(node.data, tuple)
+        replacements = dict(zip(node.data, operands[1:], strict=True))
+        return substitute_through(simplifier, operands[0], replacements)
+
+    return rewrite(graph, wanted, rule, following(notes))

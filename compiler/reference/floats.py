@@ -1,0 +1,168 @@
+"""What each function of floats means, lane by lane.
+
+The names are the builtins', with an underscore where Python has a function or word of that name.
+Operands outside the naive domain are replaced *before* the naive
+function sees them, as in the shaders, so that no NaN ever appears on the way.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ...stdlib.builtins.facts import SMALLEST_NORMAL
+from .namespace import Lane, Namespace
+
+
+def _is_tiny(x: Lane) -> Lane:
+    """Whether a device may see zero."""
+    return abs(x) < SMALLEST_NORMAL
+
+
+def add(_xp: Namespace, x: Lane, y: Lane) -> Lane:
+    return x + y
+
+
+def sub(_xp: Namespace, x: Lane, y: Lane) -> Lane:
+    return x - y
+
+
+def mul(_xp: Namespace, x: Lane, y: Lane) -> Lane:
+    return x * y
+
+
+def div(xp: Namespace, x: Lane, y: Lane) -> Lane:
+    tiny = _is_tiny(y)
+    return xp.where(tiny, 0.0, xp.divide(x, xp.where(tiny, 1.0, y)))
+
+
+def mod(xp: Namespace, x: Lane, y: Lane) -> Lane:
+    tiny = _is_tiny(y)
+    return xp.where(tiny, 0.0, xp.remainder(x, xp.where(tiny, 1.0, y)))
+
+
+def neg(_xp: Namespace, x: Lane) -> Lane:
+    return -x
+
+
+def abs_(_xp: Namespace, x: Lane) -> Lane:
+    return abs(x)
+
+
+def sign(xp: Namespace, x: Lane) -> Lane:
+    return xp.where(x > 0, 1.0, xp.where(x < 0, -1.0, 0.0))
+
+
+def floor(xp: Namespace, x: Lane) -> Lane:
+    return xp.floor(x)
+
+
+def ceil(xp: Namespace, x: Lane) -> Lane:
+    return xp.ceil(x)
+
+
+def round_(xp: Namespace, x: Lane) -> Lane:
+    return xp.rint(x)
+
+
+def trunc(xp: Namespace, x: Lane) -> Lane:
+    return xp.trunc(x)
+
+
+def fract(xp: Namespace, x: Lane) -> Lane:
+    return x - xp.floor(x)
+
+
+def min_(xp: Namespace, x: Lane, y: Lane) -> Lane:
+    return xp.minimum(x, y)
+
+
+def max_(xp: Namespace, x: Lane, y: Lane) -> Lane:
+    return xp.maximum(x, y)
+
+
+def clamp(xp: Namespace, x: Lane, low: Lane, high: Lane) -> Lane:
+    return xp.minimum(xp.maximum(x, low), high)
+
+
+def saturate(xp: Namespace, x: Lane) -> Lane:
+    return clamp(xp, x, 0.0, 1.0)
+
+
+def mix(_xp: Namespace, x: Lane, y: Lane, a: Lane) -> Lane:
+    return x * (1.0 - a) + y * a
+
+
+def step(xp: Namespace, edge: Lane, x: Lane) -> Lane:
+    return xp.where(x >= edge, 1.0, 0.0)
+
+
+def smoothstep(xp: Namespace, low: Lane, high: Lane, x: Lane) -> Lane:
+    t = saturate(xp, div(xp, x - low, high - low))
+    return xp.where(_is_tiny(high - low), step(xp, low, x), t * t * (3.0 - 2.0 * t))
+
+
+def sqrt(xp: Namespace, x: Lane) -> Lane:
+    return xp.sqrt(xp.maximum(x, 0.0))
+
+
+def inversesqrt(xp: Namespace, x: Lane) -> Lane:
+    return xp.divide(1.0, xp.sqrt(xp.maximum(x, SMALLEST_NORMAL)))
+
+
+def pow_(xp: Namespace, x: Lane, y: Lane) -> Lane:
+    of_zero = xp.where(_is_tiny(y), 1.0, 0.0)
+    return xp.where(x < SMALLEST_NORMAL, of_zero, xp.power(xp.maximum(x, SMALLEST_NORMAL), y))
+
+
+def exp(xp: Namespace, x: Lane) -> Lane:
+    return xp.exp(x)
+
+
+def exp2(xp: Namespace, x: Lane) -> Lane:
+    return xp.exp2(x)
+
+
+def log(xp: Namespace, x: Lane) -> Lane:
+    return xp.log(xp.maximum(x, SMALLEST_NORMAL))
+
+
+def log2(xp: Namespace, x: Lane) -> Lane:
+    return xp.log2(xp.maximum(x, SMALLEST_NORMAL))
+
+
+def sin(xp: Namespace, x: Lane) -> Lane:
+    return xp.sin(x)
+
+
+def cos(xp: Namespace, x: Lane) -> Lane:
+    return xp.cos(x)
+
+
+def tan(xp: Namespace, x: Lane) -> Lane:
+    return xp.tan(x)
+
+
+def asin(xp: Namespace, x: Lane) -> Lane:
+    return xp.arcsin(clamp(xp, x, -1.0, 1.0))
+
+
+def acos(xp: Namespace, x: Lane) -> Lane:
+    return xp.arccos(clamp(xp, x, -1.0, 1.0))
+
+
+def atan(xp: Namespace, x: Lane) -> Lane:
+    return xp.arctan(x)
+
+
+def atan2(xp: Namespace, y: Lane, x: Lane) -> Lane:
+    on_axis = xp.where(x <= -SMALLEST_NORMAL, math.pi, 0.0)
+    is_on_axis = xp.logical_and(_is_tiny(y), x < SMALLEST_NORMAL)
+    return xp.where(is_on_axis, on_axis, xp.arctan2(y, x))
+
+
+def radians(_xp: Namespace, x: Lane) -> Lane:
+    return x * (math.pi / 180.0)
+
+
+def degrees(_xp: Namespace, x: Lane) -> Lane:
+    return x * (180.0 / math.pi)

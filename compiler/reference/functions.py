@@ -1,0 +1,154 @@
+"""What every builtin means: one function a name, on Python numbers or on arrays.
+
+This is the definition that folding, evaluation and the conformance cases share. Nothing here
+imports NumPy, so that compiling does not; pictures pass it in as ``xp``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Literal
+
+from . import floats, integers, logic, matrices, scalars, vectors
+from .namespace import Lane, Lanes, Namespace
+
+LaneKind = Literal["float", "int", "uint", "bool"]
+Function = Callable[..., Lane]
+
+_SHARED: Mapping[str, Function] = {
+    "add": floats.add,
+    "sub": floats.sub,
+    "mul": floats.mul,
+    "neg": floats.neg,
+    "abs": floats.abs_,
+    "min": floats.min_,
+    "max": floats.max_,
+    "clamp": floats.clamp,
+}
+"""Lane by lane, with one definition for floats and integers."""
+
+_FLOATS: Mapping[str, Function] = {
+    **_SHARED,
+    "div": floats.div,
+    "mod": floats.mod,
+    "sign": floats.sign,
+    "floor": floats.floor,
+    "ceil": floats.ceil,
+    "round": floats.round_,
+    "trunc": floats.trunc,
+    "fract": floats.fract,
+    "saturate": floats.saturate,
+    "mix": floats.mix,
+    "step": floats.step,
+    "smoothstep": floats.smoothstep,
+    "sqrt": floats.sqrt,
+    "inversesqrt": floats.inversesqrt,
+    "pow": floats.pow_,
+    "exp": floats.exp,
+    "exp2": floats.exp2,
+    "log": floats.log,
+    "log2": floats.log2,
+    "sin": floats.sin,
+    "cos": floats.cos,
+    "tan": floats.tan,
+    "asin": floats.asin,
+    "acos": floats.acos,
+    "atan": floats.atan,
+    "atan2": floats.atan2,
+    "radians": floats.radians,
+    "degrees": floats.degrees,
+}
+
+_INTEGERS: Mapping[str, Function] = {
+    **_SHARED,
+    "div": integers.div,
+    "mod": integers.mod,
+    "sign": integers.sign,
+}
+
+_LOGIC: Mapping[str, Function] = {
+    "eq": logic.eq,
+    "ne": logic.ne,
+    "lt": logic.lt,
+    "le": logic.le,
+    "gt": logic.gt,
+    "ge": logic.ge,
+    "and": logic.and_,
+    "or": logic.or_,
+    "not": logic.not_,
+}
+
+_CONVERSIONS: Mapping[str, Function] = {
+    "to_float": integers.to_float,
+    "to_int": integers.to_int,
+    "to_uint": integers.to_uint,
+}
+
+_WHOLE: Mapping[str, Callable[..., Lanes]] = {
+    "any": logic.any_,
+    "all": logic.all_,
+    "dot": vectors.dot,
+    "cross": vectors.cross,
+    "length": vectors.length,
+    "distance": vectors.distance,
+    "normalize": vectors.normalize,
+    "reflect": vectors.reflect,
+    "refract": vectors.refract,
+    "faceforward": vectors.faceforward,
+    "lit": vectors.lit,
+    "sample": vectors.sample,
+    "transpose": matrices.transpose,
+    "determinant": matrices.determinant,
+    "inverse": matrices.inverse,
+}
+"""On whole values rather than lane by lane."""
+
+NAMES = frozenset({*_FLOATS, *_LOGIC, *_CONVERSIONS, *_WHOLE})
+"""Every builtin that has a meaning here."""
+
+
+def evaluate(
+    name: str,
+    operands: Sequence[Lanes],
+    xp: Namespace = scalars,
+    kind: LaneKind = "float",
+) -> Lanes:
+    """The value of builtin ``name``; ``kind`` is that of the operands' lanes.
+
+    Scalars go with every lane of a vector; arrays of integers are 64 bits wide, so that they can be
+    wrapped to 32. Never raises for operands that fit the builtin's signatures, and what overflows
+    is infinite.
+    """
+    if name in _WHOLE:
+        return _WHOLE[name](xp, *operands)
+    if any(map(matrices.is_matrix, operands)):
+        return _on_matrices(name, operands, xp)
+    function = _lanewise(name, xp, kind)
+    width = max(map(len, operands))
+    wide = [lanes * width if len(lanes) == 1 else lanes for lanes in operands]
+    return tuple(function(*lanes) for lanes in zip(*wide, strict=True))
+
+
+def _on_matrices(name: str, operands: Sequence[Lanes], xp: Namespace) -> Lanes:
+    """An operator on matrices, which goes column by column unless it is the product."""
+    if name == "mul":
+        return matrices.mul(xp, *operands)
+    return tuple(evaluate(name, columns, xp) for columns in zip(*operands, strict=True))
+
+
+def _lanewise(name: str, xp: Namespace, kind: LaneKind) -> Function:
+    """The function of lanes of ``kind``, with integers wrapped."""
+    if name in _CONVERSIONS:
+        return lambda x: _convert(name, xp, kind, x)
+    if name in _LOGIC:
+        return lambda *lanes: _LOGIC[name](xp, *lanes)
+    if kind in ("int", "uint"):
+        return lambda *lanes: integers.wrap(kind, _INTEGERS[name](xp, *lanes))
+    return lambda *lanes: _FLOATS[name](xp, *lanes)
+
+
+def _convert(name: str, xp: Namespace, source: LaneKind, x: Lane) -> Lane:
+    """A conversion; among integers it keeps the bits."""
+    if source == "float" or name == "to_float":
+        return _CONVERSIONS[name](xp, x)
+    return integers.wrap("int" if name == "to_int" else "uint", xp.int64(x))

@@ -1,0 +1,151 @@
+"""Everything a host has to know about a compiled material, as one JSON document."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from ..ir.leaves import Parameter
+from ..ir.node import Node
+from ..ir.program import Program, Varying
+from ..ir.types import Texture
+from ..semantics.shader import AttributeInfo, ResourceInfo, Shader, TargetInfo
+from .bytes import block_row
+from .parameters import Places, derived_rows, light_rows, parameter_row
+from .tables import BackendTable, BindingPoint
+
+FORMAT = 1
+"""Grows when a host that reads the document has to change."""
+
+CONVENTIONS = {
+    "clip_space": "x right, y up, z in 0..w",
+    "handedness": "right",
+    "front_face": "ccw",
+    "texture_origin": "top_left",
+    "matrices": "column",
+}
+
+
+def reflect(
+    shader: Shader,
+    program: Program,
+    backends: Mapping[str, BackendTable],
+    derived: Mapping[Parameter, Node] | None = None,
+) -> dict[str, Any]:
+    """The reflection of ``program``, which ``shader`` became.
+
+    ``backends`` are the tables of the emitted profiles by profile name. ``derived`` are the values
+    of the derived parameters in terms of the others, of declared types (not lowered to storage).
+    """
+    infos = shader.parameters
+    names = frozenset(info.parameter.name for info in infos)
+    places = Places(program.blocks)
+    return {
+        "format": FORMAT,
+        "material": shader.name,
+        "pass": shader.pass_name,
+        "rig": shader.rig_name,
+        "doc": shader.doc,
+        "conventions": dict(CONVENTIONS),
+        "blocks": [block_row(block, program) for block in program.blocks],
+        "parameters": [parameter_row(info, names, places) for info in infos],
+        "derived": derived_rows(places, derived or {}),
+        "lights": light_rows(infos),
+        "textures": [_texture_row(info, program) for info in shader.resources],
+        "samplers": [_sampler_row(info) for info in shader.resources],
+        "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
+        "varyings": [_varying_row(varying) for varying in program.varyings],
+        "targets": list(_target_rows(shader.targets, program)),
+        "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
+    }
+
+
+def _texture_row(info: ResourceInfo, program: Program) -> dict[str, Any]:
+    resource = info.resource
+    assert isinstance(resource.type, Texture)
+    return {
+        "name": resource.name,
+        "dimension": resource.type.dimension,
+        "sample": resource.type.sample,
+        "group": resource.group,
+        "default": resource.default,
+        "stages": [stage.name for stage in program.stages if resource in stage.resources],
+        "doc": info.doc,
+    }
+
+
+def _sampler_row(info: ResourceInfo) -> dict[str, Any]:
+    return {"texture": info.resource.name, "state": dict(info.resource.state)}
+
+
+def _vertex_input_rows(
+    attributes: Iterable[AttributeInfo], program: Program
+) -> Iterable[dict[str, Any]]:
+    declared = {info.attribute.name: info for info in attributes}
+    for field in program.vertex.inputs:
+        info = declared[field.name]
+        yield {
+            "name": field.name,
+            "type": info.declared_type,
+            "representation": str(field.type),
+            "location": field.location,
+            "doc": info.doc,
+        }
+
+
+def _varying_row(varying: Varying) -> dict[str, Any]:
+    field = varying.field
+    return {
+        "name": field.name,
+        "representation": str(field.type),
+        "location": field.location,
+        "mode": field.mode,
+    }
+
+
+def _target_rows(targets: Iterable[TargetInfo], program: Program) -> Iterable[dict[str, Any]]:
+    written = {field.name: field for field in program.fragment.outputs}
+    for target in targets:
+        field = written[target.name]
+        yield {
+            "name": target.name,
+            "representation": str(field.type),
+            "location": field.location,
+            "format": target.format,
+            "blend": target.blend,
+            "doc": target.doc,
+        }
+
+
+def _backend_row(table: BackendTable) -> dict[str, Any]:
+    return {
+        "language": table.language,
+        "clip_depth": table.clip_depth,
+        "flip_y": table.flip_y,
+        "front_face": table.front_face,
+        "first_row": table.first_row,
+        "files": [
+            {"stage": row.stage, "file": row.file, "entry_point": row.entry_point}
+            for row in table.files
+        ],
+        "blocks": {
+            name: {**_binding_row(point), "members": dict(point.members)}
+            for name, point in table.blocks.items()
+        },
+        "textures": {name: _binding_row(point) for name, point in table.textures.items()},
+        "samplers": {name: _binding_row(point) for name, point in table.samplers.items()},
+        "vertex_inputs": {
+            name: {"identifier": row.identifier, "semantic": row.semantic or None}
+            for name, row in table.vertex_inputs.items()
+        },
+        "host_uniforms": list(table.host_uniforms),
+    }
+
+
+def _binding_row(point: BindingPoint) -> dict[str, Any]:
+    return {
+        "identifier": point.identifier,
+        "group": point.group,
+        "binding": point.binding,
+        "register": point.register or None,
+    }

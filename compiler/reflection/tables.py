@@ -1,0 +1,73 @@
+"""What a backend tells the reflection about its own text: identifiers, bindings, files.
+
+The compiler knows no backend; each hands in one ``BackendTable`` of plain data.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from ..ir.program import StageName
+
+
+@dataclass(frozen=True, slots=True)
+class BindingPoint:
+    """Where a host binds one block, texture or sampler."""
+
+    identifier: str
+    """Its name in the text."""
+    group: int | None = None
+    """Bind group, descriptor set or register space; ``None`` where the profile binds by name."""
+    binding: int | None = None
+    """Number within the group."""
+    register: str = ""
+    """HLSL's register, ``b0``; empty elsewhere."""
+    members: Mapping[str, str] = field(default_factory=dict)
+    """For a block: final identifiers by the layout's member names."""
+
+
+@dataclass(frozen=True, slots=True)
+class VertexInputName:
+    """How a vertex input is called in the text."""
+
+    identifier: str
+    semantic: str = ""
+    """HLSL's semantic, ``TEXCOORD0``; empty elsewhere."""
+
+
+@dataclass(frozen=True, slots=True)
+class EmittedFile:
+    """One file of text and the entry point in it."""
+
+    stage: StageName
+    file: str
+    entry_point: str
+
+
+@dataclass(frozen=True, slots=True)
+class BackendTable:
+    """One profile's side of the reflection."""
+
+    language: str
+    """``hlsl``, ``glsl`` or ``wgsl``."""
+    files: tuple[EmittedFile, ...]
+    blocks: Mapping[str, BindingPoint] = field(default_factory=dict)
+    """By block name."""
+    textures: Mapping[str, BindingPoint] = field(default_factory=dict)
+    """By texture name; where the profile combines texture and sampler, this is the pair."""
+    samplers: Mapping[str, BindingPoint] = field(default_factory=dict)
+    """By the name of the texture that they read; empty where the profile combines the two."""
+    vertex_inputs: Mapping[str, VertexInputName] = field(default_factory=dict)
+    """By vertex input name."""
+    host_uniforms: tuple[str, ...] = ()
+    """Loose float uniforms that the host sets besides the blocks."""
+    clip_depth: Literal["0..1", "-1..1"] = "0..1"
+    """Depth range of clip space that the text writes."""
+    flip_y: bool = False
+    """Whether the text negates clip y."""
+    front_face: Literal["ccw", "cw"] = "ccw"
+    """Clockwise where the text negates clip y."""
+    first_row: Literal["top", "bottom"] = "top"
+    """Which row of the picture comes first in the framebuffer's memory."""

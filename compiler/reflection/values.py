@@ -1,0 +1,58 @@
+"""Expressions over parameters as JSON: a list of steps, operands before users.
+
+A list and not a tree, because a tree repeats what is shared (exponentially, in the worst case) and
+nests as deeply as the expression does; a host evaluates the list in one loop.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..ir.leaves import Parameter
+from ..ir.node import Folding, Node, reachable
+
+_PLAIN = frozenset(("vector", "splat", "matrix", "index", "select", "apply"))
+"""Operations that their arguments describe completely."""
+
+_KEYS = {
+    "parameter": "parameter",
+    "constant": "value",
+    "call": "function",
+    "native": "function",
+    "swizzle": "lanes",
+    "member": "member",
+    "bound": "binder",
+}
+"""What the data of the other operations is called in a step."""
+
+
+def steps(value: Node) -> list[dict[str, Any]]:
+    """The steps that compute ``value``, which is the last of them."""
+    nodes = reachable([value])
+    numbers = {node.id: number for number, node in enumerate(nodes)}
+    return [
+        {
+            "op": node.op,
+            "type": str(node.type),
+            **_data(node),
+            "args": [numbers[operand.id] for operand in node.operands],
+        }
+        for node in nodes
+    ]
+
+
+def _data(node: Node) -> dict[str, Any]:
+    """What a step needs besides its arguments."""
+    if node.op in _PLAIN:
+        return {}
+    if isinstance(node.data, Folding):
+        return {"operator": node.data.operator, "bound": node.data.bound}
+    if node.op not in _KEYS:
+        raise ValueError(f"a host cannot compute {node.op}")
+    data = node.data.name if isinstance(node.data, Parameter) else listed(node.data)
+    return {_KEYS[node.op]: data}
+
+
+def listed(value: object) -> Any:
+    """Nested tuples as lists."""
+    return [listed(element) for element in value] if isinstance(value, tuple) else value

@@ -1,0 +1,1 @@
+"""From syntax to one typed graph: names, types, inheritance, rigs, passes."""

@@ -1,0 +1,341 @@
+"""Calls: functions and terms, builtins, constructors, texture reads, ``with``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ...stdlib.builtins import BUILTINS
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label
+from ..diagnostics.source import Span
+from ..ir.node import Node
+from ..ir.types import VEC2, Matrix, Texture, Type
+from ..syntax import ast
+from . import lights, lookup, overloads
+from .coerce import coerce
+from .construct import construct, is_constructor
+from .declared import declared_type
+from .modules import Symbol
+from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
+from .trampoline import Step
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+
+def call(low: Lowering, e: ast.Call, scope: Scope) -> Step[Value]:
+    """``f(…)`` for every kind of f."""
+    arguments: list[Node] = []
+    failed = False
+    for argument in e.arguments:
+        node = yield low.node(argument, scope)
+        failed = failed or isinstance(node, Failure)
+        arguments.append(node)
+    if isinstance(e.callee, ast.Reference):
+        result: Value = yield _named(low, e, e.callee, tuple(arguments), scope, failed)
+        return result
+    callee = yield low.node(e.callee, scope)
+    return FAILURE if failed else _read(low, callee, tuple(arguments), e)
+
+
+def _named(
+    low: Lowering,
+    e: ast.Call,
+    callee: ast.Reference,
+    arguments: tuple[Node, ...],
+    scope: Scope,
+    failed: bool,
+) -> Step[Value]:
+    name = callee.name
+    own = scope.instance is not None and _is_map(scope.instance.record.definitions.get(name))
+    if own or name in scope.locals:
+        texture = yield lookup.value(low, name, callee.span, scope)
+        return FAILURE if failed else _read(low, texture, arguments, e)
+    functions = [s for s in scope.module.find(name) if isinstance(s.declaration, ast.Function)]
+    if functions:
+        applied: Value = FAILURE
+        if not failed:
+            applied = yield _function(low, functions, arguments, e, scope)
+        return applied
+    if name == "unguarded" and not failed:
+        return _unguarded(low, arguments, e)
+    if is_constructor(name):
+        return FAILURE if failed else construct(low, name, arguments, e)
+    if name in BUILTINS and name not in _NOT_CALLED:
+        return FAILURE if failed else low.builtin(name, arguments, e.span, name)
+    surface = scope.surface
+    if surface is not None and _is_map(surface.record.definitions.get(name)):
+        texture = yield lookup.slot(low, surface, name, callee.span)
+        return FAILURE if failed else _read(low, texture, arguments, e)
+    if not failed or not scope.module.find(name):
+        _not_callable(low, name, callee.span, scope)
+    return FAILURE
+
+
+_NOT_CALLED = frozenset({"sample", *(n for n, row in BUILTINS.items() if row.operator)})
+"""Rows that are written in another way than as a call."""
+
+
+def _is_map(definitions: tuple[object, ...] | None) -> bool:
+    return bool(definitions) and any(
+        isinstance(getattr(d, "member", None), ast.Map) for d in definitions or ()
+    )
+
+
+def _not_callable(low: Lowering, name: str, span: Span, scope: Scope) -> None:
+    if scope.module.find(name) or (scope.instance is not None and scope.instance.has(name)):
+        low.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`")
+        return
+    callables = {n for n in BUILTINS if n not in _NOT_CALLED} | set(scope.module.visible())
+    for instance in (scope.instance, scope.surface):
+        if instance is not None:
+            callables |= {n for n, d in instance.record.definitions.items() if _is_map(d)}
+    lookup.unknown(low, "function", name, span, sorted(callables))
+
+
+def _read(low: Lowering, texture: Value, arguments: tuple[Node, ...], e: ast.Call) -> Value:
+    """``albedo(uv)``: a texture is read by calling it."""
+    if isinstance(texture, Failure):
+        return FAILURE
+    if not isinstance(texture, Node) or not isinstance(texture.type, Texture):
+        low.report.add(rules.NOT_CALLABLE, e.callee.span, found="this")
+        return FAILURE
+    if len(arguments) != 1:
+        low.report.add(
+            rules.WRONG_COUNT, e.span, name="a texture", expected=1, found=len(arguments)
+        )
+        return FAILURE
+    coordinate = low.fit(arguments[0], VEC2, "vec2", e.arguments[0].span)
+    if isinstance(coordinate, Failure):
+        return FAILURE
+    return low.builtin("sample", (texture, coordinate), e.span, "a texture read")
+
+
+def _unguarded(low: Lowering, arguments: tuple[Node, ...], e: ast.Call) -> Value:
+    """``unguarded(f(x))``: the outermost operation as the hardware does it."""
+    if len(arguments) != 1 or arguments[0].op != "call":
+        low.report.add(rules.UNGUARDED, e.span)
+        return FAILURE
+    (node,) = arguments
+    return low.graph.node("native", node.type, node.operands, node.data)
+
+
+def listed(operands: tuple[Node, ...]) -> str:
+    """The operands' types for a message."""
+    return ", ".join(str(operand.type) for operand in operands)
+
+
+def no_signature(
+    low: Lowering, name: str, operands: tuple[Node, ...], span: Span, shown: str
+) -> Failure:
+    """Report operands that no signature of a builtin takes."""
+    row = BUILTINS[name]
+    if not row.operator and not overloads.takes(name, len(operands)):
+        counts = sorted({len(s.split("->")[0].split(",")) for s in row.signatures})
+        low.report.add(
+            rules.WRONG_COUNT, span, name=shown,
+            expected=" or ".join(map(str, counts)), found=len(operands),
+        )  # fmt: skip
+        return FAILURE
+    if row.operator:
+        types = [str(operand.type) for operand in operands]
+        low.report.add(
+            rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
+            operator=shown, left=types[0], right=types[-1],
+        )  # fmt: skip
+        return FAILURE
+    hint = f"candidates: {overloads.signatures(row)}"
+    low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
+    return FAILURE
+
+
+# --- functions and terms -------------------------------------------------------------------------
+
+
+def _function(
+    low: Lowering,
+    overloaded: list[Symbol],
+    arguments: tuple[Node, ...],
+    e: ast.Call,
+    scope: Scope,
+) -> Step[Value]:
+    for symbol in overloaded:
+        if len(overloaded) == 1 or accepts(low, symbol, arguments):
+            result: Value = yield _apply(low, symbol, arguments, e, scope)
+            return result
+    low.report.add(
+        rules.NO_OVERLOAD, e.span, name=overloaded[0].name, arguments=listed(arguments),
+        labels=[Label(s.declaration.name.span, "a candidate") for s in overloaded],
+    )  # fmt: skip
+    return FAILURE
+
+
+def accepts(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...]) -> bool:
+    """Whether an overload takes these arguments; reports nothing."""
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    if len(function.arguments) != len(arguments):
+        return False
+    variables = bind_type_parameters(function, arguments)
+    if variables is None:
+        return False
+    for formal, argument in zip(function.arguments, arguments, strict=True):
+        wanted = declared_type(low, formal.type, symbol.module, variables)
+        if wanted is None or coerce(low.graph, argument, wanted.type) is None:
+            return False
+    return True
+
+
+def bind_type_parameters(
+    function: ast.Function, arguments: tuple[Node, ...]
+) -> dict[str, Type] | None:
+    """What each type parameter stands for, given the arguments: the widest type passed for it."""
+    variables: dict[str, Type] = {}
+    for parameter in function.type_parameters:
+        used = [
+            argument
+            for formal, argument in zip(function.arguments, arguments, strict=True)
+            if formal.type.name.text == parameter.name.text
+        ]
+        if not used:
+            return None
+        if parameter.family.text == "matrices":
+            type_ = used[0].type
+            if not isinstance(type_, Matrix):
+                return None
+        else:
+            family = overloads.WRITTEN_FAMILIES.get(parameter.family.text)
+            bound = None if family is None else overloads.common_type(
+                family, [overloads.operand(node) for node in used]
+            )  # fmt: skip
+            if bound is None:
+                return None
+            type_ = bound
+        variables[parameter.name.text] = type_
+    return variables
+
+
+def _apply(
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+) -> Step[Value]:
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    fitted = _fit_arguments(low, symbol, arguments, e)
+    if fitted is None:
+        return FAILURE
+    if function.per is not None:
+        summed: Value = yield lights.per_light(low, symbol, fitted, e, scope)
+        return summed
+    surface = scope.surface if function.kind == "term" else None
+    if function.kind == "term" and surface is None:
+        low.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name=symbol.name)
+        return FAILURE
+    result: Value = yield apply_body(low, symbol, fitted, e.span, surface)
+    return result
+
+
+def _fit_arguments(
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call
+) -> tuple[Node, ...] | None:
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    if len(arguments) != len(function.arguments):
+        low.report.add(
+            rules.WRONG_COUNT, e.span, name=symbol.name,
+            expected=len(function.arguments), found=len(arguments),
+            labels=[Label(function.name.span, "declared here")],
+        )  # fmt: skip
+        return None
+    variables = bind_type_parameters(function, arguments)
+    if variables is None:
+        low.report.add(
+            rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments),
+            labels=[Label(function.name.span, "declared here")],
+        )  # fmt: skip
+        return None
+    fitted = []
+    for formal, argument, written in zip(
+        function.arguments, arguments, e.arguments, strict=True
+    ):
+        wanted = declared_type(low, formal.type, symbol.module, variables)
+        if wanted is None:
+            return None
+        generic = formal.type.name.text in variables
+        node = coerce(low.graph, argument, wanted.type, broadcast=generic)
+        node = node or low.fit(argument, wanted.type, wanted.text, written.span)  # type: ignore[assignment]
+        if isinstance(node, Failure):
+            return None
+        fitted.append(node)
+    return tuple(fitted)
+
+
+def apply_body(
+    low: Lowering,
+    symbol: Symbol,
+    arguments: tuple[Node, ...],
+    span: Span,
+    surface: Instance | None = None,
+) -> Step[Node | Failure]:
+    """A function's value for fitted arguments; the same call is lowered once."""
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    key = (symbol, tuple(argument.id for argument in arguments), surface)
+    if key in low.applied:
+        return low.applied[key]
+    if symbol in low.active:
+        names = [name for name, _ in low.active.values()]
+        start = list(low.active).index(symbol)
+        low.report.add(
+            rules.RECURSIVE_FUNCTION, span, name=symbol.name,
+            cycle=" → ".join([*names[start:], symbol.name]),
+        )  # fmt: skip
+        return FAILURE
+    low.active[symbol] = (symbol.name, span)
+    locals_ = {
+        formal.name.text: argument
+        for formal, argument in zip(function.arguments, arguments, strict=True)
+    }
+    scope = Scope(symbol.module, surface=surface, locals=locals_)
+    result = yield low.node(function.body, scope)
+    if function.result is not None:
+        variables = bind_type_parameters(function, arguments)
+        wanted = declared_type(low, function.result, symbol.module, variables)
+        result = FAILURE if wanted is None else low.fit(
+            result, wanted.type, wanted.text, function.body.span
+        )  # fmt: skip
+    low.active.pop(symbol)
+    low.applied[key] = result
+    return result
+
+
+# --- with ----------------------------------------------------------------------------------------
+
+
+def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
+    """``term(…) with { normal = coat }``: the surface's slots replaced while the term is shaded."""
+    surface = scope.surface
+    if surface is None:
+        low.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name="with")
+        return FAILURE
+    given: dict[str, Replacement] = {}
+    for name, expression in e.replacements:
+        if not surface.has(name.text):
+            known = surface.record.definitions
+            lookup.unknown(low, f"slot of `{surface.record.name}`", name.text, name.span, known)
+            return FAILURE
+        node = yield low.node(expression, scope)
+        written = surface.record.typed(name.text)
+        if written is not None and isinstance(node, Node):
+            owner = surface.record.declaration(name.text).owner
+            wanted = declared_type(low, written, owner.module)
+            if wanted is not None:
+                node = low.fit(node, wanted.type, wanted.text, expression.span)
+        given[name.text] = Replacement(value=node)
+    if not isinstance(e.operand, ast.Call):
+        low.report.add(rules.WITH_NEEDS_TERM, e.operand.span)
+        return FAILURE
+    shaded = Scope(
+        scope.module, scope.instance, scope.level, surface.with_replaced(given), scope.locals
+    )
+    result: Value = yield low.expression(e.operand, shaded)
+    return result

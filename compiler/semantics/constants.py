@@ -1,0 +1,61 @@
+"""Values that have to be known when compiling: counts, ranges, defaults."""
+
+from __future__ import annotations
+
+from ...stdlib.builtins.facts import SMALLEST_NORMAL
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Report
+from ..diagnostics.source import Span
+from ..ir.node import Node, reachable
+from ..ir.types import Matrix
+from ..reference.evaluate import NotConstantError, evaluate
+from ..reference.namespace import Lanes
+from .scope import Failure
+from .shader import Lanes as Value
+
+_OPERATIONS = frozenset({"constant", "call", "vector", "splat", "matrix", "swizzle", "select"})
+
+
+class ConstantValues:
+    """Evaluates nodes that depend on nothing; reports those that do."""
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+
+    def lanes(self, node: Node, span: Span) -> Lanes | None:
+        """The lanes of a node, or ``None`` after reporting that it is no constant."""
+        try:
+            return evaluate(node)
+        except NotConstantError:
+            self._report.add(rules.NOT_CONSTANT, span)
+            return None
+
+    def integer(self, node: Node | Failure, span: Span) -> int | None:
+        """The value of an ``int``; ``None`` where there is none (reported)."""
+        lanes = None if isinstance(node, Failure) else self.lanes(node, span)
+        return None if lanes is None else int(lanes[0])
+
+    def number(self, node: Node | Failure, span: Span) -> float | None:
+        """The value of a scalar; ``None`` where there is none (reported)."""
+        lanes = None if isinstance(node, Failure) else self.lanes(node, span)
+        return None if lanes is None else float(lanes[0])
+
+    def value(self, node: Node | Failure, span: Span) -> Value | None:
+        """The value of anything as nested tuples (a scalar as itself)."""
+        lanes = None if isinstance(node, Failure) else self.lanes(node, span)
+        if lanes is None or isinstance(node, Failure):
+            return None
+        return lanes[0] if len(lanes) == 1 and not isinstance(node.type, Matrix) else lanes
+
+    def is_zero(self, node: Node) -> bool:
+        """Whether a node is a constant with a lane that counts as zero."""
+        if node.op != "constant" and not self._small_constant(node):
+            return False
+        lanes = evaluate(node)
+        return any(not isinstance(v, tuple) and abs(v) < SMALLEST_NORMAL for v in lanes)
+
+    def _small_constant(self, node: Node) -> bool:
+        """Whether a node is plainly made of constants; only its near surroundings are looked at."""
+        if any(op.op not in _OPERATIONS for op in (node, *node.operands)):
+            return False
+        return all(n.op in _OPERATIONS for n in reachable((node,)))

@@ -1,0 +1,151 @@
+"""Constructors: ``vec3(x, yz)``, ``float(i)``, ``mat3(c0, c1, c2)``, ``rgb(r, g, b)``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..diagnostics import rules
+from ..ir import build
+from ..ir.node import Node
+from ..ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
+from ..syntax import ast
+from .coerce import coerce, is_constant
+from .scope import FAILURE, Failure
+from .typenames import NAMED
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+CONVERSIONS = {"float": "to_float", "int": "to_int", "uint": "to_uint"}
+
+
+def is_constructor(name: str) -> bool:
+    """Whether a name is that of a type that can be called."""
+    return name in NAMED and not isinstance(NAMED[name].representation, Texture)
+
+
+def construct(
+    low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call
+) -> Node | Failure:
+    """The value of calling type ``name``."""
+    type_ = NAMED[name].representation
+    result: Node | Failure | None = None
+    match type_:
+        case Scalar() if len(arguments) == 1:
+            result = _scalar(low, type_, arguments[0])
+        case Vector():
+            result = _vector(low, type_, arguments)
+        case Matrix():
+            result = _matrix(low, type_, arguments)
+        case _:
+            pass
+    if result is None:
+        found = ", ".join(str(argument.type) for argument in arguments)
+        low.report.add(
+            rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=_hint(name, type_)
+        )
+        return FAILURE
+    return result
+
+
+def _hint(name: str, type_: Type) -> str:
+    match type_:
+        case Vector(kind=kind, size=size):
+            return f"`{name}` takes {size} lanes in all, or one {kind} for every lane"
+        case Matrix(size=size):
+            return f"`{name}` takes {size} columns, each a vec{size}, or a larger matrix"
+        case _:
+            return f"`{name}` takes one number"
+
+
+def _scalar(low: Lowering, type_: Scalar, argument: Node) -> Node | Failure | None:
+    if not isinstance(argument.type, Scalar):
+        return None
+    adapted = coerce(low.graph, argument, type_)
+    if adapted is not None:
+        return adapted
+    if type_.kind == "bool":
+        zero = build.constant(low.graph, argument.type, 0.0 if argument.type.kind == "float" else 0)
+        return low.graph.node("call", type_, (argument, zero), "ne")
+    if argument.type.kind == "bool":
+        return _flag(low, type_, argument)
+    return low.graph.node("call", type_, (argument,), CONVERSIONS[type_.kind])
+
+
+def _flag(low: Lowering, type_: Scalar, argument: Node) -> Node:
+    """A bool as one or zero."""
+    number = float if type_.kind == "float" else int
+    one, zero = (build.constant(low.graph, type_, number(n)) for n in (1, 0))
+    return low.graph.node("select", type_, (argument, one, zero))
+
+
+def _vector(
+    low: Lowering, type_: Vector, arguments: tuple[Node, ...]
+) -> Node | Failure | None:
+    lanes: list[Node] = []
+    for argument in arguments:
+        if not isinstance(argument.type, Scalar | Vector):
+            return None
+        kind = scalar_kind(argument.type)
+        if kind == type_.kind:
+            lanes.append(argument)
+        elif is_constant(argument) and (one := coerce(low.graph, argument, Scalar(type_.kind))):
+            lanes.append(one)
+        elif len(arguments) == 1 and isinstance(argument.type, Vector):
+            return _converted(low, type_, argument)
+        else:
+            return None
+    total = sum(width(lane.type) for lane in lanes)
+    if len(lanes) == 1 and total == 1:
+        return build.splat(low.graph, lanes[0], type_.size)
+    if len(lanes) == 1 and total > type_.size:
+        return build.swizzle(low.graph, lanes[0], tuple(range(type_.size)))
+    return build.vector(low.graph, tuple(lanes)) if total == type_.size else None
+
+
+def _converted(low: Lowering, type_: Vector, argument: Node) -> Node | None:
+    """``vec3(ivec3)`` lane by lane."""
+    if width(argument.type) != type_.size:
+        return None
+    lanes = []
+    for lane in range(type_.size):
+        converted = _scalar(low, Scalar(type_.kind), build.swizzle(low.graph, argument, (lane,)))
+        if not isinstance(converted, Node):
+            return None
+        lanes.append(converted)
+    return build.vector(low.graph, tuple(lanes))
+
+
+def _matrix(
+    low: Lowering, type_: Matrix, arguments: tuple[Node, ...]
+) -> Node | Failure | None:
+    column = Vector("float", type_.size)
+    if len(arguments) == type_.size and all(a.type == column for a in arguments):
+        return build.matrix(low.graph, arguments)
+    if len(arguments) == 1 and isinstance(source := arguments[0].type, Matrix):
+        return _resized(low, arguments[0], source.size, type_.size)
+    if len(arguments) == 1 and (diagonal := coerce(low.graph, arguments[0], Scalar("float"))):
+        return _diagonal(low, diagonal, type_.size)
+    return None
+
+
+def _resized(low: Lowering, argument: Node, source: int, wanted: int) -> Node | None:
+    """The upper left part of a larger matrix."""
+    if source < wanted:
+        return None
+    if source == wanted:
+        return argument
+    columns = []
+    for i in range(wanted):
+        column = build.index(low.graph, argument, build.constant(low.graph, Scalar("int"), i))
+        columns.append(build.swizzle(low.graph, column, tuple(range(wanted))))
+    return build.matrix(low.graph, tuple(columns))
+
+
+def _diagonal(low: Lowering, lane: Node, size: int) -> Node:
+    zero = build.floating(low.graph, 0.0)
+    columns = [
+        build.vector(low.graph, tuple(lane if i == j else zero for i in range(size)))
+        for j in range(size)
+    ]
+    return build.matrix(low.graph, tuple(columns))

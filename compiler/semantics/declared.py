@@ -1,0 +1,76 @@
+"""Written types in the context of a file: its structs, its spaces, array counts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from ..diagnostics import rules
+from ..ir.types import INT, Struct, Type
+from ..syntax import ast
+from .modules import Module, Symbol
+from .scope import Failure, Scope
+from .trampoline import run
+from .typenames import Declared, array_of
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+
+def declared_type(
+    low: Lowering,
+    written: ast.TypeName,
+    module: Module,
+    variables: Mapping[str, Type] | None = None,
+) -> Declared | None:
+    """The written type as seen from ``module``, or ``None`` after reporting."""
+    symbols = module.find(written.name.text)
+    structs = {}
+    if symbols and isinstance(symbols[0].declaration, ast.StructDeclaration):
+        struct = _struct(low, symbols[0])
+        if struct is None:
+            return None
+        structs[written.name.text] = struct
+    spaces = frozenset(
+        argument.text
+        for argument in written.arguments
+        if (found := module.find(argument.text)) and isinstance(found[0].declaration, ast.Space)
+    )
+    declared = low.types.resolve(written, structs, spaces, variables)
+    if declared is None or written.count is None:
+        return declared
+    count = count_of(low, written.count, module)
+    return None if count is None else array_of(declared, written, count)
+
+
+def count_of(low: Lowering, expression: ast.Expression, module: Module) -> int | None:
+    """A compile-time count of at least one, or ``None`` after reporting."""
+    node = run(low.typed(expression, Scope(module), INT, "int"))
+    count = None if isinstance(node, Failure) else low.constants.integer(node, expression.span)
+    if count is not None and not 1 <= count <= 4096:
+        low.report.add(rules.BAD_COUNT, expression.span, count=count)
+        return None
+    return count
+
+
+def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
+    """The struct a symbol declares; structs may contain structs but never themselves."""
+    declaration = symbol.declaration
+    assert isinstance(declaration, ast.StructDeclaration)
+    if symbol in low.active:
+        names = [name for name, _ in low.active.values()]
+        low.report.add(
+            rules.CYCLIC_DEFINITION, declaration.name.span, name=symbol.name,
+            cycle=" → ".join([*names, symbol.name]),
+        )
+        return None
+    low.active[symbol] = (symbol.name, declaration.name.span)
+    members = []
+    for member in declaration.members:
+        type_ = declared_type(low, member.type, symbol.module)
+        if type_ is not None:
+            members.append((member.name.text, type_.type))
+    low.active.pop(symbol)
+    if len(members) < len(declaration.members):
+        return None
+    return Struct(symbol.name, tuple(members))

@@ -1,0 +1,206 @@
+"""material × pass × rig = shader."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Report
+from ..ir.leaves import Parameter
+from ..ir.node import Node
+from ..ir.types import BOOL, FLOAT, VEC2, VEC4, Type
+from ..syntax import ast
+from . import lookup
+from .lower import Lowering
+from .modules import Symbol
+from .parameters import Leaves, leaves_of
+from .records import Record, Records
+from .rigs import Entry, rig_entries
+from .scope import Failure, Instance, Replacement, Scope
+from .shader import ParameterInfo, Shader, TargetInfo
+from .trampoline import run
+from .typenames import TypeResolver
+
+FORMATS: Mapping[str, Type] = {
+    "r8": FLOAT, "r16f": FLOAT, "r32f": FLOAT,
+    "rg8": VEC2, "rg16f": VEC2, "rg32f": VEC2,
+    "rgba8": VEC4, "rgba8_srgb": VEC4, "bgra8": VEC4, "bgra8_srgb": VEC4, "rgb10a2": VEC4,
+    "rgba16f": VEC4, "rgba32f": VEC4,
+}  # fmt: skip
+"""Render target formats and what a pass writes to one of them."""
+
+BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
+
+CLIP_POSITION = "clip_position"
+"""The slot that every pass (or its material) has to define: a vec4 in the vertex domain."""
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """What is multiplied."""
+
+    material: Symbol
+    rig: Symbol
+    pass_: Symbol
+
+
+def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
+    """The shader of a material under a pass and a rig, or ``None`` after reporting why not."""
+    low = Lowering(report, records, TypeResolver(report))
+    entries = rig_entries(low, parts.rig)
+    low.rig = tuple(entry for entry, _, _ in entries)
+    material, drawn = records.of(parts.material), records.of(parts.pass_)
+    material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
+    pass_leaves = _apart(pass_leaves, material_leaves, drawn)
+    surface = _instance(low, material, material_leaves)
+    passing = _instance(low, drawn, pass_leaves)
+    passing.surface = surface
+    surface.replaced.update(_overrides(material, drawn, passing))
+    clip = _clip_position(low, passing, surface)
+    targets = _targets(low, drawn, passing)
+    discard = _discard(low, drawn, passing)
+    _check_unused(low, surface, passing)
+    if report.failed or isinstance(clip, Failure):
+        return None
+    declaration = parts.material.declaration
+    assert isinstance(declaration, ast.Record)
+    leaves = (pass_leaves, material_leaves)
+    return Shader(
+        name=material.name,
+        doc=declaration.doc,
+        pass_name=drawn.name,
+        rig_name=parts.rig.name,
+        graph=low.graph,
+        notes=low.notes,
+        parameters=_all_parameters(leaves, entries),
+        resources=tuple(r for ls in leaves for r in ls.resources)
+        + tuple(r for _, _, resources in entries for r in resources),
+        attributes=tuple(a for ls in leaves for a in ls.attributes),
+        clip_position=low.stages.at_vertex(clip),
+        targets=targets,
+        discard=discard,
+    )
+
+
+def _all_parameters(
+    leaves: Iterable[Leaves], entries: Iterable[Entry]
+) -> tuple[ParameterInfo, ...]:
+    own = [info for group in leaves for info in group.parameters]
+    return tuple(own + [info for _, infos, _ in entries for info in infos])
+
+
+def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:
+    """A pass's parameters under names that its material does not use."""
+    taken = {info.parameter.name for info in others.parameters}
+    renamed = tuple(
+        replace(info, parameter=_prefixed(info.parameter, drawn))
+        if info.parameter.name in taken
+        else info
+        for info in leaves.parameters
+    )
+    return replace(leaves, parameters=renamed)
+
+
+def _prefixed(parameter: Parameter, drawn: Record) -> Parameter:
+    return replace(parameter, name=f"{drawn.name}.{parameter.name}")
+
+
+def _instance(low: Lowering, record: Record, leaves: Leaves) -> Instance:
+    nodes: dict[str, Node] = {}
+    for info in leaves.parameters:
+        short = info.parameter.name.rpartition(".")[2]
+        nodes[short] = low.graph.node("parameter", info.parameter.type, (), info.parameter)
+    for attribute in leaves.attributes:
+        leaf = attribute.attribute
+        nodes[leaf.name] = low.graph.node("attribute", leaf.type, (), leaf)
+    resources = {
+        info.resource.name: low.graph.node("resource", info.resource.type, (), info.resource)
+        for info in leaves.resources
+    }
+    return Instance(record, parameters=nodes, resources=resources)
+
+
+def _overrides(material: Record, drawn: Record, passing: Instance) -> dict[str, Replacement]:
+    """A pass's slots that the material's abstract root declares override the material's."""
+    root = material.root
+    given = {}
+    for name, definitions in drawn.definitions.items():
+        shared = name in material.definitions and material.declaration(name).owner is root
+        if shared and isinstance(definitions[0].member, ast.Slot):
+            given[name] = Replacement(definition=definitions[0], within=passing)
+    return given
+
+
+def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
+    surface = passing.surface
+    assert surface is not None
+    return Scope(symbol.module, passing, level, surface, {"material": surface})
+
+
+def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Node | Failure:
+    holder = passing if passing.has(CLIP_POSITION) else surface
+    declared = passing.record.symbol.declaration.name.span
+    if not holder.has(CLIP_POSITION):
+        low.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
+        return Failure()
+    node = run(lookup.slot(low, holder, CLIP_POSITION, declared))
+    return low.fit(node, VEC4, "vec4", declared)
+
+
+def _targets(low: Lowering, drawn: Record, passing: Instance) -> tuple[TargetInfo, ...]:
+    if not drawn.targets:
+        low.report.add(
+            rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name
+        )
+    found = (_target(low, drawn, passing, *row) for row in drawn.targets)
+    return tuple(target for target in found if target is not None)
+
+
+def _target(
+    low: Lowering, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
+) -> TargetInfo | None:
+    format_, blend = target.format.text, _blend(low, drawn, target)
+    if format_ not in FORMATS:
+        lookup.unknown(low, "format", format_, target.format.span, FORMATS)
+        return None
+    scope = _scope(owner, passing, level)
+    value = run(low.typed(target.value, scope, FORMATS[format_], f"{format_} takes"))
+    if isinstance(value, Failure):
+        return None
+    name = target.name.text
+    low.notes.names.setdefault(value.id, name)
+    return TargetInfo(name, format_, blend, value, target.doc, target.span)
+
+
+def _blend(low: Lowering, drawn: Record, target: ast.Target) -> str:
+    """The target's own blending, or the nearest that its pass's header names."""
+    headers = (symbol.declaration for symbol in drawn.chain)
+    named = [target.blend, *(h.blend for h in headers if isinstance(h, ast.Record))]
+    chosen = next((name for name in named if name is not None), None)
+    if chosen is None:
+        return BLENDS[0]
+    if chosen.text not in BLENDS:
+        lookup.unknown(low, "blending", chosen.text, chosen.span, BLENDS)
+    return chosen.text
+
+
+def _discard(low: Lowering, drawn: Record, passing: Instance) -> Node | None:
+    combined: Node | None = None
+    for discard, owner, level in drawn.discards:
+        scope = _scope(owner, passing, level)
+        condition = run(low.typed(discard.condition, scope, BOOL, "bool"))
+        if isinstance(condition, Failure):
+            continue
+        combined = condition if combined is None else low.graph.node(
+            "call", BOOL, (combined, condition), "or"
+        )  # fmt: skip
+    return combined
+
+
+def _check_unused(low: Lowering, surface: Instance, passing: Instance) -> None:
+    """Lower what the pass does not read, so that every mistake in a file is found at once."""
+    for instance in (surface, passing):
+        for name, definitions in instance.record.definitions.items():
+            if isinstance(definitions[0].member, ast.Slot):
+                run(lookup.slot(low, instance, name, definitions[0].member.name.span))

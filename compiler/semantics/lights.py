@@ -1,0 +1,152 @@
+"""Terms summed over the lights of a rig.
+
+The body of a ``per light`` term is lowered once, with the slots of ``light`` as variables, and applied
+to each light of the rig. So what all lights share is one node, and becomes one function or one loop
+body in the output.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label
+from ..ir import build
+from ..ir.binding import close
+from ..ir.leaves import Parameter
+from ..ir.node import Formal, Node
+from ..ir.types import INT, Array, Scalar, Struct, Vector, scalar_kind
+from ..syntax import ast
+from . import lookup
+from .folds import fold
+from .modules import Symbol
+from .scope import FAILURE, Failure, Instance, LightVariable, RigEntry, Scope, Value
+from .trampoline import Step
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+
+def per_light(
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+) -> Step[Value]:
+    """The sum of a term over the rig."""
+    surface = scope.surface
+    if surface is None or not low.rig:
+        rule = rules.TERM_WITHOUT_SURFACE if surface is None else rules.EMPTY_RIG
+        low.report.add(rule, e.span, name=symbol.name)
+        return FAILURE
+    shared = yield _shared_body(low, symbol, arguments, surface)
+    if isinstance(shared, Failure):
+        return FAILURE
+    body, names = shared
+    total: Node | None = None
+    for entry in low.rig:
+        instance, formal = light_instance(low, entry, surface)
+        contribution = yield _contribution(low, body, names, instance, e)
+        if isinstance(contribution, Failure):
+            return FAILURE
+        if formal is not None:
+            count = None if entry.count is None else _parameter(low, entry.count)
+            contribution = fold(low.graph, "add", entry.bound, contribution, formal, count)
+        total = contribution if total is None else low.graph.node(
+            "call", total.type, (total, contribution), "add"
+        )  # fmt: skip
+    assert total is not None
+    return total
+
+
+def _shared_body(
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], surface: Instance
+) -> Step[tuple[Node, dict[str, Node]] | Failure]:
+    """The term's body with ``light``'s slots bound, and those slots in order."""
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    instance, _ = light_instance(low, low.rig[0], surface)
+    light = LightVariable({}, instance.record, instance)
+    locals_: dict[str, Value] = {"light": light}
+    for formal, argument in zip(function.arguments, arguments, strict=True):
+        locals_[formal.name.text] = argument
+    body = yield low.node(function.body, Scope(symbol.module, surface=surface, locals=locals_))
+    if isinstance(body, Failure):
+        return FAILURE
+    if not isinstance(body.type, Scalar | Vector) or scalar_kind(body.type) == "bool":
+        low.report.add(
+            rules.WRONG_TYPE, function.body.span, expected="a number or a vector", found=body.type
+        )
+        return FAILURE
+    if body.type == INT and body.op == "constant":
+        body = build.floating(low.graph, float(body.data))  # type: ignore[arg-type]
+    formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
+    closed = close(low.graph, body, formals)
+    low.notes.functions.setdefault(closed.id, symbol.name)
+    low.notes.variables.setdefault(closed.id, tuple(light.variables))
+    return closed, light.variables
+
+
+def _contribution(
+    low: Lowering, body: Node, slots: dict[str, Node], instance: Instance, e: ast.Call
+) -> Step[Node | Failure]:
+    """The body applied to one light."""
+    if not slots:
+        return body
+    given = []
+    for name, variable in slots.items():
+        if not instance.has(name):
+            declared = instance.record.symbol.declaration.name.span
+            low.report.add(
+                rules.LIGHT_LACKS_SLOT, e.span, light=instance.record.name, slot=name,
+                labels=[Label(declared, "this light")],
+            )  # fmt: skip
+            return FAILURE
+        node = yield lookup.slot(low, instance, name, e.span)
+        fitted = low.fit(node, variable.type, str(variable.type), e.span)
+        if isinstance(fitted, Failure):
+            return FAILURE
+        given.append(fitted)
+    return low.graph.node("apply", body.type, (body, *given))
+
+
+def light_instance(
+    low: Lowering, entry: RigEntry, surface: Instance
+) -> tuple[Instance, Formal | None]:
+    """One light of the rig as seen from a surface; for an array, its element at a formal index."""
+    key = (entry.name, surface)
+    if key not in low.lights:
+        low.lights[key] = _new_instance(low, entry, surface)
+    return low.lights[key]
+
+
+def _new_instance(
+    low: Lowering, entry: RigEntry, surface: Instance
+) -> tuple[Instance, Formal | None]:
+    resources = {
+        resource.name.removeprefix(f"{entry.name}."): low.graph.node(
+            "resource", resource.type, (), resource
+        )
+        for resource in entry.resources
+    }
+    instance = Instance(
+        entry.record, entry.name, surface, resources=resources, replaced=dict(entry.replaced)
+    )
+    if entry.kind == "single":
+        instance.parameters = {
+            parameter.name.removeprefix(f"{entry.name}."): _parameter(low, parameter)
+            for parameter in entry.parameters
+        }
+        return instance, None
+    formal = Formal("i")
+    (array,) = entry.parameters
+    element = build.index(
+        low.graph, _parameter(low, array), low.graph.node("formal", INT, (), formal)
+    )
+    assert isinstance(array.type, Array) and isinstance(array.type.element, Struct)
+    instance.parameters = {
+        name: build.member(low.graph, element, name) for name, _ in array.type.element.members
+    }
+    return instance, formal
+
+
+def _parameter(low: Lowering, parameter: Parameter) -> Node:
+    return low.graph.node("parameter", parameter.type, (), parameter)
+

@@ -1,0 +1,236 @@
+"""What a name stands for: locals, the record's own names, the file's, the surface's; in that order.
+
+A term or a light is written once and shades any material, so the names of its own file come before
+those of a surface that happens to define the same name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label
+from ..diagnostics.nearest import suggestion
+from ..diagnostics.source import Span
+from ..ir.node import Formal, Node
+from ..syntax import ast
+from .declared import declared_type
+from .modules import Symbol
+from .records import Definition
+from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
+from .trampoline import Step
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+OUTERMOST = -1
+"""The level at which a name means what was given from outside, if anything was."""
+
+
+def value(low: Lowering, name: str, span: Span, scope: Scope) -> Step[Value]:
+    """The value of a bare name."""
+    if name in scope.locals:
+        return scope.locals[name]
+    if name == "inherited" and scope.instance is not None:
+        return Inherited(scope.instance, scope.level)
+    if scope.instance is not None and scope.instance.has(name):
+        own: Value = yield slot(low, scope.instance, name, span)
+        return own
+    symbols = scope.module.find(name)
+    if symbols:
+        declared: Value = yield _symbol_value(low, symbols[0], span)
+        return declared
+    if scope.surface is not None and scope.surface.has(name):
+        outer: Value = yield slot(low, scope.surface, name, span)
+        return outer
+    _unknown_name(low, name, span, scope)
+    return FAILURE
+
+
+def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
+    declaration = symbol.declaration
+    if not isinstance(declaration, ast.Constant):
+        low.report.add(
+            rules.NOT_A_VALUE, span,
+            hint=f"call it: `{symbol.name}(…)`" if isinstance(declaration, ast.Function) else "",
+            labels=[Label(declaration.name.span, "declared here")],
+        )  # fmt: skip
+        return FAILURE
+    key = (symbol, (), None)
+    if key in low.applied:
+        return low.applied[key]
+    if _is_cycle(low, key, symbol.name, span):
+        return FAILURE
+    scope = Scope(symbol.module)
+    result = yield low.node(declaration.value, scope)
+    if declaration.type is not None:
+        wanted = declared_type(low, declaration.type, symbol.module)
+        if wanted is not None:
+            result = low.fit(result, wanted.type, wanted.text, declaration.value.span)
+    low.active.pop(key)
+    low.applied[key] = result
+    return result
+
+
+def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
+    known = [*scope.locals, *scope.module.visible()]
+    for instance in (scope.instance, scope.surface):
+        if instance is not None:
+            known += instance.record.definitions
+    unknown(low, "name", name, span, known)
+
+
+def unknown(low: Lowering, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
+    """Report a name that nothing declares, with the nearest one that something does."""
+    hint = suggestion(name, known)
+    low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
+
+
+# --- slots ---------------------------------------------------------------------------------------
+
+
+def slot_or_report(low: Lowering, instance: Instance, name: str, span: Span) -> Step[Value]:
+    """``instance.name`` where it is written with the dot."""
+    if not instance.has(name):
+        unknown(low, f"slot of `{instance.record.name}`", name, span, instance.record.definitions)
+        return FAILURE
+    result: Value = yield slot(low, instance, name, span)
+    return result
+
+
+def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> Step[Value]:
+    """``inherited.name``: the definition above the one in which this is written."""
+    above = [d for d in instance.record.definitions.get(name.text, ()) if d.level > level]
+    if above:
+        own: Value = yield slot(low, instance, name.text, name.span, above[0].level)
+        return own
+    surface = instance.surface
+    if surface is not None and name.text in surface.record.definitions:
+        behind: Value = yield slot(low, surface, name.text, name.span, 0)
+        return behind
+    unknown(low, "inherited slot", name.text, name.span, instance.record.definitions)
+    return FAILURE
+
+
+def slot(
+    low: Lowering, instance: Instance, name: str, span: Span, level: int = OUTERMOST
+) -> Step[Node | Failure]:
+    """The value that ``name`` has in ``instance``, as defined at ``level`` or further up."""
+    key = (name, level)
+    if key in instance.values:
+        return instance.values[key]
+    if _is_cycle(low, (instance, *key), name, span):
+        return FAILURE
+    result = yield _slot_value(low, instance, name, span, level)
+    low.active.pop((instance, *key))
+    instance.values[key] = result
+    if isinstance(result, Node) and result.operands:
+        _note(low, instance, name, result)
+    return result
+
+
+def _slot_value(
+    low: Lowering, instance: Instance, name: str, span: Span, level: int
+) -> Step[Node | Failure]:
+    replacement = instance.replaced.get(name) if level == OUTERMOST else None
+    if replacement is not None:
+        given = yield _replacement_value(low, instance, replacement, name)
+        return given
+    definition = next(d for d in instance.record.definitions[name] if d.level >= level)
+    member = definition.member
+    if isinstance(member, ast.Param):
+        return instance.parameters.get(name, FAILURE)
+    if isinstance(member, ast.Map):
+        return instance.resources.get(name, FAILURE)
+    if isinstance(member, ast.Attribute):
+        leaf = instance.parameters.get(name)
+        return FAILURE if leaf is None else low.stages.attribute(leaf)
+    if member.value is None:
+        low.report.add(
+            rules.ABSTRACT_SLOT, instance.record.symbol.declaration.name.span,
+            name=name, record=instance.record.name,
+            labels=[Label(member.name.span, "declared here without a value")],
+        )  # fmt: skip
+        return FAILURE
+    scope = Scope(
+        definition.owner.module, instance, definition.level, instance.surface or instance
+    )
+    result = yield _defined(low, instance, name, member.value, scope)
+    return result
+
+
+def _replacement_value(
+    low: Lowering, instance: Instance, replacement: Replacement, name: str
+) -> Step[Node | Failure]:
+    definition = replacement.definition
+    if definition is None:
+        assert replacement.value is not None
+        return replacement.value
+    assert isinstance(definition.member, ast.Slot) and definition.member.value is not None
+    within = replacement.within or instance
+    scope = Scope(definition.owner.module, within, definition.level, within.surface or within)
+    result = yield _defined(low, instance, name, definition.member.value, scope)
+    return result
+
+
+def _defined(
+    low: Lowering, instance: Instance, name: str, expression: ast.Expression, scope: Scope
+) -> Step[Node | Failure]:
+    """The value of an equation as the type that its slot was declared with."""
+    locals_ = {"material": scope.surface} if scope.surface is not None else {}
+    result = yield low.node(expression, scope.binding(locals_))
+    written = instance.record.typed(name)
+    if written is None:
+        return result
+    owner = next(d for d in instance.record.definitions[name] if d.member.type is written).owner
+    wanted = declared_type(low, written, owner.module)
+    if wanted is None:
+        return FAILURE
+    fitted: Node | Failure = low.fit(result, wanted.type, wanted.text, expression.span)
+    return fitted
+
+
+def _note(low: Lowering, instance: Instance, name: str, node: Node) -> None:
+    """Keep the user's name and doc comment for a value."""
+    shown = f"{instance.prefix}_{name}" if instance.prefix else name
+    definition: Definition = instance.record.definitions[name][0]
+    if isinstance(definition.member, ast.Attribute):
+        return
+    for named in (node, *node.operands) if node.op == "interpolate" else (node,):
+        low.notes.names.setdefault(named.id, shown)
+        if definition.member.doc:
+            low.notes.docs.setdefault(named.id, definition.member.doc)
+
+
+def _is_cycle(low: Lowering, key: object, name: str, span: Span) -> bool:
+    """Whether ``key`` is being lowered already; reports the way round. Otherwise it is from now."""
+    if key not in low.active:
+        low.active[key] = (name, span)
+        return False
+    steps = list(low.active.values())
+    start = list(low.active).index(key)
+    cycle = [step for step, _ in steps[start:]] + [name]
+    labels = [Label(place, f"`{step}` is needed here") for step, place in steps[start + 1 :]]
+    shown = " → ".join(cycle)
+    low.report.add(rules.CYCLIC_DEFINITION, span, name=name, cycle=shown, labels=labels[:8])
+    return True
+
+
+# --- light ---------------------------------------------------------------------------------------
+
+
+def light_slot(low: Lowering, light: LightVariable, name: ast.Name) -> Step[Value]:
+    """``light.name`` in a term: a variable of the body that all lights share."""
+    if name.text in light.variables:
+        return light.variables[name.text]
+    if not light.instance.has(name.text):
+        definitions = light.record.definitions
+        unknown(low, f"slot of light `{light.record.name}`", name.text, name.span, definitions)
+        return FAILURE
+    sample = yield slot(low, light.instance, name.text, name.span)
+    if isinstance(sample, Failure):
+        return FAILURE
+    variable = low.graph.node("formal", sample.type, (), Formal(name.text))
+    light.variables[name.text] = variable
+    return variable

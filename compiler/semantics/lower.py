@@ -1,0 +1,328 @@
+"""Expressions to nodes.
+
+``Lowering`` walks expressions as generators (see ``trampoline``), looks names up through ``Scope`` and
+never stops at the first error: what could not be lowered is a ``FAILURE``, about which nothing more
+is reported. Calls and lights have files of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import isinf, radians
+from typing import Any
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Report
+from ..diagnostics.source import Span
+from ..ir import build
+from ..ir.node import Formal, Graph, Node
+from ..ir.types import BOOL, FLOAT, INT, UINT, Array, Matrix, Scalar, Struct, Type, Vector, width
+from ..syntax import ast
+from . import calls, lookup, overloads
+from .coerce import coerce
+from .constants import ConstantValues
+from .folds import fold
+from .modules import Symbol
+from .records import Records
+from .scope import (
+    FAILURE,
+    Failure,
+    Inherited,
+    Instance,
+    LightVariable,
+    RigEntry,
+    Scope,
+    Value,
+)
+from .shader import Notes
+from .stages import Stages
+from .trampoline import Step
+from .typenames import TypeResolver
+
+OPERATORS: Mapping[str, str] = {
+    "+": "add", "-": "sub", "*": "mul", "/": "div", "mod": "mod",
+    "==": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge",
+    "and": "and", "or": "or",
+}  # fmt: skip
+SWIZZLES: Mapping[str, Mapping[str, int]] = {
+    letters: {letter: i for i, letter in enumerate(letters)} for letters in ("xyzw", "rgba")
+}
+LARGEST_FOLD = 4096
+
+
+class Lowering:
+    """One shader's lowering: the graph being built and everything its expressions can refer to."""
+
+    def __init__(
+        self, report: Report, records: Records, types: TypeResolver, rig: tuple[RigEntry, ...] = ()
+    ) -> None:
+        self.report = report
+        self.records = records
+        self.types = types
+        self.rig = rig
+        self.graph = Graph()
+        self.notes = Notes()
+        self.stages = Stages(self.graph, report, self.notes)
+        self.constants = ConstantValues(report)
+        self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
+        self.active: dict[Any, tuple[str, Span]] = {}
+        """What is being lowered right now, outermost first: finding it again is a cycle."""
+        self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
+
+    def expression(self, expression: ast.Expression, scope: Scope) -> Step[Value]:
+        """The value of ``expression``; nodes get the expression's span."""
+        value: Value = yield _LOWER[type(expression)](self, expression, scope)
+        if isinstance(value, Node):
+            self.notes.spans.setdefault(value.id, expression.span)
+        return value
+
+    def node(self, expression: ast.Expression, scope: Scope) -> Step[Node | Failure]:
+        """The value of ``expression`` where only a plain value will do."""
+        value = yield self.expression(expression, scope)
+        if isinstance(value, Node | Failure):
+            return value
+        self.report.add(rules.NOT_A_VALUE, expression.span)
+        return FAILURE
+
+    def typed(
+        self, expression: ast.Expression, scope: Scope, wanted: Type, declared: str
+    ) -> Step[Node | Failure]:
+        """The value of ``expression`` as a ``wanted``; ``declared`` is how messages call that."""
+        node = yield self.node(expression, scope)
+        return self.fit(node, wanted, declared, expression.span)
+
+    def fit(
+        self, node: Node | Failure, wanted: Type, declared: str, span: Span
+    ) -> Node | Failure:
+        """``node`` as a ``wanted``, or a report at ``span``."""
+        if isinstance(node, Failure):
+            return FAILURE
+        fitted = coerce(self.graph, node, wanted)
+        if fitted is None:
+            hint = ""
+            if isinstance(node.type, Scalar) and isinstance(wanted, Vector):
+                hint = f"write `{wanted}(…)` for equal lanes"
+            elif isinstance(node.type, Scalar) and isinstance(wanted, Scalar):
+                hint = f"convert with `{wanted}(…)`"
+            self.report.add(
+                rules.WRONG_TYPE, span, expected=declared, found=node.type, hint=hint,
+                caption=f"this is `{node.type}`",
+            )  # fmt: skip
+            return FAILURE
+        return fitted
+
+    def builtin(
+        self, name: str, operands: tuple[Node, ...], span: Span, shown: str
+    ) -> Node | Failure:
+        """A call of builtin ``name``, its operands coerced to the signature that fits."""
+        found = overloads.resolve(name, tuple(map(overloads.operand, operands)))
+        if found is None:
+            return calls.no_signature(self, name, operands, span, shown)
+        fitted = []
+        for operand, type_ in zip(operands, found.operands, strict=True):
+            # Arithmetic between scalars and vectors exists as such; elsewhere a scalar broadcasts.
+            lane = coerce(self.graph, operand, type_, broadcast=True)
+            assert lane is not None, (name, operand.type, type_)
+            fitted.append(lane)
+        return self.graph.node("call", found.result, tuple(fitted), name)
+
+
+# --- literals ------------------------------------------------------------------------------------
+
+
+def _number(low: Lowering, e: ast.Number, _scope: Scope) -> Step[Value]:
+    yield from ()
+    if e.kind in ("int", "uint"):
+        limit, type_ = (2**31 - 1, INT) if e.kind == "int" else (2**32 - 1, UINT)
+        if int(e.text) > limit:
+            low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=type_)
+            return FAILURE
+        return build.constant(low.graph, type_, int(e.text))
+    value = float(e.text)
+    if isinf(value) or value > 3.4028234663852886e38:
+        low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=FLOAT)
+        return FAILURE
+    return build.floating(low.graph, radians(value) if e.unit == "deg" else value)
+
+
+def linear(channel: int) -> float:
+    """An 8-bit sRGB channel as linear light in 0..1 (IEC 61966-2-1)."""
+    value = channel / 255
+    return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
+
+
+def _color(low: Lowering, e: ast.Color, _scope: Scope) -> Step[Value]:
+    yield from ()
+    lanes = [linear(channel) for channel in e.channels[:3]]
+    lanes += [channel / 255 for channel in e.channels[3:]]
+    return build.constant(low.graph, Vector("float", len(lanes)), tuple(lanes))
+
+
+def _boolean(low: Lowering, e: ast.Boolean, _scope: Scope) -> Step[Value]:
+    yield from ()
+    return build.constant(low.graph, BOOL, e.value)
+
+
+# --- names ---------------------------------------------------------------------------------------
+
+
+def _reference(low: Lowering, e: ast.Reference, scope: Scope) -> Step[Value]:
+    value: Value = yield lookup.value(low, e.name, e.span, scope)
+    return value
+
+
+def _field(low: Lowering, e: ast.Field, scope: Scope) -> Step[Value]:
+    value: Value = yield low.expression(e.operand, scope)
+    name = e.name.text
+    match value:
+        case Failure():
+            return FAILURE
+        case Node():
+            return _component(low, value, e.name)
+        case LightVariable():
+            result: Value = yield lookup.light_slot(low, value, e.name)
+        case Inherited(instance, level):
+            result = yield lookup.inherited(low, instance, level, e.name)
+        case Instance():
+            result = yield lookup.slot_or_report(low, value, name, e.name.span)
+    return result
+
+
+def _component(low: Lowering, node: Node, name: ast.Name) -> Node | Failure:
+    if isinstance(node.type, Struct):
+        members = dict(node.type.members)
+        if name.text in members:
+            return build.member(low.graph, node, name.text)
+        lookup.unknown(low, "member", name.text, name.span, members)
+        return FAILURE
+    if isinstance(node.type, Vector | Scalar):
+        lanes = _swizzle_lanes(name.text, width(node.type))
+        if lanes is not None:
+            return build.swizzle(low.graph, node, lanes)
+    low.report.add(rules.NO_MEMBER, name.span, name=name.text, type=node.type)
+    return FAILURE
+
+
+def _swizzle_lanes(text: str, lanes: int) -> tuple[int, ...] | None:
+    for letters in SWIZZLES.values():
+        found = tuple(letters.get(letter, 4) for letter in text)
+        if len(found) <= 4 and all(lane < lanes for lane in found):
+            return found
+    return None
+
+
+def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
+    operand = yield low.node(e.operand, scope)
+    position = yield low.typed(e.index, scope, INT, "int")
+    if isinstance(operand, Failure) or isinstance(position, Failure):
+        return FAILURE
+    match operand.type:
+        case Array(count=count) | Vector(size=count) | Matrix(size=count):
+            pass
+        case _:
+            low.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type)
+            return FAILURE
+    if position.op == "constant":
+        if not 0 <= int(position.data) < count:  # type: ignore[call-overload]
+            low.report.add(
+                rules.OUT_OF_BOUNDS, e.index.span, index=position.data, type=operand.type
+            )
+            return FAILURE
+        return build.index(low.graph, operand, position)
+    zero, last = (build.constant(low.graph, INT, n) for n in (0, count - 1))
+    clamped = low.graph.node("call", INT, (position, zero, last), "clamp")
+    return build.index(low.graph, operand, clamped)
+
+
+# --- operators -----------------------------------------------------------------------------------
+
+
+def _unary(low: Lowering, e: ast.Unary, scope: Scope) -> Step[Value]:
+    operand = yield low.node(e.operand, scope)
+    if isinstance(operand, Failure):
+        return FAILURE
+    name = "neg" if e.operator == "-" else "not"
+    return low.builtin(name, (operand,), e.span, e.operator)
+
+
+def _binary(low: Lowering, e: ast.Binary, scope: Scope) -> Step[Value]:
+    left = yield low.node(e.left, scope)
+    right = yield low.node(e.right, scope)
+    if isinstance(left, Failure) or isinstance(right, Failure):
+        return FAILURE
+    if e.operator in ("/", "mod") and low.constants.is_zero(right):
+        low.report.add(rules.ZERO_DIVISOR, e.right.span)
+        return FAILURE
+    return low.builtin(OPERATORS[e.operator], (left, right), e.span, e.operator)
+
+
+def _conditional(low: Lowering, e: ast.Conditional, scope: Scope) -> Step[Value]:
+    condition = yield low.typed(e.condition, scope, BOOL, "bool")
+    then = yield low.node(e.then, scope)
+    otherwise = yield low.node(e.otherwise, scope)
+    if any(isinstance(part, Failure) for part in (condition, then, otherwise)):
+        return FAILURE
+    common = coerce(low.graph, then, otherwise.type)
+    if common is not None:
+        then = common
+    else:
+        otherwise = coerce(low.graph, otherwise, then.type)
+        if otherwise is None:
+            wrong = yield low.node(e.otherwise, scope)
+            low.report.add(
+                rules.BRANCH_TYPES, e.otherwise.span, then=then.type, otherwise=wrong.type
+            )
+            return FAILURE
+    return low.graph.node("select", then.type, (condition, then, otherwise))
+
+
+def _at_rate(low: Lowering, e: ast.AtRate, scope: Scope) -> Step[Value]:
+    operand = yield low.node(e.operand, scope)
+    if e.rate.text != "vertex":
+        low.report.add(rules.UNKNOWN_RATE, e.rate.span, name=e.rate.text)
+        return FAILURE
+    if isinstance(operand, Failure):
+        return FAILURE
+    return low.stages.interpolated(operand, e.span)
+
+
+def _fold(low: Lowering, e: ast.Fold, scope: Scope) -> Step[Value]:
+    bounds = []
+    for bound in (e.start, e.end):
+        node = yield low.typed(bound, scope, INT, "int")
+        bounds.append(low.constants.integer(node, bound.span))
+    if bounds[0] is None or bounds[1] is None:
+        return FAILURE
+    start, count = bounds[0], max(bounds[1] - bounds[0], 0)
+    if count > LARGEST_FOLD:
+        low.report.add(rules.FOLD_TOO_LONG, e.span, count=count, most=LARGEST_FOLD)
+        return FAILURE
+    formal = Formal(e.variable.text)
+    variable = low.graph.node("formal", INT, (), formal)
+    offset = build.constant(low.graph, INT, start)
+    index = low.graph.node("call", INT, (variable, offset), "add") if start else variable
+    body = yield low.node(e.body, scope.binding({e.variable.text: index}))
+    if isinstance(body, Failure):
+        return FAILURE
+    if not isinstance(body.type, Scalar | Vector) or body.type.kind == "bool":
+        low.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
+        return FAILURE
+    body = coerce(low.graph, body, FLOAT) or body
+    return fold(low.graph, "add" if e.operator == "sum" else "mul", count, body, formal)
+
+
+_LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {
+    ast.Number: _number,
+    ast.Color: _color,
+    ast.Boolean: _boolean,
+    ast.Reference: _reference,
+    ast.Field: _field,
+    ast.Index: _index,
+    ast.Unary: _unary,
+    ast.Binary: _binary,
+    ast.Conditional: _conditional,
+    ast.AtRate: _at_rate,
+    ast.Fold: _fold,
+    ast.Call: calls.call,
+    ast.With: calls.replaced,
+}

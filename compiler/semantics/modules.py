@@ -1,0 +1,201 @@
+"""Files, imports and the names that each file can see.
+
+A module sees its own declarations, what it imports, and everything the library's prelude declares.
+Import paths are looked up beside the importing file (quoted ones) and in the search path, and never
+lead out of the folder they start from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label, Report
+from ..diagnostics.nearest import suggestion
+from ..diagnostics.source import Source, Span
+from ..syntax import ast
+
+Named = ast.Record | ast.Function | ast.Rig | ast.StructDeclaration | ast.Space | ast.Constant
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Symbol:
+    """A declaration and the module whose names it sees; compared by identity."""
+
+    declaration: Named
+    module: Module
+
+    @property
+    def name(self) -> str:
+        """The declared name."""
+        return self.declaration.name.text
+
+
+@dataclass(slots=True, eq=False)
+class Module:
+    """One file with everything it can name; functions may share a name (overloads)."""
+
+    file: ast.File
+    path: Path | None
+    declared: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
+    imported: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
+    prelude: Module | None = None
+
+    def find(self, name: str) -> tuple[Symbol, ...]:
+        """The declarations that ``name`` stands for here; empty if there are none."""
+        found = self.declared.get(name) or self.imported.get(name)
+        if not found and self.prelude is not None:
+            found = self.prelude.declared.get(name)
+        return found or ()
+
+    def visible(self) -> Iterator[str]:
+        """All names that ``find`` knows."""
+        yield from self.declared
+        yield from self.imported
+        if self.prelude is not None:
+            yield from self.prelude.declared
+
+
+Read = Callable[[Path, Report], Source | None]
+Parse = Callable[[Source, Report], ast.File]
+
+
+class Loader:
+    """Reads and links modules; each file once."""
+
+    def __init__(
+        self,
+        report: Report,
+        library: Path,
+        search_path: Sequence[Path],
+        parse: Parse,
+        parse_library: Parse,
+        read: Read,
+    ) -> None:
+        self._report = report
+        self._library = library
+        self._search_path = tuple(search_path)
+        self._parse = parse
+        self._parse_library = parse_library
+        self._read = read
+        self._modules: dict[Path, Module] = {}
+        self._loading: list[tuple[Path, Span]] = []
+        self._prelude: Module | None = None
+
+    def prelude(self) -> Module:
+        """The library module whose names every other module sees."""
+        if self._prelude is None:
+            path = self._library / "prelude.burnish"
+            source = self._read(path, self._report)
+            assert source is not None, "the library has no prelude"
+            # Known before it is linked: the library files that it imports see it as well.
+            self._prelude = Module(self._parse_library(source, self._report), path)
+            self._link(self._prelude)
+        return self._prelude
+
+    def main(self, source: Source, path: Path | None) -> Module:
+        """The module that a user compiles."""
+        prelude = self.prelude()
+        if path is not None:
+            self._loading.append((path.resolve(), Span(source, 0, 0)))
+        module = Module(self._parse(source, self._report), path, prelude=prelude)
+        self._link(module)
+        return module
+
+    def _link(self, module: Module) -> None:
+        for declaration in module.file.declarations:
+            if isinstance(declaration, ast.Import):
+                self._import(module, declaration)
+            else:
+                self._declare(module, declaration)
+
+    def _declare(self, module: Module, declaration: Named) -> None:
+        name = declaration.name
+        others = module.declared.get(name.text, ())
+        overload = isinstance(declaration, ast.Function) and all(
+            isinstance(other.declaration, ast.Function) for other in others
+        )
+        if others and not overload:
+            first = others[0].declaration.name.span
+            self._report.add(
+                rules.DUPLICATE_NAME, name.span, name=name.text,
+                labels=[Label(first, "first declared here")],
+            )  # fmt: skip
+            return
+        module.declared[name.text] = (*others, Symbol(declaration, module))
+
+    def _import(self, module: Module, wanted: ast.Import) -> None:
+        found = self._resolve(module, wanted)
+        if found is None:
+            return
+        names = wanted.names
+        if names is None:
+            module.imported.update(found.declared)
+            return
+        for name in names:
+            symbols = found.declared.get(name.text)
+            if symbols is None:
+                self._report.add(
+                    rules.UNKNOWN_EXPORT, name.span, name=name.text, path=found.file.source.name,
+                    hint=suggestion(name.text, found.declared),
+                )  # fmt: skip
+            else:
+                module.imported[name.text] = symbols
+
+    def _resolve(self, module: Module, wanted: ast.Import) -> Module | None:
+        relative = wanted.path[0] if wanted.quoted else "/".join(wanted.path) + ".burnish"
+        if PurePosixPath(relative).is_absolute() or ".." in PurePosixPath(relative).parts:
+            self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
+            return None
+        for root, inside in self._roots(module, wanted, relative):
+            path = (root / inside).resolve()
+            if not path.is_relative_to(root.resolve()):
+                self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
+                return None
+            if path.is_file():
+                return self._load(path, wanted.span)
+        self._report.add(
+            rules.MISSING_IMPORT, wanted.span, path=relative, hint=self._suggest(wanted)
+        )
+        return None
+
+    def _roots(
+        self, module: Module, wanted: ast.Import, relative: str
+    ) -> Iterator[tuple[Path, str]]:
+        if not wanted.quoted and wanted.path[0] == "std":
+            yield self._library, relative.removeprefix("std/")
+            return
+        if module.path is not None:
+            yield module.path.parent, relative
+        for root in self._search_path:
+            yield root, relative
+
+    def _suggest(self, wanted: ast.Import) -> str:
+        if wanted.quoted or wanted.path[0] != "std":
+            return ""
+        modules = (f"std.{path.stem}" for path in self._library.glob("*.burnish"))
+        return suggestion(".".join(wanted.path), sorted(modules))
+
+    def _load(self, path: Path, span: Span) -> Module | None:
+        if path in self._modules:
+            return self._modules[path]
+        pending = [loading for loading, _ in self._loading]
+        if path in pending:
+            cycle = [*pending[pending.index(path) :], path]
+            self._report.add(
+                rules.IMPORT_CYCLE, span, cycle=" → ".join(step.name for step in cycle)
+            )
+            return None
+        source = self._read(path, self._report)
+        if source is None:
+            return None
+        library = path.is_relative_to(self._library.resolve())
+        self._loading.append((path, span))
+        parse = self._parse_library if library else self._parse
+        linked = Module(parse(source, self._report), path, prelude=self.prelude())
+        self._link(linked)
+        self._loading.pop()
+        self._modules[path] = linked
+        return linked

@@ -1,0 +1,244 @@
+"""Declared parameters and textures as leaves, with what a host may know of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from math import hypot
+from typing import TYPE_CHECKING
+
+from ..diagnostics import rules
+from ...stdlib.builtins.facts import Fact
+from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.types import INT, Array, Scalar, Struct, Texture, Type, Vector, scalar_kind
+from ..syntax import ast
+from .declared import declared_type
+from .records import Definition, Record
+from .scope import Failure, Scope
+from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
+from .trampoline import run
+from .typenames import Declared
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pass": "frame"}
+"""The group of a parameter that names none, by what declares it."""
+
+TEXTURE_DEFAULTS = ("white", "black", "gray", "transparent", "flat_normal")
+SAMPLER_STATE: Mapping[str, tuple[str, ...]] = {
+    "filter": ("linear", "nearest"),
+    "mip": ("linear", "nearest", "none"),
+    "wrap": ("repeat", "clamp", "mirror"),
+}
+"""What can be said of a sampler; the first of each is the default."""
+
+
+@dataclass(frozen=True, slots=True)
+class Leaves:
+    """A record's leaves in declaration order."""
+
+    parameters: tuple[ParameterInfo, ...]
+    resources: tuple[ResourceInfo, ...]
+    attributes: tuple[AttributeInfo, ...]
+
+
+def leaves_of(
+    low: Lowering, record: Record, prefix: str = "", without: frozenset[str] = frozenset()
+) -> Leaves:
+    """The parameters, textures and vertex inputs that instances of ``record`` read.
+
+    A parameter that a heir, or a rig entry (``without``), has set by an equation is none any more.
+    """
+    parameters, resources, attributes = [], [], []
+    for name, definition in _effective(record, without):
+        member = definition.member
+        if isinstance(member, ast.Param):
+            info = _parameter(low, record, definition, prefix + name)
+            if info is not None:
+                parameters.append(info)
+        elif isinstance(member, ast.Map):
+            texture = _resource(low, record, definition, prefix + name)
+            if texture is not None:
+                resources.append(texture)
+        elif isinstance(member, ast.Attribute):
+            attribute = _attribute(low, definition, name)
+            if attribute is not None:
+                attributes.append(attribute)
+    return Leaves(tuple(parameters), tuple(resources), tuple(attributes))
+
+
+def _effective(record: Record, without: frozenset[str]) -> Iterator[tuple[str, Definition]]:
+    for name, definitions in record.definitions.items():
+        if name not in without:
+            yield name, definitions[0]
+
+
+def _group(record: Record, definition: Definition, named: ast.Name | None) -> str:
+    declaration = definition.owner.declaration
+    assert isinstance(declaration, ast.Record)
+    return named.text if named is not None else DEFAULT_GROUPS[declaration.kind]
+
+
+def _parameter(
+    low: Lowering, record: Record, definition: Definition, name: str
+) -> ParameterInfo | None:
+    member = definition.member
+    assert isinstance(member, ast.Param)
+    module = definition.owner.module
+    declared = declared_type(low, member.type, module)
+    if declared is None:
+        return None
+    if isinstance(declared.type, Texture):
+        low.report.add(rules.WRONG_TYPE, member.type.span, expected="a value", found=declared.text,
+                       hint=f"declare a texture with `map {member.name.text} : {declared.text}`")  # fmt: skip
+        return None
+    limits = _range(low, member, definition, declared)
+    fact = declared.fact if limits is None else Fact(*limits)
+    default = _default(low, member, definition, declared, limits)
+    parameter = Parameter(name, declared.type, _group(record, definition, member.group), fact)
+    return ParameterInfo(
+        parameter, declared.text, limits, default, member.doc, member.name.span
+    )
+
+
+def _range(
+    low: Lowering, member: ast.Param, definition: Definition, declared: Declared
+) -> tuple[float, float] | None:
+    if member.range is None:
+        return None
+    if scalar_kind(declared.type) in (None, "bool") or not isinstance(
+        declared.type, Scalar | Vector
+    ):
+        low.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text)
+        return None
+    limits = []
+    for expression in member.range:
+        node = run(low.node(expression, Scope(definition.owner.module)))
+        limits.append(low.constants.number(node, expression.span))
+    lo, hi = limits
+    if lo is None or hi is None:
+        return None
+    if lo > hi:
+        span = member.range[0].span.to(member.range[1].span)
+        low.report.add(rules.EMPTY_RANGE, span, range=f"{lo:g}..{hi:g}")
+        return None
+    return lo, hi
+
+
+def _default(
+    low: Lowering,
+    member: ast.Param,
+    definition: Definition,
+    declared: Declared,
+    limits: tuple[float, float] | None,
+) -> Lanes | None:
+    if member.default is None:
+        return None
+    scope = Scope(definition.owner.module)
+    node = run(low.typed(member.default, scope, declared.type, declared.text))
+    if isinstance(node, Failure):
+        return None
+    value = low.constants.value(node, member.default.span)
+    if value is None:
+        return None
+    if declared.fact.unit:
+        value = _unit(low, value, member.default)
+    lanes = value if isinstance(value, tuple) else (value,)
+    if limits is not None and not all(
+        not isinstance(lane, tuple) and limits[0] <= lane <= limits[1] for lane in lanes
+    ):
+        shown = f"{limits[0]:g}..{limits[1]:g}"
+        low.report.add(rules.OUT_OF_RANGE, member.default.span, value="this default", range=shown)
+    return value
+
+
+def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:
+    """A direction is kept at length one whatever was written."""
+    assert isinstance(value, tuple)
+    lanes = [float(lane) for lane in value if not isinstance(lane, tuple)]
+    length = hypot(*lanes)
+    if length < 1e-12:
+        low.report.add(rules.ZERO_DIRECTION, written.span)
+        return None
+    return tuple(lane / length for lane in lanes)
+
+
+def _resource(
+    low: Lowering, record: Record, definition: Definition, name: str
+) -> ResourceInfo | None:
+    member = definition.member
+    assert isinstance(member, ast.Map)
+    declared = declared_type(low, member.type, definition.owner.module)
+    if declared is None:
+        return None
+    if not isinstance(declared.type, Texture):
+        low.report.add(
+            rules.WRONG_TYPE, member.type.span, expected="a texture type", found=declared.text,
+            hint="`texture2d` is one",
+        )  # fmt: skip
+        return None
+    default = member.default.text if member.default is not None else TEXTURE_DEFAULTS[0]
+    if member.default is not None and default not in TEXTURE_DEFAULTS:
+        _unknown_word(low, "texture default", member.default, TEXTURE_DEFAULTS)
+    group = _group(record, definition, member.group)
+    state = tuple(sorted(_sampler_state(low, member).items()))
+    resource = Resource(name, declared.type, group, default, state)
+    return ResourceInfo(resource, member.doc, member.name.span)
+
+
+def _sampler_state(low: Lowering, member: ast.Map) -> dict[str, str]:
+    state = {key: values[0] for key, values in SAMPLER_STATE.items()}
+    for key, value in member.state:
+        if key.text not in SAMPLER_STATE:
+            _unknown_word(low, "sampler setting", key, SAMPLER_STATE)
+        elif value.text not in SAMPLER_STATE[key.text]:
+            _unknown_word(low, f"value for `{key.text}`", value, SAMPLER_STATE[key.text])
+        else:
+            state[key.text] = value.text
+    return state
+
+
+def _unknown_word(
+    low: Lowering, kind: str, name: ast.Name, known: Mapping[str, object] | tuple[str, ...]
+) -> None:
+    listed = ", ".join(f"`{word}`" for word in known)
+    low.report.add(
+        rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=f"one of {listed}"
+    )
+
+
+def _attribute(low: Lowering, definition: Definition, name: str) -> AttributeInfo | None:
+    member = definition.member
+    assert isinstance(member, ast.Attribute)
+    declared = declared_type(low, member.type, definition.owner.module)
+    if declared is None:
+        return None
+    if not isinstance(declared.type, Scalar | Vector) or scalar_kind(declared.type) == "bool":
+        low.report.add(rules.CANNOT_CROSS, member.type.span, type=declared.text)
+        return None
+    return AttributeInfo(
+        Attribute(name, declared.type), declared.text, member.doc, member.name.span
+    )
+
+
+def as_array(name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,
+             group: str) -> ParameterInfo:  # fmt: skip
+    """The parameters of ``count`` lights of one type as one array of structs."""
+    members = tuple((info.parameter.name.rpartition(".")[2], info) for info in infos)
+    struct = Struct(light, tuple((short, info.parameter.type) for short, info in members))
+    facts = tuple((short, info.parameter.fact) for short, info in members)
+    parameter = Parameter(name, Array(struct, count), group, member_facts=facts)
+    rows = tuple(
+        replace(info, parameter=replace(info.parameter, name=short)) for short, info in members
+    )
+    first = infos[0]
+    return ParameterInfo(parameter, f"{light}[{count}]", None, None, "", first.span, rows)
+
+
+def count_parameter(name: str, bound: int, group: str, of: ParameterInfo) -> ParameterInfo:
+    """How many of at most ``bound`` lights shine."""
+    parameter = Parameter(f"{name}.count", INT, group, Fact(0.0, float(bound), kind="int"))
+    doc = f"How many of `{name}` shine"
+    return ParameterInfo(parameter, "int", (0, bound), 0, doc, of.span)
+

@@ -1,0 +1,165 @@
+"""Inheritance: a material, light or pass as the list of what each of its names is defined to be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label, Report
+from ..diagnostics.nearest import suggestion
+from ..syntax import ast
+from .modules import Module, Symbol
+
+NamedMember = ast.Param | ast.Map | ast.Attribute | ast.Slot
+
+
+@dataclass(frozen=True, slots=True)
+class Definition:
+    """What a name is defined to be at one level of an inheritance chain."""
+
+    member: NamedMember
+    owner: Symbol
+    level: int
+    """0 for the most derived record."""
+
+
+@dataclass(slots=True, eq=False)
+class Record:
+    """A record with its ancestors."""
+
+    symbol: Symbol
+    chain: tuple[Symbol, ...]
+    """Most derived first."""
+    definitions: dict[str, tuple[Definition, ...]] = field(default_factory=dict)
+    """Of each name, most derived first; names in order of first declaration, ancestors first."""
+    targets: tuple[tuple[ast.Target, Symbol, int], ...] = ()
+    """Of a pass: its targets, each with its record and level."""
+    discards: tuple[tuple[ast.Discard, Symbol, int], ...] = ()
+
+    @property
+    def name(self) -> str:
+        """The declared name."""
+        return self.symbol.name
+
+    @property
+    def root(self) -> Symbol:
+        """The ancestor without a base."""
+        return self.chain[-1]
+
+    def declaration(self, name: str) -> Definition:
+        """Where ``name`` was first declared (the furthest ancestor)."""
+        return self.definitions[name][-1]
+
+    def typed(self, name: str) -> ast.TypeName | None:
+        """The type that the nearest declaring level wrote for ``name``."""
+        for definition in self.definitions[name]:
+            if definition.member.type is not None:
+                return definition.member.type
+        return None
+
+
+class Records:
+    """Flattens records; each once. Reports what is wrong with an inheritance chain."""
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+        self._known: dict[Symbol, Record] = {}
+
+    def of(self, symbol: Symbol) -> Record:
+        """The record that a ``material``, ``light`` or ``pass`` declares."""
+        if symbol not in self._known:
+            self._known[symbol] = self._flatten(symbol)
+        return self._known[symbol]
+
+    def _flatten(self, symbol: Symbol) -> Record:
+        chain = self._chain(symbol)
+        record = Record(symbol, chain)
+        targets: dict[str, tuple[ast.Target, Symbol, int]] = {}
+        for level in reversed(range(len(chain))):
+            owner = chain[level]
+            declaration = owner.declaration
+            assert isinstance(declaration, ast.Record)
+            seen: dict[str, ast.Name] = {}
+            for member in declaration.members:
+                if isinstance(member, ast.Discard):
+                    record.discards += ((member, owner, level),)
+                elif self._first(member.name, seen):
+                    if isinstance(member, ast.Target):
+                        targets[member.name.text] = (member, owner, level)
+                    else:
+                        self._define(record, Definition(member, owner, level))
+        record.targets = tuple(targets.values())
+        return record
+
+    def _first(self, name: ast.Name, seen: dict[str, ast.Name]) -> bool:
+        if name.text in seen:
+            self._report.add(
+                rules.DUPLICATE_NAME, name.span, name=name.text,
+                labels=[Label(seen[name.text].span, "first defined here")],
+            )  # fmt: skip
+            return False
+        seen[name.text] = name
+        return True
+
+    def _define(self, record: Record, definition: Definition) -> None:
+        name = definition.member.name.text
+        inherited = record.definitions.get(name, ())
+        record.definitions[name] = (definition, *inherited)
+
+    def _chain(self, symbol: Symbol) -> tuple[Symbol, ...]:
+        chain = [symbol]
+        while (base := self._base(chain[-1])) is not None:
+            if base in chain:
+                cycle = " : ".join(step.name for step in [*chain[chain.index(base) :], base])
+                declaration = chain[-1].declaration
+                self._report.add(
+                    rules.CYCLIC_INHERITANCE, declaration.name.span, name=base.name, cycle=cycle
+                )
+                break
+            chain.append(base)
+        return tuple(chain)
+
+    def _base(self, symbol: Symbol) -> Symbol | None:
+        declaration = symbol.declaration
+        assert isinstance(declaration, ast.Record)
+        if declaration.base is None:
+            return self._implied_base(symbol, declaration)
+        found = symbol.module.find(declaration.base.text)
+        if not found:
+            self._report.add(
+                rules.UNKNOWN_NAME, declaration.base.span,
+                kind=declaration.kind, name=declaration.base.text,
+                hint=suggestion(declaration.base.text, symbol.module.visible()),
+            )  # fmt: skip
+            return self._implied_base(symbol, declaration)
+        base = found[0].declaration
+        if not isinstance(base, ast.Record) or base.kind != declaration.kind:
+            self._report.add(
+                rules.WRONG_BASE, declaration.base.span,
+                kind=declaration.kind, name=declaration.base.text,
+                labels=[Label(base.name.span, "declared here")],
+            )  # fmt: skip
+            return self._implied_base(symbol, declaration)
+        return found[0]
+
+    def _implied_base(self, symbol: Symbol, declaration: ast.Record) -> Symbol | None:
+        """Every material (light, …) extends the prelude's only abstract one of its kind."""
+        root = sole(symbol.module.prelude or symbol.module, declaration.kind, abstract=True)
+        return None if root is symbol else root
+
+
+def records_of(module: Module, kind: str, *, abstract: bool) -> list[Symbol]:
+    """The records of one kind that a module declares, in order."""
+    return [
+        symbols[0]
+        for symbols in module.declared.values()
+        if isinstance(declared := symbols[0].declaration, ast.Record)
+        and declared.kind == kind
+        and declared.abstract == abstract
+    ]
+
+
+def sole(module: Module, kind: str, *, abstract: bool) -> Symbol | None:
+    """The only such record of a module, if there is exactly one."""
+    found = records_of(module, kind, abstract=abstract)
+    return found[0] if len(found) == 1 else None

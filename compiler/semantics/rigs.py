@@ -1,0 +1,107 @@
+"""A rig as lights with places for their parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label
+from ..diagnostics.nearest import suggestion
+from ..syntax import ast
+from .declared import count_of
+from .modules import Symbol
+from .parameters import DEFAULT_GROUPS, as_array, count_parameter, leaves_of
+from .records import Definition, Record
+from .scope import Replacement, RigEntry
+from .shader import ParameterInfo, ResourceInfo
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+Entry = tuple[RigEntry, tuple[ParameterInfo, ...], tuple[ResourceInfo, ...]]
+
+
+def rig_entries(low: Lowering, rig: Symbol) -> list[Entry]:
+    """The lights of a rig, in order; what is wrong with one is reported and leaves it out."""
+    declaration = rig.declaration
+    assert isinstance(declaration, ast.Rig)
+    entries: list[Entry] = []
+    seen: dict[str, ast.Name] = {}
+    for written in declaration.entries:
+        name = written.name
+        if name.text in seen:
+            first = Label(seen[name.text].span, "first defined here")
+            low.report.add(rules.DUPLICATE_NAME, name.span, name=name.text, labels=[first])
+            continue
+        seen[name.text] = name
+        record = _light(low, rig, written.light)
+        entry = None if record is None else _entry(low, rig, written, record)
+        if entry is not None:
+            entries.append(entry)
+    return entries
+
+
+def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
+    found = rig.module.find(name.text)
+    declaration = found[0].declaration if found else None
+    if not isinstance(declaration, ast.Record) or declaration.kind != "light":
+        lights = [
+            visible
+            for visible in rig.module.visible()
+            if isinstance(d := rig.module.find(visible)[0].declaration, ast.Record)
+            and d.kind == "light"
+        ]
+        low.report.add(
+            rules.UNKNOWN_NAME, name.span, kind="light", name=name.text,
+            hint=suggestion(name.text, lights),
+        )  # fmt: skip
+        return None
+    if declaration.abstract:
+        low.report.add(
+            rules.ABSTRACT_USE, name.span, name=name.text,
+            labels=[Label(declaration.name.span, "declared abstract here")],
+        )  # fmt: skip
+        return None
+    return low.records.of(found[0])
+
+
+def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:
+    replaced = _overrides(low, rig, written, record)
+    name = written.name.text
+    leaves = leaves_of(low, record, f"{name}.", frozenset(replaced))
+    resources = tuple(info.resource for info in leaves.resources)
+    if written.count is None:
+        parameters = tuple(info.parameter for info in leaves.parameters)
+        entry = RigEntry(name, record, "single", parameters, resources, replaced=replaced)
+        return entry, leaves.parameters, leaves.resources
+    bound = count_of(low, written.count, rig.module)
+    if bound is None:
+        return None
+    if leaves.resources or not leaves.parameters:
+        low.report.add(rules.NO_ARRAY_OF, written.name.span, light=record.name)
+        return None
+    group = DEFAULT_GROUPS["light"]
+    array = as_array(name, record.name, leaves.parameters, bound, group)
+    count = count_parameter(name, bound, group, array) if written.at_most else None
+    entry = RigEntry(
+        name, record, "array", (array.parameter,), (), bound,
+        count.parameter if count is not None else None, replaced,
+    )  # fmt: skip
+    return entry, (array,) if count is None else (array, count), ()
+
+
+def _overrides(
+    low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record
+) -> dict[str, Replacement]:
+    """``torch : Spot { inner = 10deg }``: equations lowered as the light's own."""
+    given: dict[str, Replacement] = {}
+    for slot in written.overrides:
+        if slot.name.text not in record.definitions:
+            low.report.add(
+                rules.UNKNOWN_NAME, slot.name.span,
+                kind=f"slot of light `{record.name}`", name=slot.name.text,
+                hint=suggestion(slot.name.text, record.definitions),
+            )  # fmt: skip
+            continue
+        given[slot.name.text] = Replacement(definition=Definition(slot, rig, -1))
+    return given

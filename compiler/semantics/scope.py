@@ -1,0 +1,111 @@
+"""What names stand for while an expression is being lowered."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from ..ir.leaves import Parameter, Resource
+from ..ir.node import Node
+from .modules import Module
+from .records import Definition, Record
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """The value of an expression about which something has been reported already."""
+
+
+FAILURE = Failure()
+
+
+@dataclass(slots=True, eq=False)
+class Instance:
+    """A record whose names have values: the surface being shaded, one rig entry, the pass.
+
+    Values are lowered on demand and once. ``replaced`` holds slots given from outside (a pass's
+    overrides, ``with { … }``, a rig entry's own settings).
+    """
+
+    record: Record
+    prefix: str = ""
+    """Put before names in the output: ``sun`` gives ``sun_to_light``."""
+    surface: Instance | None = None
+    """The material instance whose slots are visible behind this record's own names."""
+    parameters: Mapping[str, Node] = field(default_factory=dict)
+    """What reads each ``param``; for one light of many, a member of an array element."""
+    resources: Mapping[str, Node] = field(default_factory=dict)
+    replaced: dict[str, Replacement] = field(default_factory=dict)
+    values: dict[tuple[str, int], Node | Failure] = field(default_factory=dict)
+
+    def has(self, name: str) -> bool:
+        """Whether the record defines ``name``."""
+        return name in self.record.definitions or name in self.replaced
+
+    def with_replaced(self, replaced: Mapping[str, Replacement]) -> Instance:
+        """The same instance with slots given from outside, and nothing lowered yet."""
+        return replace(self, replaced={**self.replaced, **replaced}, values={})
+
+
+@dataclass(frozen=True, slots=True)
+class Replacement:
+    """A slot's value given from outside its record: already lowered, or to be lowered there."""
+
+    value: Node | Failure | None = None
+    definition: Definition | None = None
+    within: Instance | None = None
+    """The instance in whose scope ``definition`` is lowered."""
+
+
+@dataclass(frozen=True, slots=True)
+class LightVariable:
+    """``light`` inside a ``per light`` term: its slots become the variables of a shared body."""
+
+    variables: dict[str, Node]
+    record: Record
+    """A light of the rig, from which the slots' types are taken."""
+    instance: Instance
+
+
+@dataclass(frozen=True, slots=True)
+class Inherited:
+    """``inherited``: the names of an instance as the levels above ``level`` define them."""
+
+    instance: Instance
+    level: int
+
+
+Value = Node | Failure | Instance | LightVariable | Inherited
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """Where a name is looked up: locals, the record's own names, the file's names, the surface."""
+
+    module: Module
+    instance: Instance | None = None
+    level: int = 0
+    """The level of ``instance``'s chain whose text is being lowered."""
+    surface: Instance | None = None
+    locals: Mapping[str, Value] = field(default_factory=dict)
+
+    def binding(self, locals_: Mapping[str, Value]) -> Scope:
+        """This scope with further local names."""
+        return replace(self, locals={**self.locals, **locals_})
+
+
+@dataclass(frozen=True, slots=True)
+class RigEntry:
+    """One line of a rig: its light and where its parameters are kept."""
+
+    name: str
+    record: Record
+    kind: Literal["single", "array"]
+    parameters: tuple[Parameter, ...]
+    """Single: one for each ``param``. Array: the array of structs."""
+    resources: tuple[Resource, ...]
+    bound: int = 1
+    count: Parameter | None = None
+    """Of ``[<= N]``: the run-time count."""
+    replaced: Mapping[str, Replacement] = field(default_factory=dict)

@@ -1,0 +1,98 @@
+"""What semantics leaves behind: the meaning of material × pass × rig as one graph."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ...stdlib.builtins.facts import Fact
+from ..diagnostics.source import Span
+from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.node import Graph, Node
+
+Lanes = float | int | bool | tuple["Lanes", ...]
+"""A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterInfo:
+    """A declared parameter, with everything that a host or an editor may show."""
+
+    parameter: Parameter
+    declared_type: str
+    """As written: ``rgb``, ``direction<world>``, ``Point[8]``."""
+    range: tuple[float, float] | None
+    default: Lanes | None
+    doc: str
+    span: Span
+    members: tuple[ParameterInfo, ...] = ()
+    """For an array of lights: one row for each member of the element."""
+
+
+@dataclass(frozen=True, slots=True)
+class ResourceInfo:
+    """A declared texture."""
+
+    resource: Resource
+    doc: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class AttributeInfo:
+    """A declared vertex input."""
+
+    attribute: Attribute
+    declared_type: str
+    doc: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class TargetInfo:
+    """One render target of the pass and what is written to it."""
+
+    name: str
+    format: str
+    blend: str
+    """``none``, ``alpha``, ``add`` … ; fixed-function state for the host."""
+    value: Node
+    doc: str
+    span: Span
+
+
+@dataclass(slots=True)
+class Notes:
+    """What people want to know about nodes and the graph itself does not say.
+
+    A side table, so that sharing a node never loses or confuses what was written. Keys are ids.
+    """
+
+    names: dict[int, str] = field(default_factory=dict)
+    spans: dict[int, Span] = field(default_factory=dict)
+    docs: dict[int, str] = field(default_factory=dict)
+    functions: dict[int, str] = field(default_factory=dict)
+    """Names for the bodies of ``apply`` nodes."""
+    variables: dict[int, tuple[str, ...]] = field(default_factory=dict)
+    """Names for the variables of bodies, in order."""
+
+
+@dataclass(slots=True)
+class Shader:
+    """One material under one pass and one rig, before any optimisation."""
+
+    name: str
+    doc: str
+    pass_name: str
+    rig_name: str
+    graph: Graph
+    notes: Notes
+    parameters: tuple[ParameterInfo, ...]
+    """All declared parameters in declaration order, used or not: they fix the blocks' layout."""
+    resources: tuple[ResourceInfo, ...]
+    attributes: tuple[AttributeInfo, ...]
+    clip_position: Node
+    """vec4 in the vertex domain."""
+    targets: tuple[TargetInfo, ...]
+    """Values in the fragment domain."""
+    discard: Node | None
+    facts: dict[int, Fact] = field(default_factory=dict)

@@ -1,0 +1,100 @@
+"""Crossing from the vertex to the fragment stage, as a node.
+
+``interpolate(mode, e)`` is a value in the fragment domain; ``e`` lives in the vertex domain. Where a
+value that contains crossings is itself wanted in the vertex domain (it feeds ``clip_position`` or
+stands under ``@vertex``), the crossings in it are taken out: there is nothing to cross.
+"""
+
+from __future__ import annotations
+
+from ...stdlib.builtins import BUILTINS
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label, Report
+from ..diagnostics.source import Span
+from ..ir import build
+from ..ir.leaves import InterpolationMode
+from ..ir.node import Graph, Node, reachable
+from ..ir.types import UINT, Scalar, Vector, scalar_kind, with_width, width
+from .scope import FAILURE, Failure
+from .shader import Notes
+
+
+class Stages:
+    """Makes and removes crossings in one graph."""
+
+    def __init__(self, graph: Graph, report: Report, notes: Notes) -> None:
+        self._graph = graph
+        self._report = report
+        self._notes = notes
+        self._vertex: dict[int, Node] = {}
+        self._varies: dict[int, bool] = {}
+
+    def attribute(self, leaf: Node) -> Node:
+        """A vertex input as the fragment stage sees it."""
+        return self._crossing(leaf)
+
+    def interpolated(self, node: Node, span: Span) -> Node | Failure:
+        """``@vertex node``; the node itself where it is the same at every vertex."""
+        inner = self.at_vertex(node)
+        if (read := self._implicit_level(inner)) is not None:
+            place = self._notes.spans.get(read.id, span)
+            what = "a texture read without a level"
+            labels = [Label(place, "read here")]
+            self._report.add(rules.NOT_AT_VERTEX, span, what=what, labels=labels)
+            return FAILURE
+        if not self._varying(inner):
+            return node
+        if not isinstance(inner.type, Scalar | Vector):
+            self._report.add(rules.CANNOT_CROSS, span, type=inner.type)
+            return FAILURE
+        return self._crossing(inner)
+
+    def at_vertex(self, root: Node) -> Node:
+        """``root`` as the vertex stage computes it."""
+        for node in reachable((root,)):
+            if node.id in self._vertex:
+                continue
+            operands = tuple(self._vertex[operand.id] for operand in node.operands)
+            if node.op == "interpolate":
+                self._vertex[node.id] = operands[0]
+            elif operands == node.operands:
+                self._vertex[node.id] = node
+            else:
+                new = self._graph.node(node.op, node.type, operands, node.data)
+                self._vertex[node.id] = new
+                if node.id in self._notes.names:
+                    self._notes.names.setdefault(new.id, self._notes.names[node.id])
+        return self._vertex[root.id]
+
+    def _crossing(self, inner: Node) -> Node:
+        kind = scalar_kind(inner.type)
+        if kind == "bool":
+            return self._bool_crossing(inner)
+        mode: InterpolationMode = "perspective" if kind == "float" else "flat"
+        return self._graph.node("interpolate", inner.type, (inner,), mode)
+
+    def _bool_crossing(self, inner: Node) -> Node:
+        """Booleans cross as 0 and 1, which is all that a stage interface can carry."""
+        lanes = []
+        for lane in range(width(inner.type)):
+            one, zero = (build.constant(self._graph, UINT, n) for n in (1, 0))
+            flag = build.swizzle(self._graph, inner, (lane,)) if width(inner.type) > 1 else inner
+            number = self._graph.node("select", UINT, (flag, one, zero))
+            crossed = self._graph.node("interpolate", UINT, (number,), "flat")
+            lanes.append(self._graph.node("call", with_width("bool", 1), (crossed, zero), "ne"))
+        return build.vector(self._graph, tuple(lanes))
+
+    def _varying(self, root: Node) -> bool:
+        """Whether a vertex-domain value depends on the vertex at all."""
+        for node in reachable((root,)):
+            if node.id not in self._varies:
+                self._varies[node.id] = node.op in ("attribute", "input") or any(
+                    self._varies[operand.id] for operand in node.operands
+                )
+        return self._varies[root.id]
+
+    def _implicit_level(self, root: Node) -> Node | None:
+        for node in reachable((root,)):
+            if node.op == "call" and BUILTINS[str(node.data)].uniform_control_flow:
+                return node
+        return None

@@ -1,0 +1,382 @@
+"""The abstract syntax tree: what was written, with its span, before anything is looked up.
+
+All nodes are frozen and slotted. Expressions may nest as deeply as the text is long, so code that
+walks them must not recurse (see ``semantics``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from ..diagnostics.source import Source, Span
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """An identifier where it is written."""
+
+    text: str
+    span: Span
+
+
+# --- expressions ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Number:
+    """``2``, ``0.5``, ``1e-3``, ``7u``; ``unit`` is ``deg`` or ``rad`` for an angle."""
+
+    span: Span
+    text: str
+    """Digits as written, without suffix or unit."""
+    kind: Literal["int", "uint", "float", "angle"]
+    unit: Literal["", "deg", "rad"] = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Color:
+    """``#rgb``, ``#rrggbb`` or ``#rrggbbaa``: sRGB-encoded channels in 0..255, alpha linear."""
+
+    span: Span
+    channels: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Boolean:
+    """``true`` or ``false``."""
+
+    span: Span
+    value: bool
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Reference:
+    """A bare name used as a value."""
+
+    span: Span
+    name: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Unary:
+    """``-x`` or ``not x``."""
+
+    span: Span
+    operator: Literal["-", "not"]
+    operand: Expression
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Binary:
+    """``a + b`` and the like."""
+
+    span: Span
+    operator: Literal["+", "-", "*", "/", "mod", "==", "!=", "<", "<=", ">", ">=", "and", "or"]
+    left: Expression
+    right: Expression
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Conditional:
+    """``if c then a else b``."""
+
+    span: Span
+    condition: Expression
+    then: Expression
+    otherwise: Expression
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Call:
+    """``f(a, b)``: a function, builtin, term, constructor, or a texture read at a coordinate."""
+
+    span: Span
+    callee: Expression
+    arguments: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Field:
+    """``x.name``: a swizzle, a struct member, or a slot of ``light``, ``material``, ``inherited``."""
+
+    span: Span
+    operand: Expression
+    name: Name
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Index:
+    """``x[i]``: lane of a vector, column of a matrix, element of an array."""
+
+    span: Span
+    operand: Expression
+    index: Expression
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class With:
+    """``e with { slot = value … }``: a term evaluated with slots replaced."""
+
+    span: Span
+    operand: Expression
+    replacements: tuple[tuple[Name, Expression], ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AtRate:
+    """``@vertex e``: ``e`` computed at the vertex and interpolated."""
+
+    span: Span
+    rate: Name
+    operand: Expression
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fold:
+    """``sum i in a..b : e`` over ``a <= i < b``."""
+
+    span: Span
+    operator: Literal["sum", "product"]
+    variable: Name
+    start: Expression
+    end: Expression
+    body: Expression
+
+
+Expression = (
+    Number | Color | Boolean | Reference | Unary | Binary | Conditional | Call | Field | Index
+    | With | AtRate | Fold
+)  # fmt: skip
+
+
+# --- types ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class TypeName:
+    """``float``, ``point<world>``, ``vec3[4]``: name, space arguments, array length if any."""
+
+    span: Span
+    name: Name
+    arguments: tuple[Name, ...] = ()
+    count: Expression | None = None
+
+
+# --- members of materials, lights, passes and structs --------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Param:
+    """``param x : T in a..b per group = default``."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    range: tuple[Expression, Expression] | None
+    group: Name | None
+    default: Expression | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Map:
+    """``map albedo : texture2d = white with { filter = linear, wrap = repeat }``."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    group: Name | None
+    default: Name | None
+    state: tuple[tuple[Name, Name], ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Attribute:
+    """``attribute uv0 : vec2``: a vertex input."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Slot:
+    """``name : T = e``, an equation; without ``e`` an abstract slot that a heir has to set."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName | None
+    value: Expression | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Target:
+    """``target color : rgba8 = e blend alpha``: what a pass writes to one render target."""
+
+    span: Span
+    doc: str
+    name: Name
+    format: Name
+    value: Expression
+    blend: Name | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Discard:
+    """``discard when c``: the pixel is not written where ``c`` holds."""
+
+    span: Span
+    condition: Expression
+
+
+Member = Param | Map | Attribute | Slot | Target | Discard
+
+
+# --- declarations --------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Import:
+    """``import std.lights.{Point, Spot}``, ``import std.lights`` or ``import "wood.burnish"``.
+
+    ``path`` is ``("std", "lights")`` or, for a quoted import, the one quoted text; ``names`` is
+    ``None`` where everything is imported.
+    """
+
+    span: Span
+    path: tuple[str, ...]
+    quoted: bool
+    names: tuple[Name, ...] | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Record:
+    """A ``material``, ``light`` or ``pass``: named members, one base, perhaps abstract."""
+
+    span: Span
+    doc: str
+    kind: Literal["material", "light", "pass"]
+    name: Name
+    abstract: bool
+    base: Name | None
+    blend: Name | None
+    """Default blending of a pass's targets."""
+    members: tuple[Member, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Argument:
+    """A formal parameter of a function or term."""
+
+    span: Span
+    name: Name
+    type: TypeName
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TypeParameter:
+    """``T: floats``: a type parameter and the family it ranges over."""
+
+    span: Span
+    name: Name
+    family: Name
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Function:
+    """``fn f(a: float) -> float = e`` or ``term t(k: rgb) per light = e``.
+
+    ``let`` bindings do not exist: a function is one expression.
+    """
+
+    span: Span
+    doc: str
+    kind: Literal["fn", "term"]
+    name: Name
+    type_parameters: tuple[TypeParameter, ...]
+    arguments: tuple[Argument, ...]
+    result: TypeName | None
+    per: Name | None
+    """The ``light`` of ``per light``."""
+    body: Expression
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RigEntry:
+    """``sun : Directional``, ``fill : Point[2]``, ``lamps : Point[<= 8]``, with overrides."""
+
+    span: Span
+    doc: str
+    name: Name
+    light: Name
+    count: Expression | None
+    at_most: bool
+    overrides: tuple[Slot, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rig:
+    """Which lights shine."""
+
+    span: Span
+    doc: str
+    name: Name
+    entries: tuple[RigEntry, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StructMember:
+    """``name : T`` of a struct."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StructDeclaration:
+    """``struct Layer { tint : rgb  weight : float }``."""
+
+    span: Span
+    doc: str
+    name: Name
+    members: tuple[StructMember, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Space:
+    """``space bench``: a coordinate space of the user's own."""
+
+    span: Span
+    doc: str
+    name: Name
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Constant:
+    """``golden = 1.618`` at file level."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName | None
+    value: Expression
+
+
+Declaration = Import | Record | Function | Rig | StructDeclaration | Space | Constant
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class File:
+    """One parsed file; declarations that failed to parse are missing and were reported."""
+
+    source: Source
+    edition: int
+    doc: str
+    """Doc comment at the head of the file (``//!`` lines)."""
+    declarations: tuple[Declaration, ...]

@@ -1,0 +1,291 @@
+"""Makes the nodes of the AST: one method per production of ``burnish.lark``, of the same name."""
+
+# ruff: noqa: PLR0917 - a production's parts come by position, as many as it has
+
+from __future__ import annotations
+
+from typing import Literal, cast
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Report
+from ..diagnostics.source import Span
+from . import ast
+from .ast import Expression, Name
+from .tokens import Docs, Token
+
+_EDITION = 1
+
+Replacement = tuple[Name, Expression]
+Count = tuple[Expression, bool]
+Range = tuple[Expression, Expression]
+Path = tuple[tuple[str, ...], bool]
+
+
+class Builder:
+    """Builds nodes bottom-up while the machine reduces; ``docs`` are attached by position."""
+
+    def __init__(self, docs: Docs, report: Report) -> None:
+        self._docs = docs
+        self._report = report
+
+    def _doc(self, span: Span) -> str:
+        return self._docs.of(span.start, span.end)
+
+    # --- file ---
+
+    def file(
+        self, _: Span, edition: int | None, *declarations: ast.Declaration
+    ) -> tuple[int, tuple[ast.Declaration, ...]]:
+        return edition or _EDITION, declarations
+
+    def edition(self, span: Span, number: Token) -> int:
+        if number.text != str(_EDITION):
+            self._report.add(rules.UNKNOWN_EDITION, span, edition=number.text, known=_EDITION)
+        return _EDITION
+
+    def module(self, _: Span, *path: Token | tuple[str, ...]) -> tuple[str, ...]:
+        head, *tail = path
+        texts = (head.text,) if isinstance(head, Token) else head
+        return (*texts, *(cast(Token, part).text for part in tail))
+
+    def quoted(self, _: Span, text: Token) -> Token:
+        return text
+
+    def import_all(self, span: Span, source: Token | tuple[str, ...]) -> ast.Import:
+        path, quoted = _path(source)
+        return ast.Import(span, path, quoted, None)
+
+    def import_some(self, span: Span, source: Token | tuple[str, ...], *names: Name) -> ast.Import:
+        path, quoted = _path(source)
+        return ast.Import(span, path, quoted, names)
+
+    def space(self, span: Span, name: Name) -> ast.Space:
+        return ast.Space(span, self._doc(span), name)
+
+    def constant(
+        self, span: Span, name: Name, kind: ast.TypeName | None, value: Expression
+    ) -> ast.Constant:
+        return ast.Constant(span, self._doc(span), name, kind, value)
+
+    # --- materials, lights and passes ---
+
+    def record(
+        self,
+        span: Span,
+        abstract: Token | None,
+        kind: Literal["material", "light", "pass"],
+        name: Name,
+        base: Name | None,
+        blend: Name | None,
+        *members: ast.Member,
+    ) -> ast.Record:
+        doc = self._doc(span)
+        return ast.Record(span, doc, kind, name, abstract is not None, base, blend, members)
+
+    def kind(self, _: Span, word: Token) -> str:
+        return word.text
+
+    def param(
+        self,
+        span: Span,
+        name: Name,
+        kind: ast.TypeName,
+        within: Range | None,
+        group: Name | None,
+        default: Expression | None,
+    ) -> ast.Param:
+        return ast.Param(span, self._doc(span), name, kind, within, group, default)
+
+    def map(
+        self,
+        span: Span,
+        name: Name,
+        kind: ast.TypeName,
+        group: Name | None,
+        default: Name | None,
+        *state: tuple[Name, Name],
+    ) -> ast.Map:
+        return ast.Map(span, self._doc(span), name, kind, group, default, state)
+
+    def setting(self, _: Span, name: Name, value: Name) -> tuple[Name, Name]:
+        return name, value
+
+    def attribute(self, span: Span, name: Name, kind: ast.TypeName) -> ast.Attribute:
+        return ast.Attribute(span, self._doc(span), name, kind)
+
+    def typed_slot(
+        self, span: Span, name: Name, kind: ast.TypeName, value: Expression | None
+    ) -> ast.Slot:
+        return ast.Slot(span, self._doc(span), name, kind, value)
+
+    def slot(self, span: Span, name: Name, value: Expression) -> ast.Slot:
+        return ast.Slot(span, self._doc(span), name, None, value)
+
+    def target(
+        self, span: Span, name: Name, layout: Name, value: Expression, blend: Name | None
+    ) -> ast.Target:
+        return ast.Target(span, self._doc(span), name, layout, value, blend)
+
+    def discard(self, span: Span, condition: Expression) -> ast.Discard:
+        return ast.Discard(span, condition)
+
+    # --- functions and terms ---
+
+    def fn(
+        self,
+        span: Span,
+        name: Name,
+        type_parameters: tuple[ast.TypeParameter, ...],
+        formals: tuple[ast.Argument, ...],
+        result: ast.TypeName | None,
+        body: Expression,
+    ) -> ast.Function:
+        doc = self._doc(span)
+        return ast.Function(span, doc, "fn", name, type_parameters, formals, result, None, body)
+
+    def term(
+        self,
+        span: Span,
+        name: Name,
+        type_parameters: tuple[ast.TypeParameter, ...],
+        formals: tuple[ast.Argument, ...],
+        result: ast.TypeName | None,
+        per: Name | None,
+        body: Expression,
+    ) -> ast.Function:
+        doc = self._doc(span)
+        return ast.Function(span, doc, "term", name, type_parameters, formals, result, per, body)
+
+    def type_parameters(
+        self, _: Span, *parameters: ast.TypeParameter
+    ) -> tuple[ast.TypeParameter, ...]:
+        return parameters
+
+    def type_parameter(self, span: Span, name: Name, family: Name) -> ast.TypeParameter:
+        return ast.TypeParameter(span, name, family)
+
+    def formals(self, _: Span, *formals: ast.Argument) -> tuple[ast.Argument, ...]:
+        return formals
+
+    def formal(self, span: Span, name: Name, kind: ast.TypeName) -> ast.Argument:
+        return ast.Argument(span, name, kind)
+
+    # --- rigs and structures ---
+
+    def rig(self, span: Span, name: Name, *entries: ast.RigEntry) -> ast.Rig:
+        return ast.Rig(span, self._doc(span), name, entries)
+
+    def entry(
+        self,
+        span: Span,
+        name: Name,
+        light: Name,
+        count: Count | None,
+        overrides: tuple[ast.Slot, ...],
+    ) -> ast.RigEntry:
+        number, at_most = count or (None, False)
+        return ast.RigEntry(span, self._doc(span), name, light, number, at_most, overrides)
+
+    def exactly(self, _: Span, count: Expression) -> Count:
+        return count, False
+
+    def at_most(self, _: Span, count: Expression) -> Count:
+        return count, True
+
+    def overrides(self, _: Span, *overrides: ast.Slot) -> tuple[ast.Slot, ...]:
+        return overrides
+
+    def override(self, span: Span, name: Name, value: Expression) -> ast.Slot:
+        return self.slot(span, name, value)
+
+    def structure(
+        self, span: Span, name: Name, *members: ast.StructMember
+    ) -> ast.StructDeclaration:
+        return ast.StructDeclaration(span, self._doc(span), name, members)
+
+    def field(self, span: Span, name: Name, kind: ast.TypeName) -> ast.StructMember:
+        return ast.StructMember(span, self._doc(span), name, kind)
+
+    # --- types ---
+
+    def type(
+        self, span: Span, name: Name, arguments: tuple[Name, ...], count: Expression | None
+    ) -> ast.TypeName:
+        return ast.TypeName(span, name, arguments, count)
+
+    def type_arguments(self, _: Span, *arguments: Name) -> tuple[Name, ...]:
+        return arguments
+
+    # --- expressions ---
+
+    def conditional(
+        self, span: Span, condition: Expression, then: Expression, otherwise: Expression
+    ) -> ast.Conditional:
+        return ast.Conditional(span, condition, then, otherwise)
+
+    def fold(
+        self, span: Span, operator: Token, variable: Name, over: Range, body: Expression
+    ) -> ast.Fold:
+        word = cast(Literal["sum", "product"], operator.text)
+        return ast.Fold(span, word, variable, *over, body)
+
+    def range(self, _: Span, start: Expression, end: Expression) -> Range:
+        return start, end
+
+    def binary(
+        self, span: Span, left: Expression, operator: Token, right: Expression
+    ) -> ast.Binary:
+        return ast.Binary(span, operator.text, left, right)  # type: ignore[arg-type]
+
+    def unary(self, span: Span, operator: Token, operand: Expression) -> ast.Unary:
+        return ast.Unary(span, operator.text, operand)  # type: ignore[arg-type]
+
+    def at_rate(self, span: Span, rate: Name, operand: Expression) -> ast.AtRate:
+        return ast.AtRate(span, rate, operand)
+
+    def call(self, span: Span, callee: Expression, *arguments: Expression) -> ast.Call:
+        return ast.Call(span, callee, arguments)
+
+    def member(self, span: Span, operand: Expression, name: Name) -> ast.Field:
+        return ast.Field(span, operand, name)
+
+    def index(self, span: Span, operand: Expression, index: Expression) -> ast.Index:
+        return ast.Index(span, operand, index)
+
+    def with_slots(self, span: Span, operand: Expression, *slots: Replacement) -> ast.With:
+        return ast.With(span, operand, slots)
+
+    def replacement(self, _: Span, name: Name, value: Expression) -> Replacement:
+        return name, value
+
+    def number(self, span: Span, token: Token) -> ast.Number:
+        text = token.text
+        if text.endswith("deg"):
+            return ast.Number(span, text[:-3], "angle", "deg")
+        if text.endswith("rad"):
+            return ast.Number(span, text[:-3], "angle", "rad")
+        if text.endswith("u"):
+            return ast.Number(span, text[:-1], "uint")
+        return ast.Number(span, text, "int" if text.isdigit() else "float")
+
+    def color(self, span: Span, token: Token) -> ast.Color:
+        digits = token.text[1:]
+        if len(digits) == 3:
+            digits = "".join(digit * 2 for digit in digits)
+        return ast.Color(span, tuple(bytes.fromhex(digits)))
+
+    def boolean(self, span: Span, word: Token) -> ast.Boolean:
+        return ast.Boolean(span, word.text == "true")
+
+    def reference(self, span: Span, name: Token) -> ast.Reference:
+        return ast.Reference(span, name.text)
+
+    def name(self, span: Span, token: Token) -> Name:
+        return Name(token.text, span)
+
+
+def _path(source: Token | tuple[str, ...]) -> Path:
+    """Path of an import, and whether it was quoted."""
+    if isinstance(source, Token):
+        return (source.text[1:-1],), True
+    return source, False

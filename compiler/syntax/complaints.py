@@ -1,0 +1,135 @@
+"""Decides what to say about a token that the grammar has no place for."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label, Report
+from ..diagnostics.source import Source, Span
+from .chunks import NESTING_LIMIT, Chunk, Outline
+from .expectations import describe_expected, describe_found
+from .tables import END
+from .tokens import RESERVED, Token
+
+_COMPARISONS = frozenset(("==", "!=", "<", "<=", ">", ">="))
+_FOLDS = frozenset(("sum", "product"))
+_DECLARATORS = frozenset(("let", "var", "const"))
+_CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
+
+
+class Complaints:
+    """Reports one syntax error at a time."""
+
+    def __init__(self, source: Source, outline: Outline, report: Report) -> None:
+        self._source = source
+        self._outline = outline
+        self._tokens = outline.tokens
+        self._report = report
+
+    def too_deep(self, index: int) -> None:
+        """Brackets beyond the limit."""
+        self._report.add(rules.TOO_NESTED, self._span(self._tokens[index]), limit=NESTING_LIMIT)
+
+    def report(self, index: int, chunk: Chunk, expected: set[str]) -> int:
+        """Say what is wrong at ``index``; returns where the next member may begin."""
+        found = self._token(index)
+        if found.kind == "FOREIGN":
+            return index
+        opener = self._unclosed_before(index, chunk)
+        interrupted = self._equation_interrupts(index)
+        if opener is not None:
+            self._unclosed(opener, self._token(index - interrupted))
+            return index - interrupted
+        if interrupted:
+            self._unexpected(self._tokens[index - 1], {"NUMBER", "NAME"})
+            return index - 1
+        if self._special(index, found, expected):
+            return index
+        self._unexpected(found, expected, self._hint(index, found, expected))
+        return index
+
+    def _special(self, index: int, found: Token, expected: set[str]) -> bool:
+        """Mistakes that have a rule of their own."""
+        span = self._span(found)
+        if found.kind in _COMPARISONS and "and" in expected and found.kind not in expected:
+            self._report.add(rules.CHAINED_COMPARISON, span)
+        elif found.kind in RESERVED and "NAME" in expected and not expected & {"NUMBER", "+"}:
+            self._report.add(rules.RESERVED_WORD, span, word=found.text)
+        elif found.kind == "if" and "NUMBER" in expected:
+            self._report.add(rules.UNPARENTHESISED, span, word=found.text)
+        elif found.text == "in" and index > 1 and self._tokens[index - 2].text in _FOLDS:
+            fold = self._tokens[index - 2]
+            self._report.add(rules.UNPARENTHESISED, self._span(fold), word=fold.text)
+        else:
+            return False
+        return True
+
+    def _unexpected(self, found: Token, expected: set[str], hint: str = "") -> None:
+        words = describe_expected(expected)
+        self._report.add(
+            rules.UNEXPECTED,
+            self._span(found),
+            expected=words,
+            found=describe_found(found),
+            caption=f"expected {words}",
+            hint=hint,
+        )
+
+    def _unclosed(self, opener: int, found: Token) -> None:
+        bracket = self._tokens[opener].kind
+        where = "here" if found.kind == END else "before this"
+        label = Label(self._span(found), f"expected `{_CLOSED_BY[bracket]}` {where}")
+        span = self._span(self._tokens[opener])
+        self._report.add(rules.UNCLOSED, span, labels=[label], opening=bracket)
+
+    def _unclosed_before(self, index: int, chunk: Chunk) -> int | None:
+        """The open bracket to blame for an error at ``index``, if any.
+
+        Parentheses are to blame for errors in their own member, braces for a missing end.
+        """
+        position = bisect_left(chunk.unclosed, index) - 1
+        if index == chunk.end:
+            while position >= 0 and self._tokens[chunk.unclosed[position]].kind != "{":
+                position -= 1
+        if position < 0:
+            return None
+        opener = chunk.unclosed[position]
+        if index < chunk.end and not self._same_member(opener, index):
+            return None
+        return chunk.unclosed.pop(position)
+
+    def _same_member(self, opener: int, index: int) -> bool:
+        """Whether no other member begins between a parenthesis and an error."""
+        begins = self._outline.begins_member
+        return self._tokens[opener].kind != "{" and not any(
+            map(begins, range(opener + 1, index - 1))
+        )
+
+    def _equation_interrupts(self, index: int) -> bool:
+        """Whether an unfinished expression ran into the next equation: ``a = 1 +  b = 2``."""
+        if index < 2 or self._token(index).kind not in ("=", ":"):
+            return False
+        return self._tokens[index - 1].kind == "NAME" and not self._outline.can_end(index - 2)
+
+    def _hint(self, index: int, found: Token, expected: set[str]) -> str:
+        """The edit that is probably wanted, for habits from other languages."""
+        previous = self._tokens[index - 1] if index else found
+        if found.kind == "==" and "=" in expected:
+            return "an equation is written with a single `=`"
+        if found.kind == "NAME" and "=" in expected and previous.kind == "NAME":
+            if previous.text in _DECLARATORS:
+                return f"equations need no `{previous.text}`: write `{found.text} = …`"
+            if self._token(index + 1).kind == "=":
+                return f"a type stands behind the name: write `{found.text} : {previous.text} = …`"
+        return ""
+
+    def _token(self, index: int) -> Token:
+        """The token at ``index``, or one for the end of the file."""
+        if index < len(self._tokens):
+            return self._tokens[index]
+        last = self._tokens[-1].end
+        return Token(END, "", last, last)
+
+    def _span(self, token: Token) -> Span:
+        return Span(self._source, token.start, token.end)

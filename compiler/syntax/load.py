@@ -1,0 +1,51 @@
+"""Reads source files, with a diagnostic for everything that can be wrong with one."""
+
+from __future__ import annotations
+
+import os
+import re
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Report
+from ..diagnostics.source import Source
+
+SIZE_LIMIT = 16 * 1024 * 1024
+
+
+def load_source(path: str | os.PathLike[str], report: Report, name: str = "") -> Source | None:
+    """The text of the file at ``path``; None where it cannot be had, and ``report`` says why.
+
+    ``name`` is what messages call it; by default the path as given.
+    """
+    name = name or os.fspath(path)
+    content = _content(path, name, report)
+    if content is None:
+        return None
+    if b"\0" in content:
+        report.add(rules.NOT_TEXT, None, path=name, reason="it contains NUL bytes")
+        return None
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        reason = f"byte {error.start} is {content[error.start]:#04x}"
+        report.add(rules.NOT_TEXT, None, path=name, reason=reason)
+        return None
+    return Source(name, re.sub(r"\r(?!\n)", "\n", text))
+
+
+def _content(path: str | os.PathLike[str], name: str, report: Report) -> bytes | None:
+    try:
+        with open(path, "rb") as file:  # noqa: PTH123
+            content = file.read(SIZE_LIMIT + 1)
+    except FileNotFoundError:
+        report.add(rules.MISSING_FILE, None, path=name)
+    except IsADirectoryError:
+        report.add(rules.NOT_A_FILE, None, path=name)
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        report.add(rules.UNREADABLE_FILE, None, path=name, reason=reason)
+    else:
+        if len(content) <= SIZE_LIMIT:
+            return content
+        report.add(rules.TOO_LARGE, None, path=name, limit=f"{SIZE_LIMIT} bytes")
+    return None

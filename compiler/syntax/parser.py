@@ -1,0 +1,112 @@
+"""From text to AST, as far as the text allows: every mistake is reported, none is raised."""
+
+from __future__ import annotations
+
+from itertools import chain
+from typing import cast
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Diagnostic, Report
+from ..diagnostics.source import Source, Span
+from . import ast
+from .builder import Builder
+from .chunks import Chunk, Outline
+from .complaints import Complaints
+from .lexer import lex
+from .machine import Machine
+from .tables import END, load_tables
+from .tokens import Token
+
+_BODY_PARTS = ("slot", "entry", "field")
+_FILE_PARTS = ("record",)
+_FOLDS = ("sum", "product")
+
+
+def parse(source: Source, report: Report) -> ast.File:
+    """The declarations of ``source`` that could be read; what could not be is in ``report``."""
+    found = Report()
+    lexed = lex(source, found)
+    outline = Outline(source.text, lexed.tokens)
+    machine = Machine(load_tables(), Builder(lexed.docs, found), source)
+    parser = _Parser(outline, machine, Complaints(source, outline, found))
+    parts = [parser.parse(chunk) for chunk in outline.chunks]
+    if not found.failed:
+        for line in lexed.docs.unclaimed():
+            found.add(rules.STRAY_DOC, Span(source, line.start, line.end))
+    report.extend(sorted(found.diagnostics, key=_place))
+    edition = max((part[0] for part in parts), default=1)
+    declarations = tuple(chain.from_iterable(part[1] for part in parts))
+    return ast.File(source, edition, "\n".join(lexed.docs.file), declarations)
+
+
+def _place(diagnostic: Diagnostic) -> int:
+    return diagnostic.span.start if diagnostic.span else 0
+
+
+class _Parser:
+    """Feeds the machine, and finds a place to go on where it cannot."""
+
+    def __init__(self, outline: Outline, machine: Machine, complaints: Complaints) -> None:
+        self._tokens = outline.tokens
+        self._outline = outline
+        self._machine = machine
+        self._complaints = complaints
+        self._words = load_tables().literals
+
+    def parse(self, chunk: Chunk) -> tuple[int, tuple[ast.Declaration, ...]]:
+        """The edition and declarations of ``chunk``, less what is broken in it."""
+        if chunk.too_deep is not None:
+            self._complaints.too_deep(chunk.too_deep)
+            return 1, ()
+        self._machine.reset()
+        index, failed = chunk.start, -1
+        while index < chunk.end:
+            if self._machine.feed(self._symbol(index), self._tokens[index]):
+                index += 1
+            else:
+                begin = self._complaints.report(index, chunk, self._machine.expected())
+                index, failed = self._next_start(max(begin, failed + 1), chunk), index
+        self._finish(chunk)
+        return cast(tuple[int, tuple[ast.Declaration, ...]], self._machine.result)
+
+    def _symbol(self, index: int) -> str:
+        """The grammar's symbol for a token: a word counts as one only in its place."""
+        token = self._tokens[index]
+        if token.kind != "NAME" or token.text not in self._words:
+            return token.kind
+        if not self._machine.knows(token.text) or self._names_something(index):
+            return token.kind
+        return token.text
+
+    def _names_something(self, index: int) -> bool:
+        """Whether the tokens after a word show it to be a name."""
+        following = self._tokens[index + 1 : index + 3]
+        if self._tokens[index].text in _FOLDS:
+            return [token.kind for token in following[:1]] != ["NAME"] or following[-1].text != "in"
+        return bool(following) and following[0].kind in ("=", ":")
+
+    def _next_start(self, begin: int, chunk: Chunk) -> int:
+        """Drop what is broken; the next token from ``begin`` that can be read after that."""
+        if not self._machine.unwind(_BODY_PARTS):
+            self._machine.unwind(_FILE_PARTS)
+            return chunk.end
+        for index in range(begin, chunk.end):
+            depth = self._outline.depths[index]
+            if depth == 0 or (depth == 1 and self._outline.begins_member(index)):
+                return index
+        return chunk.end
+
+    def _finish(self, chunk: Chunk) -> None:
+        """End the chunk: a body that was left open is closed as if its brace were there."""
+        last = self._tokens[chunk.end - 1].end
+        end, brace = Token(END, "", last, last), Token("}", "}", last, last)
+        if self._machine.feed(END, end):
+            return
+        self._complaints.report(chunk.end, chunk, self._machine.expected())
+        if not self._machine.feed("}", brace):
+            origins = _BODY_PARTS if self._machine.unwind(_BODY_PARTS) else _FILE_PARTS
+            self._machine.unwind(origins)
+            self._machine.feed("}", brace)
+        if not self._machine.feed(END, end):
+            self._machine.unwind(_FILE_PARTS)
+            self._machine.feed(END, end)

@@ -1,0 +1,132 @@
+"""The parse tables: what ``burnish.lark`` says, in the form that the machine runs.
+
+Lark reads the grammar and computes the LALR tables. Importing it takes longer than parsing a file,
+so its result is kept as plain data in the cache, and Lark is not loaded again until the grammar
+changes.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ..cache import cached
+
+END = "$END"
+
+_GRAMMAR = Path(__file__).with_name("burnish.lark")
+_FORMAT = "1"
+
+
+class Production(NamedTuple):
+    """One rule of the grammar, as the machine reduces by it."""
+
+    origin: str
+    length: int
+    method: str
+    """The builder's method that makes the node; empty where the parts are handed on as they are."""
+    plan: tuple[tuple[int, bool], ...]
+    """Which parts to hand over (-1: an absent option), and whether to unpack each."""
+    collapses: bool
+    """Whether a single part stands for the whole."""
+
+
+class Tables(NamedTuple):
+    """Everything that parsing needs to know about the grammar."""
+
+    actions: list[dict[str, int]]
+    """By state and token: ``n`` shifts to state ``n``, ``~n`` reduces by production ``n``."""
+    gotos: list[dict[str, int]]
+    """By state and origin of a finished production: the next state."""
+    productions: list[Production]
+    start: int
+    accept: int
+    literals: frozenset[str]
+    """Words and punctuation, which stand for themselves as symbols."""
+    patterns: dict[str, str]
+    """Regular expressions of the other symbols."""
+
+
+@cache
+def load_tables() -> Tables:
+    """The tables of the language's grammar, computed at most once per grammar and machine."""
+    grammar = _GRAMMAR.read_text(encoding="utf-8")
+    actions, gotos, productions, start, accept, literals, patterns = cached(
+        "grammar", (_FORMAT, grammar), lambda: _compute(grammar)
+    )
+    made = [Production(*production) for production in productions]
+    return Tables(actions, gotos, made, start, accept, frozenset(literals), patterns)
+
+
+def _compute(grammar: str) -> tuple[Any, ...]:
+    """Have Lark analyse the grammar; its own saved form is the starting point."""
+    from lark import Lark  # noqa: PLC0415
+    from lark.grammar import Rule  # noqa: PLC0415
+    from lark.lexer import TerminalDef  # noqa: PLC0415
+
+    parser = Lark(grammar, parser="lalr", lexer="basic", start="file", maybe_placeholders=True)
+    data, memo = parser.memo_serialize([TerminalDef, Rule])
+    table = data["parser"]["parser"]
+    terminals = [memo[entry["@"]] for entry in data["parser"]["lexer_conf"]["terminals"]]
+    literals = {t["name"]: t["pattern"]["value"] for t in terminals if _is_literal(t)}
+    patterns = {t["name"]: t["pattern"]["value"] for t in terminals if not _is_literal(t)}
+    origins = {memo[entry["@"]]["origin"]["name"] for entry in data["rules"]}
+    symbols = {n: literals.get(name, name) for n, name in table["tokens"].items()}
+    inner = {n for n, name in table["tokens"].items() if name in origins}
+    numbers = {entry["@"]: n for n, entry in enumerate(data["rules"])}
+    rows = [table["states"][state] for state in range(len(table["states"]))]
+    return (
+        [_actions(row, inner, symbols, numbers) for row in rows],
+        [{symbols[n]: row[n][1] for n in row.keys() & inner} for row in rows],
+        [_production(memo[entry["@"]]) for entry in data["rules"]],
+        table["start_states"]["file"],
+        table["end_states"]["file"],
+        list(literals.values()),
+        patterns,
+    )
+
+
+def _is_literal(terminal: dict[str, Any]) -> bool:
+    return bool(terminal["pattern"]["__type__"] == "PatternStr")
+
+
+def _actions(
+    row: dict[int, Any], inner: set[int], symbols: dict[int, str], numbers: dict[int, int]
+) -> dict[str, int]:
+    """One state's actions; Lark writes (0, state) for a shift and (1, rule) for a reduction."""
+    return {
+        symbols[n]: ~numbers[argument["@"]] if reduces else argument
+        for n, (reduces, argument) in row.items()
+        if n not in inner
+    }
+
+
+def _production(rule: dict[str, Any]) -> tuple[Any, ...]:
+    options = rule["options"]
+    origin = rule["origin"]["name"]
+    name = rule["alias"] or options["template_source"] or origin
+    return (
+        origin,
+        len(rule["expansion"]),
+        "" if name.startswith("_") else name,
+        _plan(rule["expansion"], options),
+        bool(options["expand1"] and not rule["alias"]),
+    )
+
+
+def _plan(expansion: list[dict[str, Any]], options: dict[str, Any]) -> tuple[tuple[int, bool], ...]:
+    """Lark's conventions: quoted symbols are dropped, ``_rules`` unpacked, ``[absent]`` is None."""
+    absent_before = list(options["empty_indices"]) or [False] * len(expansion)
+    plan: list[tuple[int, bool]] = []
+    position = 0
+    for absent in absent_before:
+        if absent:
+            plan.append((-1, False))
+            continue
+        symbol = expansion[position]
+        terminal = symbol["__type__"] == "Terminal"
+        if options["keep_all_tokens"] or not (terminal and symbol["filter_out"]):
+            plan.append((position, not terminal and symbol["name"].startswith("_")))
+        position += 1
+    return tuple(plan)

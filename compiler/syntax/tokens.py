@@ -1,0 +1,60 @@
+"""What the lexer makes of a text: tokens, and the doc comments between them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+RESERVED = frozenset(("and", "else", "false", "if", "mod", "not", "or", "then", "true"))
+"""Words that are never names. The grammar's other words are names where it has no use for them."""
+
+
+class Token(NamedTuple):
+    """One word, number, mark or literal.
+
+    ``kind`` is the grammar's symbol: ``NAME``, ``NUMBER``, ``COLOR``, ``STRING``, or for reserved
+    words and punctuation the text itself.
+    """
+
+    kind: str
+    text: str
+    start: int
+    end: int
+
+
+class Docs:
+    """Doc comments, found by the place of what they describe.
+
+    A comment is a ``DOC`` token whose text is the bare line.
+    """
+
+    def __init__(self) -> None:
+        self.file: list[str] = []
+        self._before: dict[int, list[Token]] = {}
+        self._after: dict[int, list[Token]] = {}
+        self._claimed: set[Token] = set()
+
+    def add_before(self, start: int, line: Token) -> None:
+        """A line of doc above whatever starts at ``start``."""
+        self._before.setdefault(start, []).append(line)
+
+    def add_after(self, end: int, line: Token) -> None:
+        """A line of doc behind whatever ends at ``end``, on the same line of text."""
+        self._after.setdefault(end, []).append(line)
+
+    def of(self, start: int, end: int) -> str:
+        """The doc of the member or declaration from ``start`` to ``end``."""
+        lines = self._before.get(start, []) + self._after.get(end, [])
+        self._claimed.update(lines)
+        return "\n".join(line.text for line in lines)
+
+    def unclaimed(self) -> list[Token]:
+        """The comments that nothing asked for, the first line of each."""
+        groups = (*self._before.values(), *self._after.values())
+        return [lines[0] for lines in groups if lines[0] not in self._claimed]
+
+
+class Lexed(NamedTuple):
+    """A whole file, lexed."""
+
+    tokens: list[Token]
+    docs: Docs

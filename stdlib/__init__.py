@@ -1,0 +1,1 @@
+"""The standard library: ``.burnish`` files, and the one table of builtin functions."""

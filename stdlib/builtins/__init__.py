@@ -1,0 +1,38 @@
+"""The one table of builtin functions and operators, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from . import (
+    arithmetic,
+    common,
+    comparison,
+    conversion,
+    exponential,
+    geometry,
+    matrix,
+    texture,
+    trigonometry,
+)
+from .row import Builtin
+
+_THEMES = (
+    arithmetic,
+    comparison,
+    common,
+    exponential,
+    trigonometry,
+    geometry,
+    matrix,
+    conversion,
+    texture,
+)
+
+BUILTINS: Mapping[str, Builtin] = MappingProxyType(
+    {row.name: row for theme in _THEMES for row in theme.ROWS}
+)
+"""Every builtin, in the manual's order."""
+
+__all__ = ["BUILTINS", "Builtin"]

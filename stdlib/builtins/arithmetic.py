@@ -1,0 +1,144 @@
+"""Operators on numbers: ``+ - * /``, ``mod`` and the sign change.
+
+Integers are 32 bits wide and wrap. Division by zero has WGSL's result for integers and zero for
+floats, and ``mod`` floors, so that its result has the sign of the divisor.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from .facts import SMALLEST_NORMAL, Fact
+from .intervals import around, outward, products, quotients, squares
+from .row import EXACT, WGSL_ACCURACY, Accuracy, Builtin
+
+_LANEWISE = ("N, N -> N", "N, L -> N", "L, N -> N")
+SIGNED = ("T -> T", "int -> int", "ivec2 -> ivec2", "ivec3 -> ivec3", "ivec4 -> ivec4")
+
+
+def _sum(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y = facts
+    return outward(x.lo + y.lo, x.hi + y.hi).as_kind(x.kind)
+
+
+def _difference(facts: tuple[Fact, ...], same: bool) -> Fact:
+    x, y = facts
+    if same:
+        return Fact(0.0, 0.0, kind=x.kind)
+    return outward(x.lo - y.hi, x.hi - y.lo).as_kind(x.kind)
+
+
+def _product(facts: tuple[Fact, ...], same: bool) -> Fact:
+    x, y = facts
+    if "matrix" in (x.kind, y.kind):
+        return Fact(kind="matrix")
+    return outward(*(squares(x) if same else products(x, y))).as_kind(x.kind)
+
+
+def _quotient(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y = facts
+    if x.kind != "float":
+        return _whole_quotient(x, y)
+    ends = quotients(x, y, SMALLEST_NORMAL)
+    if not y.excludes_zero:
+        ends.append(0.0)
+    return outward(min(ends), max(ends), 2.5)
+
+
+def _whole_quotient(x: Fact, y: Fact) -> Fact:
+    ends: list[float] = [math.trunc(end) for end in quotients(x, y, 1.0)]
+    if not y.excludes_zero:
+        ends += [x.lo, x.hi]
+    return Fact(min(ends), max(ends)).as_kind(x.kind)
+
+
+def _remainder(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y = facts
+    exact = Fact(min(y.lo, 0.0), max(y.hi, 0.0))
+    if x.kind != "float":
+        return exact.as_kind(x.kind)
+    # In float32 the floored quotient may be one off, and its product with y is rounded.
+    return around(exact, (x.most + y.most) * 2.0**-20)
+
+
+def _negated(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    (x,) = facts
+    return replace(x, lo=-x.hi, hi=-x.lo, kind="float").as_kind(x.kind)
+
+
+def _divides(facts: tuple[Fact, ...]) -> bool:
+    x, y = facts
+    # The lowest integer over -1 overflows, which only WGSL defines.
+    overflows = x.kind == "int" and x.lo == -(2.0**31) and y.lo <= -1 <= y.hi
+    return y.excludes_zero and not overflows
+
+
+def _counts(facts: tuple[Fact, ...]) -> bool:
+    x, y = facts
+    return x.kind != "float" and x.lo >= 0 and y.lo >= 1
+
+
+ROWS = (
+    Builtin(
+        name="add",
+        signatures=(*_LANEWISE, "M, M -> M"),
+        doc="Sum, lane by lane. Integers wrap.",
+        operator="+",
+        range=_sum,
+        accuracy=EXACT,
+        commutative=True,
+    ),
+    Builtin(
+        name="sub",
+        signatures=(*_LANEWISE, "M, M -> M"),
+        doc="Difference, lane by lane. Integers wrap.",
+        operator="-",
+        range=_difference,
+        accuracy=EXACT,
+    ),
+    Builtin(
+        name="mul",
+        signatures=(*_LANEWISE, "M, C -> C", "M, M -> M", "M, S -> M", "S, M -> M"),
+        doc="Product: lane by lane for numbers and vectors, the linear map's for matrices.",
+        operator="*",
+        range=_product,
+        accuracy=EXACT,
+    ),
+    Builtin(
+        name="div",
+        signatures=_LANEWISE,
+        doc="Quotient, lane by lane. Integers are cut towards zero.",
+        operator="/",
+        domain=_divides,
+        outside=(
+            "A float over zero is 0. An integer over zero is the integer, "
+            "and the lowest integer over -1 is itself, both as in WGSL."
+        ),
+        expansion="div",
+        range=_quotient,
+        accuracy=Accuracy("2.5 ulp", WGSL_ACCURACY),
+        cost=4,
+        samples=((1.0, 0.0), (0.0, 0.0), (-3.0, 0.0), (1.0, -0.0), (1.0, 1e-40), (7.0, -2.0)),
+    ),
+    Builtin(
+        name="mod",
+        signatures=_LANEWISE,
+        doc="Remainder of the floored quotient; it has the sign of the divisor.",
+        operator="%",
+        domain=_counts,
+        outside="Modulo zero is 0.",
+        expansion="mod",
+        range=_remainder,
+        cost=6,
+        samples=((5.5, 2.0), (-5.5, 2.0), (5.5, -2.0), (-5.5, -2.0), (1.0, 0.0), (-0.25, 1.0)),
+    ),
+    Builtin(
+        name="neg",
+        signatures=(*SIGNED, "M -> M"),
+        doc="The value with its sign changed. The lowest integer is its own negative.",
+        operator="-",
+        range=_negated,
+        accuracy=EXACT,
+    ),
+)

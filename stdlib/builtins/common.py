@@ -1,0 +1,216 @@
+"""Rounding, limits and blending: functions that are cheap everywhere."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from .arithmetic import SIGNED
+from .facts import SMALLEST_NORMAL, Fact
+from .intervals import around, monotone, outward, products
+from .row import EXACT, Builtin, RangeRule
+
+_FLOATS = ("T -> T",)
+_PAIRS = ("N, N -> N", "N, L -> N")
+
+
+def _absolute(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    (x,) = facts
+    return Fact(x.least, x.most, x.nonzero, x.unit).as_kind(x.kind)
+
+
+def _sign(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    (x,) = facts
+    return Fact(_sign_of(x.lo), _sign_of(x.hi), x.excludes_zero, kind=x.kind)
+
+
+def _sign_of(bound: float) -> float:
+    return float((bound > 0) - (bound < 0))
+
+
+def _rounding(function: Callable[[float], int]) -> RangeRule:
+    """The rule of a function to whole numbers that never decreases."""
+
+    def whole(bound: float) -> float:
+        return bound if math.isinf(bound) else float(function(bound))
+
+    return lambda facts, _same: monotone(whole, facts[0])
+
+
+def _fraction(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact(0.0, 1.0)  # 1 itself, once x - floor(x) is rounded
+
+
+def _lesser(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y = facts
+    return Fact(min(x.lo, y.lo), min(x.hi, y.hi), x.nonzero and y.nonzero, kind=x.kind)
+
+
+def _greater(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y = facts
+    return Fact(max(x.lo, y.lo), max(x.hi, y.hi), x.nonzero and y.nonzero, kind=x.kind)
+
+
+def _clamped(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, low, high = facts
+    return _lesser((_greater((x, low), False), high), False)
+
+
+def _saturated(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    (x,) = facts
+    return Fact(min(max(x.lo, 0.0), 1.0), min(max(x.hi, 0.0), 1.0))
+
+
+def _blended(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y, a = facts
+    rest = outward(1.0 - a.hi, 1.0 - a.lo)
+    if not a.within(0.0, 1.0):
+        (x_lo, x_hi), (y_lo, y_hi) = products(x, rest), products(y, a)
+        exact = outward(x_lo + y_lo, x_hi + y_hi)
+    else:
+        exact = x.union(y)
+    # Backends write this in two ways, whose rounding errors grow with the larger operand;
+    # neither turns a blend of non-negative values negative.
+    slack = around(exact, (x.most + y.most) * (1.0 + a.most) * 2.0**-21)
+    if a.within(0.0, 1.0) and min(x.lo, y.lo) >= 0:
+        return Fact(max(slack.lo, 0.0), slack.hi)
+    return Fact(slack.lo, slack.hi)
+
+
+def _stepped(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    edge, x = facts
+    if x.hi < edge.lo:
+        return Fact(0.0, 0.0)
+    return Fact(1.0, 1.0) if x.lo >= edge.hi else Fact(0.0, 1.0)
+
+
+def _ramped(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return outward(0.0, 1.0, 4.0)
+
+
+def _ordered(facts: tuple[Fact, ...]) -> bool:
+    _x, low, high = facts
+    return low.hi <= high.lo
+
+
+def _apart(facts: tuple[Fact, ...]) -> bool:
+    low, high, _x = facts
+    return high.lo - low.hi >= SMALLEST_NORMAL
+
+
+ROWS = (
+    Builtin(
+        name="abs",
+        signatures=SIGNED,
+        doc="Magnitude. That of the lowest integer is itself, since it has no positive twin.",
+        range=_absolute,
+        accuracy=EXACT,
+    ),
+    Builtin(
+        name="sign",
+        signatures=SIGNED,
+        doc="-1, 0 or 1, in the operand's own type; 0 for either zero.",
+        range=_sign,
+        accuracy=EXACT,
+        cost=2,
+        samples=((0.0,), (-0.0,), (-2.0,), (3.0,)),
+    ),
+    Builtin(
+        name="floor",
+        signatures=_FLOATS,
+        doc="The greatest whole number not above.",
+        range=_rounding(math.floor),
+        accuracy=EXACT,
+    ),
+    Builtin(
+        name="ceil",
+        signatures=_FLOATS,
+        doc="The least whole number not below.",
+        range=_rounding(math.ceil),
+        accuracy=EXACT,
+    ),
+    Builtin(
+        name="round",
+        signatures=_FLOATS,
+        doc="The nearest whole number; halves go to the even neighbour.",
+        range=_rounding(round),
+        accuracy=EXACT,
+        samples=((0.5,), (1.5,), (2.5,), (-0.5,), (-1.5,)),
+    ),
+    Builtin(
+        name="trunc",
+        signatures=_FLOATS,
+        doc="The whole number next towards zero.",
+        range=_rounding(math.trunc),
+        accuracy=EXACT,
+    ),
+    Builtin(
+        name="fract",
+        signatures=_FLOATS,
+        doc="What is above the floor: x - floor(x).",
+        range=_fraction,
+        samples=((-0.25,), (1.75,)),
+    ),
+    Builtin(
+        name="min",
+        signatures=_PAIRS,
+        doc="The lesser of two values.",
+        range=_lesser,
+        accuracy=EXACT,
+        commutative=True,
+    ),
+    Builtin(
+        name="max",
+        signatures=_PAIRS,
+        doc="The greater of two values.",
+        range=_greater,
+        accuracy=EXACT,
+        commutative=True,
+    ),
+    Builtin(
+        name="clamp",
+        signatures=("N, N, N -> N", "N, L, L -> N"),
+        doc="The first value, kept between the second and the third.",
+        domain=_ordered,
+        outside="Limits the wrong way round give the upper one: min(max(x, low), high).",
+        expansion="clamp",
+        range=_clamped,
+        accuracy=EXACT,
+        cost=2,
+        samples=((0.5, 1.0, 0.0), (-1.0, 0.0, 1.0), (2.0, 0.0, 1.0)),
+    ),
+    Builtin(
+        name="saturate",
+        signatures=_FLOATS,
+        doc="The value kept between 0 and 1.",
+        range=_saturated,
+        accuracy=EXACT,
+    ),
+    Builtin(
+        name="mix",
+        signatures=("T, T, T -> T", "T, T, S -> T"),
+        doc="Blend: x * (1 - a) + y * a. Goes on beyond the ends for an a outside 0 to 1.",
+        range=_blended,
+        cost=2,
+    ),
+    Builtin(
+        name="step",
+        signatures=("T, T -> T", "S, T -> T"),
+        doc="1 where the second value has reached the first, the edge; 0 before.",
+        range=_stepped,
+        accuracy=EXACT,
+        cost=2,
+        samples=((0.5, 0.5), (0.0, -0.0)),
+    ),
+    Builtin(
+        name="smoothstep",
+        signatures=("T, T, T -> T", "S, S, T -> T"),
+        doc="A smooth rise from 0 at the first edge to 1 at the second.",
+        domain=_apart,
+        outside="Equal edges make it step; edges the wrong way round mirror the curve.",
+        expansion="smoothstep",
+        range=_ramped,
+        cost=7,
+        samples=((0.0, 1.0, 0.5), (0.5, 0.5, 0.5), (0.5, 0.5, 0.25), (1.0, 0.0, 0.25)),
+    ),
+)

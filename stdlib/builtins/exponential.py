@@ -1,0 +1,164 @@
+"""Powers, roots and logarithms."""
+
+from __future__ import annotations
+
+import math
+
+from .facts import SMALLEST_NORMAL, Fact
+from .intervals import around, monotone, outward
+from .row import WGSL_ACCURACY, Accuracy, Builtin
+
+_FLOATS = ("T -> T",)
+_EXP = Accuracy("(3 + 2 * abs(x)) ulp", WGSL_ACCURACY)
+_LOG = Accuracy("abs 2^-21 in [0.5, 2], else 3 ulp", WGSL_ACCURACY)
+_BEYOND = 1000.0
+"""An exponent far outside float32, and inside the numbers that Python computes with."""
+
+
+def _root(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    # Inherited from 1 / inversesqrt(x): 2.5 and 2 ULP.
+    return monotone(lambda bound: math.sqrt(max(bound, 0.0)), facts[0], 5.0)
+
+
+def _inverse_root(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    (x,) = facts
+    lo, hi = (1.0 / math.sqrt(max(bound, SMALLEST_NORMAL)) for bound in (x.hi, x.lo))
+    return outward(lo, hi, 2.0)
+
+
+def _exponential(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _power_of_two(facts[0], math.log2(math.e))
+
+
+def _exponential2(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _power_of_two(facts[0], 1.0)
+
+
+def _power_of_two(x: Fact, scale: float) -> Fact:
+    """Bounds on ``2 ** (scale * x)``; the error in ULP grows with the exponent."""
+    least, most = scale * x.lo, scale * x.hi
+    lo = 2.0 ** min(max(least, -_BEYOND), _BEYOND)
+    hi = math.inf if most > _BEYOND else 2.0 ** max(most, -_BEYOND)
+    return Fact(
+        max(outward(lo, lo, 3.0 + 2.0 * min(abs(least), _BEYOND)).lo, 0.0),
+        outward(hi, hi, 3.0 + 2.0 * min(abs(most), _BEYOND)).hi,
+    )
+
+
+def _logarithm(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _log2(facts[0], math.log(2.0))
+
+
+def _logarithm2(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _log2(facts[0], 1.0)
+
+
+def _log2(x: Fact, scale: float) -> Fact:
+    """Bounds on ``scale * log2(x)``; near 1 the error is absolute."""
+    lo, hi = (
+        bound if math.isinf(bound) else scale * math.log2(max(bound, SMALLEST_NORMAL))
+        for bound in (max(x.lo, 0.0), x.hi)
+    )
+    return around(outward(min(lo, hi), hi, 3.0), 2.0**-21)
+
+
+def _power(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y = facts
+    if x.hi > 1 or y.lo < 0:
+        return Fact(0.0, math.inf)
+    # exp2(y * log2(x)), where log2 near 1 is wrong by up to 2^-21.
+    return Fact(0.0, max(1.0, _power_of_two(y, 2.0**-21).hi))
+
+
+def _not_negative(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].lo >= 0
+
+
+def _normal(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].lo >= SMALLEST_NORMAL
+
+
+def _has_power(facts: tuple[Fact, ...]) -> bool:
+    x, y = facts
+    return x.lo >= SMALLEST_NORMAL or (x.lo >= 0 and y.lo >= SMALLEST_NORMAL)
+
+
+ROWS = (
+    Builtin(
+        name="sqrt",
+        signatures=_FLOATS,
+        doc="Square root.",
+        domain=_not_negative,
+        outside="0 for a negative operand.",
+        expansion="sqrt",
+        range=_root,
+        cost=4,
+        samples=((0.0,), (-1.0,), (-0.0,), (2.0,)),
+    ),
+    Builtin(
+        name="inversesqrt",
+        signatures=_FLOATS,
+        doc="One over the square root.",
+        domain=_normal,
+        outside="Operands below the smallest normal number, 2^-126, count as that: 2^63.",
+        expansion="inversesqrt",
+        range=_inverse_root,
+        accuracy=Accuracy("2 ulp", WGSL_ACCURACY),
+        cost=4,
+        samples=((0.0,), (-1.0,), (1e-40,), (4.0,)),
+    ),
+    Builtin(
+        name="pow",
+        signatures=("T, T -> T", "T, S -> T"),
+        doc="The first value to the power of the second.",
+        domain=_has_power,
+        outside=(
+            "A negative base counts as 0. 0 to the power of 0 is 1, to any other power 0; "
+            "magnitudes below 2^-126 count as 0."
+        ),
+        expansion="pow",
+        range=_power,
+        cost=9,
+        samples=((0.0, 0.0), (0.0, -1.0), (-2.0, 2.0), (0.0, 3.0), (2.0, -1.5), (0.5, 64.0)),
+    ),
+    Builtin(
+        name="exp",
+        signatures=_FLOATS,
+        doc="e to the power of the operand. Beyond 88 the result leaves float32.",
+        range=_exponential,
+        accuracy=_EXP,
+        cost=5,
+    ),
+    Builtin(
+        name="exp2",
+        signatures=_FLOATS,
+        doc="2 to the power of the operand. From 128 on the result leaves float32.",
+        range=_exponential2,
+        accuracy=_EXP,
+        cost=4,
+    ),
+    Builtin(
+        name="log",
+        signatures=_FLOATS,
+        doc="Natural logarithm.",
+        domain=_normal,
+        outside="Operands below the smallest normal number, 2^-126, count as that.",
+        expansion="log",
+        range=_logarithm,
+        accuracy=_LOG,
+        cost=5,
+        samples=((0.0,), (-1.0,), (1.0,), (1e-40,)),
+    ),
+    Builtin(
+        name="log2",
+        signatures=_FLOATS,
+        doc="Logarithm to base 2.",
+        domain=_normal,
+        outside="Operands below the smallest normal number, 2^-126, count as that: -126.",
+        expansion="log2",
+        range=_logarithm2,
+        accuracy=_LOG,
+        cost=4,
+        samples=((0.0,), (-1.0,), (1.0,), (1e-40,)),
+    ),
+)

@@ -1,0 +1,91 @@
+"""What range analysis knows of a value: an interval, and whether a vector is of unit length."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal
+
+SMALLEST_NORMAL = 2.0**-126
+"""Magnitudes below this may be flushed to zero by a device, so the meaning treats them as zero."""
+
+UNIT_SLACK = 1e-5
+"""How far float32 rounding may lengthen a vector of length one: a few ULP an operation, with room
+for a chain of them. Keeps ``acos(dot(n, l))`` from losing a clamp that it needs at run time."""
+
+Kind = Literal["float", "int", "uint", "bool", "matrix"]
+
+_LIMITS: dict[Kind, tuple[float, float]] = {
+    "float": (-math.inf, math.inf),
+    "int": (-(2.0**31), 2.0**31 - 1),
+    "uint": (0.0, 2.0**32 - 1),
+    "bool": (0.0, 1.0),
+    "matrix": (-math.inf, math.inf),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """Bounds on every lane of a value. ``lo > hi`` never occurs; unknown is (-inf, inf)."""
+
+    lo: float = -math.inf
+    hi: float = math.inf
+    nonzero: bool = False
+    """Every lane's magnitude is known to be at least ``SMALLEST_NORMAL``."""
+    unit: bool = False
+    """The value is a vector of length one (by contract or by construction), up to rounding. It is
+    shorter only where ``normalize`` was given a vector too short to have a direction."""
+    kind: Kind = "float"
+    """What the lanes are. The analysis stamps it from the value's type (``as_kind``); rules read
+    it, since integers wrap and a product of matrices is not a product lane by lane."""
+
+    @property
+    def excludes_zero(self) -> bool:
+        """Whether no lane can be zero, nor so small that a device may flush it to zero."""
+        return self.nonzero or self.lo >= SMALLEST_NORMAL or self.hi <= -SMALLEST_NORMAL
+
+    @property
+    def least(self) -> float:
+        """A lower bound on every lane's magnitude."""
+        bound = max(self.lo, -self.hi, 0.0)
+        return max(bound, SMALLEST_NORMAL) if self.nonzero else bound
+
+    @property
+    def most(self) -> float:
+        """An upper bound on every lane's magnitude."""
+        return max(abs(self.lo), abs(self.hi))
+
+    def within(self, lo: float, hi: float) -> bool:
+        """Whether every lane lies in [lo, hi]."""
+        return lo <= self.lo and self.hi <= hi
+
+    def as_kind(self, kind: Kind) -> Fact:
+        """This fact about lanes of ``kind``; bounds that its integers cannot hold may wrap."""
+        lo, hi = _LIMITS[kind]
+        if self.within(lo, hi):
+            return replace(self, kind=kind)
+        if (self.lo, self.hi) == (-math.inf, math.inf):
+            return Fact(lo, hi, self.nonzero, self.unit, kind)
+        return Fact(lo, hi, kind=kind)
+
+    def union(self, other: Fact) -> Fact:
+        """What is known of a value that is one of the two."""
+        return Fact(
+            min(self.lo, other.lo),
+            max(self.hi, other.hi),
+            self.excludes_zero and other.excludes_zero,
+            self.unit and other.unit,
+            self.kind,
+        )
+
+    def meet(self, other: Fact) -> Fact:
+        """What is known of a value of which both hold; contradictions keep this fact."""
+        lo, hi = max(self.lo, other.lo), min(self.hi, other.hi)
+        if lo > hi:
+            return self
+        nonzero = self.excludes_zero or other.excludes_zero
+        return Fact(lo, hi, nonzero, self.unit or other.unit, self.kind)
+
+
+UNKNOWN = Fact()
+UNIT = Fact(-1.0 - UNIT_SLACK, 1.0 + UNIT_SLACK, unit=True)

@@ -1,0 +1,152 @@
+"""Vectors as arrows: products, lengths, mirroring; and the classic lighting coefficients."""
+
+from __future__ import annotations
+
+import math
+
+from .facts import UNIT, UNIT_SLACK, UNKNOWN, Fact
+from .intervals import around, product, products, squares
+from .row import Builtin, nowhere
+
+_PAIR = ("V, V -> S",)
+_NARROWEST, _WIDEST = 2, 4
+
+
+def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
+    x, y = facts
+    lo, hi = squares(x) if same else products(x, y)
+    lo, hi = min(_NARROWEST * lo, _WIDEST * lo), max(_NARROWEST * hi, _WIDEST * hi)
+    error = product(_WIDEST * product(x.most, y.most), 2.0**-20)
+    total = around(Fact(lo, hi), error)
+    total = Fact(max(total.lo, 0.0), total.hi) if lo >= 0 else total
+    return total.meet(UNIT_PRODUCT) if x.unit and y.unit else total
+
+
+UNIT_PRODUCT = Fact(-1.0 - UNIT_SLACK, 1.0 + UNIT_SLACK)
+"""Of two vectors of length one; rounding may carry it past 1, so ``acos`` keeps its clamp."""
+
+
+def _outer(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y = facts
+    if x.unit and y.unit:
+        return UNIT_PRODUCT
+    bound = product(2.0 * product(x.most, y.most), 1.0 + 2.0**-20)
+    return Fact(-bound, bound)
+
+
+def _norm(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    (x,) = facts
+    # The diagonal of the box is at most twice its side, in four dimensions.
+    return Fact(0.0, 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + 2.0**-20))
+
+
+def _apart(facts: tuple[Fact, ...], same: bool) -> Fact:
+    x, y = facts
+    if same:
+        return Fact(0.0, 0.0)
+    return _norm((Fact(x.lo - y.hi, x.hi - y.lo),), False)
+
+
+def _direction(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return UNIT
+
+
+def _mirrored(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    incident, normal = facts
+    return UNIT if incident.unit and normal.unit else UNKNOWN
+
+
+def _turned(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    normal = facts[0]
+    return Fact(-normal.most, normal.most, normal.nonzero, normal.unit)
+
+
+def _coefficients(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact(0.0, math.inf)
+
+
+def _has_unit_length(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].unit
+
+
+ROWS = (
+    Builtin(
+        name="dot",
+        signatures=_PAIR,
+        doc="Inner product: the sum of the products of the lanes.",
+        range=_inner,
+        cost=1,
+        commutative=True,
+    ),
+    Builtin(
+        name="cross",
+        signatures=("vec3, vec3 -> vec3",),
+        doc="The vector perpendicular to both, by the right-hand rule.",
+        range=_outer,
+        cost=2,
+    ),
+    Builtin(
+        name="length",
+        signatures=("V -> S",),
+        doc="Length of a vector.",
+        range=_norm,
+        cost=6,
+        samples=((0.0,), (1e-30,)),
+    ),
+    Builtin(
+        name="distance",
+        signatures=_PAIR,
+        doc="Distance of two points: length(x - y).",
+        range=_apart,
+        cost=7,
+        commutative=True,
+    ),
+    Builtin(
+        name="normalize",
+        signatures=("V -> V",),
+        doc="The vector of length one in the same direction.",
+        domain=_has_unit_length,
+        outside=(
+            "v * inversesqrt(max(dot(v, v), 2^-126)): 0 for the zero vector, and continuous; "
+            "a vector shorter than 2^-63 stays shorter than one."
+        ),
+        expansion="normalize",
+        range=_direction,
+        cost=6,
+        samples=((0.0,), (1e-30,), (3.0,)),
+    ),
+    Builtin(
+        name="reflect",
+        signatures=("V, V -> V",),
+        doc="reflect(i, n): i - 2 * dot(n, i) * n, which mirrors i when n has length one.",
+        range=_mirrored,
+        cost=3,
+        samples=((1.0, 0.0), (1.0, 2.0)),
+    ),
+    Builtin(
+        name="refract",
+        signatures=("V, V, S -> V",),
+        doc="refract(i, n, eta): i bent at a surface; 0 where it is reflected totally.",
+        outside="The formula stands for vectors not of length one too.",
+        cost=10,
+        samples=((0.5, 0.5, 1.5), (0.6, -0.6, 0.75)),
+    ),
+    Builtin(
+        name="faceforward",
+        signatures=("V, V, V -> V",),
+        doc="faceforward(n, i, r): n where dot(r, i) < 0, else -n.",
+        range=_turned,
+        cost=2,
+    ),
+    Builtin(
+        name="lit",
+        signatures=("float, float, float -> vec4",),
+        doc="lit(nl, nh, power): ambient, diffuse and specular coefficient of Blinn and Phong, 1.",
+        domain=nowhere,
+        outside="(1, max(nl, 0), 0 where nl < 0 or nh < 0 else pow(nh, power), 1).",
+        expansion="lit",
+        range=_coefficients,
+        cost=12,
+        samples=((0.5, 0.5, 8.0), (-0.5, 0.5, 8.0), (0.5, -0.5, 8.0), (0.0, 0.0, 0.0)),
+    ),
+)

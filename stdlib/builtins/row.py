@@ -1,0 +1,85 @@
+"""The shape of a row in the table of builtins.
+
+A builtin is declared once, here in ``stdlib``; overload resolution, constant folding, range
+analysis, guards, emission, the reference evaluator and the manual all read the same row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from .facts import UNKNOWN, Fact
+
+RangeRule = Callable[[tuple[Fact, ...], bool], Fact]
+"""From the operands' facts, and whether all operands are the same node, to the result's fact."""
+
+Domain = Callable[[tuple[Fact, ...]], bool]
+"""Whether operands within these facts lie where every backend already has the defined meaning."""
+
+
+def anything(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    """The range rule that knows nothing."""
+    return UNKNOWN
+
+
+def everywhere(_facts: tuple[Fact, ...]) -> bool:
+    """The domain of a function on which all backends agree everywhere."""
+    return True
+
+
+def nowhere(_facts: tuple[Fact, ...]) -> bool:
+    """The domain of a function that no backend has: it is always expanded."""
+    return False
+
+
+@dataclass(frozen=True, slots=True)
+class Accuracy:
+    """Error bound of the float32 operation and where it is promised."""
+
+    bound: str
+    """``correct``, ``N ulp``, ``abs 2^-11 in [-pi, pi]``, ``inherited`` (from the expansion) …"""
+    source: str
+
+
+WGSL_ACCURACY = "WGSL, Floating Point Accuracy"
+EXACT = Accuracy("correct", WGSL_ACCURACY)
+INHERITED = Accuracy("inherited", WGSL_ACCURACY)
+
+
+@dataclass(frozen=True, slots=True)
+class Builtin:
+    """One builtin function or operator.
+
+    ``signatures`` are texts such as ``"T, T -> T"`` whose letters range over type families::
+
+        T  floats: float, vec2, vec3, vec4        S  float
+        V  vec2, vec3, vec4                       M  mat2, mat3, mat4; C its column vector
+        N  numbers: floats and int, uint, ivec*, uvec*
+        I  integers: int, uint, ivec*, uvec*      L  the scalar of N, I or T's lane kind
+        B  bool, bvec2, bvec3, bvec4              P  any scalar or vector; Q the bool vector of P
+        R  any type that can be a value
+
+    The same letter stands for the same type throughout one signature; other words are type names.
+    """
+
+    name: str
+    signatures: tuple[str, ...]
+    doc: str
+    operator: str = ""
+    """Infix or prefix spelling common to all targets; empty for functions."""
+    domain: Domain = everywhere
+    outside: str = ""
+    """The meaning outside the naive domain, for the manual."""
+    expansion: str = ""
+    """Function of ``stdlib/meaning.burnish`` that has the defined meaning everywhere; used where
+    ``domain`` is not proven. Inside it, ``unguarded(f(x))`` is the hardware's own ``f``."""
+    range: RangeRule = anything
+    accuracy: Accuracy = INHERITED
+    cost: int = 1
+    """Rough price in ALU operations a lane, for choosing between a branch and a select."""
+    commutative: bool = False
+    uniform_control_flow: bool = False
+    """Needs neighbours' values (derivatives, implicit level of detail)."""
+    samples: tuple[tuple[float, ...], ...] = field(default=())
+    """Operand tuples worth testing beyond the usual ones (scalars; broadcast to vectors)."""

@@ -1,0 +1,121 @@
+"""Angles, in radians."""
+
+from __future__ import annotations
+
+import math
+
+from .facts import SMALLEST_NORMAL, Fact
+from .intervals import outward
+from .row import WGSL_ACCURACY, Accuracy, Builtin, RangeRule
+
+_FLOATS = ("T -> T",)
+_WAVE = Accuracy("abs 2^-11 in [-pi, pi]", WGSL_ACCURACY)
+_ARC = Accuracy("4096 ulp", WGSL_ACCURACY)
+_CLAMPED_ARC = Accuracy("the worse of abs 6.8e-5 and inherited", WGSL_ACCURACY)
+_WAVE_ERROR = 2.0**-11
+_ARC_ERROR = 4096 * 2.0**-22 + 6.8e-5
+"""4096 ULP of an angle below 4, or the absolute bound of asin and acos."""
+
+
+def _between(lo: float, hi: float) -> RangeRule:
+    """The rule of a function whose results lie between fixed bounds."""
+    fact = Fact(lo, hi)
+    return lambda _facts, _same: fact
+
+
+def _scaled(factor: float) -> RangeRule:
+    return lambda facts, _same: outward(facts[0].lo * factor, facts[0].hi * factor, 1.0)
+
+
+def _has_arc(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].within(-1.0, 1.0)
+
+
+def _has_direction(facts: tuple[Fact, ...]) -> bool:
+    y, x = facts
+    return y.excludes_zero or x.lo >= SMALLEST_NORMAL
+
+
+ROWS = (
+    Builtin(
+        name="sin",
+        signatures=_FLOATS,
+        doc="Sine. Its accuracy is promised within -pi to pi only.",
+        range=_between(-1.0 - _WAVE_ERROR, 1.0 + _WAVE_ERROR),
+        accuracy=_WAVE,
+        cost=4,
+    ),
+    Builtin(
+        name="cos",
+        signatures=_FLOATS,
+        doc="Cosine. Its accuracy is promised within -pi to pi only.",
+        range=_between(-1.0 - _WAVE_ERROR, 1.0 + _WAVE_ERROR),
+        accuracy=_WAVE,
+        cost=4,
+    ),
+    Builtin(
+        name="tan",
+        signatures=_FLOATS,
+        doc="Tangent, sin(x) / cos(x). Near its poles the result may leave float32.",
+        cost=9,
+    ),
+    Builtin(
+        name="asin",
+        signatures=_FLOATS,
+        doc="The angle between -pi/2 and pi/2 that has this sine.",
+        domain=_has_arc,
+        outside="The operand is clamped to -1 to 1.",
+        expansion="asin",
+        range=_between(-math.pi / 2 - _ARC_ERROR, math.pi / 2 + _ARC_ERROR),
+        accuracy=_CLAMPED_ARC,
+        cost=12,
+        samples=((1.0,), (-1.0,), (1.0000001,), (-2.0,)),
+    ),
+    Builtin(
+        name="acos",
+        signatures=_FLOATS,
+        doc="The angle between 0 and pi that has this cosine.",
+        domain=_has_arc,
+        outside="The operand is clamped to -1 to 1.",
+        expansion="acos",
+        range=_between(-_ARC_ERROR, math.pi + _ARC_ERROR),
+        accuracy=_CLAMPED_ARC,
+        cost=12,
+        samples=((1.0,), (-1.0,), (1.0000001,), (-2.0,)),
+    ),
+    Builtin(
+        name="atan",
+        signatures=_FLOATS,
+        doc="The angle between -pi/2 and pi/2 that has this tangent.",
+        range=_between(-math.pi / 2 - _ARC_ERROR, math.pi / 2 + _ARC_ERROR),
+        accuracy=_ARC,
+        cost=10,
+    ),
+    Builtin(
+        name="atan2",
+        signatures=("T, T -> T",),
+        doc="atan2(y, x): the angle between -pi and pi from the x axis to the point (x, y).",
+        domain=_has_direction,
+        outside=(
+            "atan2(0, 0) is 0, and atan2(0, x) of a negative x is pi. For an x below 2^-126, "
+            "a y of -0.0 or below that magnitude counts as 0."
+        ),
+        expansion="atan2",
+        range=_between(-math.pi - _ARC_ERROR, math.pi + _ARC_ERROR),
+        accuracy=_ARC,
+        cost=14,
+        samples=((0.0, 0.0), (0.0, -1.0), (-0.0, -1.0), (1.0, 0.0), (-1.0, -1.0)),
+    ),
+    Builtin(
+        name="radians",
+        signatures=_FLOATS,
+        doc="Degrees to radians.",
+        range=_scaled(math.pi / 180.0),
+    ),
+    Builtin(
+        name="degrees",
+        signatures=_FLOATS,
+        doc="Radians to degrees.",
+        range=_scaled(180.0 / math.pi),
+    ),
+)

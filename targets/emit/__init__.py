@@ -1,0 +1,1 @@
+"""What all backends share: names, bindings, expressions, statements, skeletons."""

@@ -1,0 +1,65 @@
+"""Which set and binding every block, texture and sampler of a program has.
+
+The assignment looks at the whole program, so that its stages agree and the reflection can say what
+the text says. Within a set a number is used once only: DXC maps HLSL's ``b0``, ``t0`` and ``s0``
+all to Vulkan's binding 0.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import count
+
+from ...compiler.ir.leaves import Resource
+from ...compiler.ir.program import Block, Program
+from .description import Profile
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A place in the binding model."""
+
+    set: int
+    binding: int
+
+
+@dataclass(frozen=True, slots=True)
+class Bindings:
+    """The slots of a program; keys are the program's own names."""
+
+    blocks: Mapping[str, Slot]
+    textures: Mapping[str, Slot]
+    samplers: Mapping[str, Slot]
+    """The texture's own slot where the profile combines the two."""
+
+
+def assign_bindings(program: Program, profile: Profile) -> Bindings:
+    """Number the blocks of each group, then its textures and samplers, group by group."""
+    blocks: dict[str, Slot] = {}
+    textures: dict[str, Slot] = {}
+    samplers: dict[str, Slot] = {}
+    numbers: defaultdict[int, Iterator[int]] = defaultdict(count)
+    for group in _groups(program):
+        set_ = profile.sets.get(group, profile.default_set)
+        for block in _blocks_of(program, group):
+            blocks[block.name] = Slot(set_, next(numbers[set_]))
+        for resource in program.resources:
+            if resource.group == group:
+                texture = Slot(set_, next(numbers[set_]))
+                combined = profile.combined_samplers
+                textures[resource.name] = texture
+                samplers[resource.name] = texture if combined else Slot(set_, next(numbers[set_]))
+    return Bindings(blocks, textures, samplers)
+
+
+def _groups(program: Program) -> list[str]:
+    owners: list[Block | Resource] = [*program.blocks, *program.resources]
+    return list(dict.fromkeys(owner.group for owner in owners))
+
+
+def _blocks_of(program: Program, group: str) -> list[Block]:
+    """The group's plain block, then the derived one."""
+    found = [block for block in program.blocks if block.group == group]
+    return sorted(found, key=lambda block: block.derived)

@@ -1,0 +1,37 @@
+"""User's text as comments that cannot do harm.
+
+A comment that ends in a backslash swallows the next line in GLSL and HLSL; U+0085, U+2028 and
+other line ends close a comment in WGSL, after which its front ends run what follows; bidirectional
+controls make a text look like what it is not.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+_LINE_ENDS = re.compile("\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")
+_OPEN_END = re.compile(r"[\\\s]+$")
+_INVISIBLE = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
+
+
+def comment_lines(text: str, mark: str = "///") -> list[str]:
+    """``text`` as line comments, one for each of its lines; nothing for a blank text."""
+    cleaned = [_clean(line) for line in _LINE_ENDS.split(text.strip())]
+    return [f"{mark} {line}".rstrip() for line in cleaned] if any(cleaned) else []
+
+
+def comment_line(text: str, mark: str = "///") -> str:
+    """``text`` as one comment, its lines joined; empty for a blank text."""
+    cleaned = " ".join(filter(None, map(_clean, _LINE_ENDS.split(text))))
+    return f"{mark} {cleaned}" if cleaned else ""
+
+
+def _clean(line: str) -> str:
+    visible = "".join(
+        " " if char == "\t" else char
+        for char in line
+        if char == "\t" or unicodedata.category(char) not in _INVISIBLE
+    )
+    closed = visible.replace("*/", "* /").replace("/*", "/ *").replace("??/", "?? /")
+    return _OPEN_END.sub("", closed).strip()

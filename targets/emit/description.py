@@ -1,0 +1,207 @@
+"""What a backend says about its language: rows of data, and hardly any code.
+
+To add a language, make a folder beside the others with a ``target.py`` that defines ``TARGET``, a
+``reserved.txt`` and the Jinja2 skeleton named by ``Target.template``. Nothing else has to change:
+the registry finds the folder, and everything that has a default here is C-like.
+
+Spellings of natives
+    A builtin prints as its row's operator, or as a call of the function with its own name. A target
+    lists only those that differ, as one of
+
+    - a name, ``lerp``: called with the operands;
+    - a symbol, ``==``: between two operands or before one;
+    - a template, ``clamp({0}, 0.0, 1.0)``: must read as a call or stand in parentheses. ``{0}`` is
+      an operand as an argument, ``{0:p}`` one in parentheses unless it is a plain name or call;
+      ``{type}`` is the result's type and ``{sampler}`` the sampler of a
+      texture operand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+from ...compiler.ir.types import BOOL, UINT, VEC4, ScalarKind, Type
+from .reserved import Reserved
+
+FieldRole = Literal["attribute", "varying", "target"]
+"""Vertex input, value between the stages, or render target."""
+
+
+@dataclass(frozen=True, slots=True)
+class Spelling:
+    """How a native is spelled when that depends on the operands: empty means the usual way."""
+
+    floats: str = ""
+    """Scalars or vectors of floats."""
+    matrix: str = ""
+    """Some operand is a matrix."""
+
+
+@dataclass(frozen=True, slots=True)
+class TypeNames:
+    """How types are written; ``{n}`` is a number of lanes or columns."""
+
+    scalars: Mapping[ScalarKind, str]
+    vectors: Mapping[ScalarKind, str]
+    matrix: str
+    array: str = ""
+    """``{element}`` and ``{count}``; empty where the count stands behind the variable's name."""
+    declaration: str = "{type} {name}"
+    stored_matrix: str = "{type}"
+    """A matrix as a block's member, where its order has to be said: ``column_major {type}``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Literals:
+    """How constants are written."""
+
+    true: str = "true"
+    false: str = "false"
+    float_suffix: str = ""
+    uint_suffix: str = "u"
+
+
+@dataclass(frozen=True, slots=True)
+class Forms:
+    """Expressions and statements that are not calls, as templates.
+
+    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it.
+    """
+
+    let: str = "{typed} = {value};"
+    variable: str = "{typed};"
+    variable_set: str = "{typed} = {value};"
+    loop: str = "for ({index_typed} = {zero}; {index} < {count}; {index}++) {{"
+    parameter: str = "{typed}"
+    select: str = ""
+    """``select({otherwise}, {then}, {condition})``; empty for ``?:``."""
+    splat: str = "{type}({value})"
+    """A scalar in every lane; ``{value:p}.{lanes}`` where that is a swizzle."""
+    splat_constant: bool = True
+    """Whether a constant of equal lanes is written with one of them."""
+    matrix: str = "{type}({columns})"
+    matrix_by_rows: bool = False
+    """Whether a matrix of constants lists its lanes row by row."""
+    column: str = "{matrix}[{position}]"
+    member: str = "{name}"
+    """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
+    texture: str = "{texture}"
+    """A texture as an operand; ``{sampler}`` is its sampler's name."""
+    input: str = "{name}"
+    """A stage's input: a global variable, or ``input.{name}``."""
+
+
+@dataclass(frozen=True, slots=True)
+class PipelineInput:
+    """A value that the pipeline supplies."""
+
+    type: Type
+    """As the target has it; converted where a program wants another kind."""
+    read: str
+    """Template; ``{name}`` is the declared name."""
+    semantic: str = ""
+    """What marks its declaration; empty where it needs none."""
+    host_uniform: str = ""
+    """A loose uniform of type float that ``read`` needs and the host has to set."""
+
+
+PIPELINE_TYPES: Mapping[str, Type] = {
+    "frag_coord": VEC4,
+    "front_facing": BOOL,
+    "vertex_index": UINT,
+    "instance_index": UINT,
+}
+"""The values that the pipeline supplies, with the types that Burnish gives them."""
+
+GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
+"""Bind group of each parameter group: WebGPU guarantees four."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Profile:
+    """One dialect of a target: what an API or a version of it takes."""
+
+    name: str
+    doc: str
+    combined_samplers: bool = False
+    """A texture and its sampler are one object with one binding."""
+    explicit_bindings: bool = True
+    """The text states set and binding; otherwise the host assigns them by name."""
+    varyings_by_name: bool = False
+    """Stages are matched by the names of varyings instead of their locations."""
+    clip_depth: Literal["0..1", "-1..1"] = "0..1"
+    """Depth range of clip space; Burnish's own is 0..1."""
+    rows_up: bool = False
+    """The framebuffer's first row is the bottom one, unless the program was emitted flipped."""
+    single_file: bool = False
+    """Both stages can stand in one text."""
+    preamble: tuple[str, ...] = ()
+    """Lines that open each file: version, extensions, default precisions."""
+    natives: Mapping[str, str | Spelling] = field(default_factory=dict)
+    """Spellings that only this profile has."""
+    inputs: Mapping[str, PipelineInput] = field(default_factory=dict)
+    """Inputs that this profile has otherwise than its target."""
+    inputs_rows_up: Mapping[str, PipelineInput] = field(default_factory=dict)
+    """Those that have to be turned upside down while rows count upwards."""
+    texture: str = ""
+    """Replaces ``Forms.texture``."""
+    sets: Mapping[str, int] = field(default_factory=lambda: GROUP_SETS)
+    default_set: int = 2
+    """Where a user's own groups go."""
+    checkers: tuple[str, ...] = ()
+    """Validators of ``targets.toolchain`` that have to accept the text."""
+
+
+def no_semantic(_role: FieldRole, _name: str, _location: int) -> str:
+    """For languages in which locations or names say everything."""
+    return ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Target:
+    """One shading language."""
+
+    name: str
+    title: str
+    """The language's name in prose."""
+    folder: Path
+    """Where the skeleton lies."""
+    template: str
+    """The skeleton's file name."""
+    extension: str
+    types: TypeNames
+    profiles: tuple[Profile, ...]
+    """The first is the default."""
+    reserved: Callable[[], Reserved]
+    """Loads the words that cannot be names; called on first use."""
+    literals: Literals = field(default_factory=Literals)
+    forms: Forms = field(default_factory=Forms)
+    natives: Mapping[str, str | Spelling] = field(default_factory=dict)
+    splats: frozenset[str] = frozenset()
+    """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
+    inputs: Mapping[str, PipelineInput] = field(default_factory=dict)
+    """How each of ``PIPELINE_TYPES`` is spelled."""
+    semantic: Callable[[FieldRole, str, int], str] = no_semantic
+    """What marks a field in the text, from its role, name and location."""
+    global_members: bool = True
+    """Members of blocks are names of the whole file, so they must differ from all others."""
+    global_fields: bool = False
+    """Inputs and outputs are global variables and not members of structs."""
+    varying_prefix: str = ""
+    """Keeps global varyings and locals apart, which tend to have the same name."""
+    output_prefix: str = ""
+    """The same for render targets."""
+    fixed_names: tuple[str, ...] = ()
+    """Names that the skeleton uses itself."""
+
+    def profile(self, name: str = "") -> Profile:
+        """The profile called ``name``, or the default; ``KeyError`` if there is none."""
+        if not name:
+            return self.profiles[0]
+        for profile in self.profiles:
+            if profile.name == name:
+                return profile
+        raise KeyError(name)

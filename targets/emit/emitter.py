@@ -1,0 +1,175 @@
+"""From a program to the texts of one target: the only door into the backends."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from ...compiler.ir.leaves import Resource
+from ...compiler.ir.program import Block, Program, Stage, StageName, StoredMember
+from ...compiler.ir.types import Struct
+from . import templates
+from .bindings import Bindings, assign_bindings
+from .comments import comment_line, comment_lines
+from .context import Context
+from .description import Profile, Target
+from .names import Names, name_program
+from .stage import StagePrinter
+from .views import BlockView, EntryView, FileView, MemberView, StructView, TextureView
+
+_SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
+_SINGLE_ENTRIES: Mapping[StageName, str] = {"vertex": "vs_main", "fragment": "fs_main"}
+
+
+@dataclass(frozen=True, slots=True)
+class EmitOptions:
+    """What a caller may choose about the text."""
+
+    flip_y: bool = False
+    """Negate clip-space y: for passes that draw into textures where row 0 is the bottom one."""
+    single_file: bool = False
+    """One text with ``vs_main`` and ``fs_main``; see ``Profile.single_file``."""
+
+
+@dataclass(frozen=True, slots=True)
+class EmittedFile:
+    """A finished text."""
+
+    suffix: str
+    """What follows the material's name: ``vert.glsl``."""
+    stage: StageName | Literal["both"]
+    entries: Mapping[StageName, str]
+    """Entry points by stage."""
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Emission:
+    """All texts of a program for one profile, and what a host needs to know of them."""
+
+    files: tuple[EmittedFile, ...]
+    names: Names
+    bindings: Bindings
+    host_uniforms: tuple[str, ...]
+    """Loose float uniforms that the host has to set besides the blocks."""
+
+
+def emit(
+    program: Program, target: Target, profile: Profile, options: EmitOptions | None = None
+) -> Emission:
+    """Print ``program``; ``ValueError`` for one file where the profile cannot have that."""
+    options = options or EmitOptions()
+    if options.single_file and not profile.single_file:
+        raise ValueError(f"{target.name}:{profile.name} has no single-file form")
+    return _Emitter(program, target, profile, options).emission()
+
+
+class _Emitter:
+    """Prints one program for one profile."""
+
+    def __init__(
+        self, program: Program, target: Target, profile: Profile, options: EmitOptions
+    ) -> None:
+        self._program = program
+        self._target = target
+        self._profile = profile
+        self._options = options
+        self._names = name_program(program, target)
+        self._bindings = assign_bindings(program, profile)
+        self._context = Context(program, target, profile, self._names, options.flip_y)
+        self._types = self._context.types
+
+    def emission(self) -> Emission:
+        stages = self._program.stages
+        groups = [stages] if self._options.single_file else [(stage,) for stage in stages]
+        used = dict.fromkeys(name for stage in stages for name in self._host_uniforms(stage))
+        return Emission(
+            tuple(self._file(group) for group in groups),
+            self._names,
+            self._bindings,
+            tuple(used),
+        )
+
+    def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
+        single = len(stages) > 1
+        names = {stage.name: _SINGLE_ENTRIES[stage.name] if single else "main" for stage in stages}
+        entries = [self._entry(stage, names[stage.name]) for stage in stages]
+        extension = self._target.extension
+        first = stages[0].name
+        return EmittedFile(
+            suffix=extension if single else f"{_SUFFIXES[first]}.{extension}",
+            stage="both" if single else first,
+            entries=names,
+            text=self._text(stages, entries),
+        )
+
+    def _entry(self, stage: Stage, name: str) -> EntryView:
+        return StagePrinter(self._context, stage).entry(name)
+
+    def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
+        view = self._view(stages, entries)
+        return templates.render(
+            self._target.folder / self._target.template,
+            {"file": view, "profile": self._profile, "flip_y": self._options.flip_y},
+        )
+
+    def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
+        blocks = [
+            block
+            for block in self._program.blocks
+            if any(block in stage.blocks for stage in stages)
+        ]
+        structs = dict.fromkeys(struct for block in blocks for struct in block.structs)
+        resources = [
+            resource
+            for resource in self._program.resources
+            if any(resource in stage.resources for stage in stages)
+        ]
+        uniforms = (name for stage in stages for name in self._host_uniforms(stage))
+        return FileView(
+            header=self._header(stages),
+            structs=[self._struct(struct) for struct in structs],
+            blocks=[self._block(block) for block in blocks],
+            textures=[self._texture(resource) for resource in resources],
+            host_uniforms=list(dict.fromkeys(uniforms)),
+            entries=entries,
+        )
+
+    def _header(self, stages: tuple[Stage, ...]) -> list[str]:
+        program = self._program
+        kinds = " and ".join(stage.name for stage in stages)
+        plural = "s" if len(stages) > 1 else ""
+        title = comment_line(f"{program.name}: {kinds} shader{plural}, by Burnish.", "//")
+        return [title, *comment_lines(program.doc, "//")]
+
+    def _host_uniforms(self, stage: Stage) -> list[str]:
+        rows = (self._context.inputs[name] for name in stage.builtin_inputs)
+        return [row.host_uniform for row in rows if row.host_uniform]
+
+    def _struct(self, struct: Struct) -> StructView:
+        members = tuple(
+            MemberView(self._types.declare_stored(self._names.member(struct.name, name), type_))
+            for name, type_ in struct.members
+        )
+        return StructView(self._names.structs[struct.name], members)
+
+    def _block(self, block: Block) -> BlockView:
+        return BlockView(
+            name=self._names.blocks[block.name],
+            variable=self._names.variables.get(block.name, ""),
+            slot=self._bindings.blocks[block.name],
+            members=tuple(self._member(block, member) for member in block.members),
+        )
+
+    def _member(self, block: Block, member: StoredMember) -> MemberView:
+        name = self._names.member(block.name, member.name)
+        return MemberView(self._types.declare_stored(name, member.type), comment_line(member.doc))
+
+    def _texture(self, resource: Resource) -> TextureView:
+        return TextureView(
+            texture=self._names.textures[resource.name],
+            sampler=self._names.samplers[resource.name],
+            texture_slot=self._bindings.textures[resource.name],
+            sampler_slot=self._bindings.samplers[resource.name],
+        )

@@ -1,0 +1,168 @@
+"""Prints the nodes of one function body, each as the text of an expression."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from ...compiler.ir.node import Formal, Node, Op
+from ...compiler.ir.program import Function
+from ...compiler.ir.types import Matrix, Scalar, Struct, Type, Vector, scalar_kind, width
+from .context import Context
+from .leaves import Leaves
+from .literals import literal
+from .natives import Natives, Operand
+from .precedence import Binding, Text, choice
+
+DEEPEST = 200
+"""Expressions nested deeper are refused by naga; the scheduler stays far below."""
+
+
+class Expressions:
+    """Prints nodes; a node that a statement has bound is that statement's name."""
+
+    def __init__(
+        self,
+        context: Context,
+        leaves: Leaves,
+        functions: Mapping[int, tuple[str, Function]],
+    ) -> None:
+        self.bound: dict[int, str] = {}
+        """Names of bound nodes, by id."""
+        self.formals: dict[Formal, str] = {}
+        """Names of the parameters and loop indices in scope."""
+        self._forms = context.target.forms
+        self._literals = context.target.literals
+        self._types = context.types
+        self._names = context.names
+        self._leaves = leaves
+        self._functions = functions
+        self._natives = Natives(context, leaves, self._splatted)
+        self._depth = 0
+        self._printers: Mapping[Op, Callable[[Node], Text]] = {
+            "constant": self._constant,
+            "parameter": leaves.parameter,
+            "resource": leaves.resource,
+            "attribute": leaves.attribute,
+            "interpolate": leaves.interpolated,
+            "input": self._input,
+            "native": self._native,
+            "vector": self._vector,
+            "splat": self._splat,
+            "matrix": self._matrix,
+            "swizzle": self._swizzle,
+            "index": self._index,
+            "member": self._member,
+            "select": self._select,
+            "apply": self._call,
+            "formal": self._formal,
+        }
+
+    def text(self, node: Node) -> str:
+        """The node as an operand of a statement."""
+        return self.operand(node).text
+
+    def operand(self, node: Node) -> Text:
+        """The name of a bound node, or its expression."""
+        name = self.bound.get(node.id)
+        return self.expression(node) if name is None else Text(name, Binding.NAME)
+
+    def expression(self, node: Node) -> Text:
+        """The node itself, even if it is bound."""
+        assert self._depth < DEEPEST, "the scheduler has to bind deep operands to names"
+        self._depth += 1
+        text = self._printers[node.op](node)
+        self._depth -= 1
+        return text
+
+    def _arguments(self, nodes: tuple[Node, ...]) -> str:
+        return ", ".join(map(self.text, nodes))
+
+    def _constant(self, node: Node) -> Text:
+        kind = scalar_kind(node.type)
+        assert kind is not None
+        if isinstance(node.data, tuple):
+            return Text(f"{self._types.type(node.type)}({', '.join(self._lanes(node))})")
+        assert isinstance(node.data, int | float)
+        return _number(literal(node.data, kind, self._literals))
+
+    def _lanes(self, node: Node) -> list[str]:
+        """The lanes of a constant, in the order in which the constructor takes them."""
+        kind = scalar_kind(node.type)
+        assert kind is not None and isinstance(node.data, tuple)
+        lanes = [literal(lane, kind, self._literals) for lane in node.data]
+        if isinstance(node.type, Matrix):
+            size = node.type.size
+            if self._forms.matrix_by_rows:
+                return [lanes[column * size + row] for row in range(size) for column in range(size)]
+            return lanes
+        return lanes[:1] if len(set(lanes)) == 1 and self._forms.splat_constant else lanes
+
+    def _input(self, node: Node) -> Text:
+        assert isinstance(node.data, str)
+        text, type_ = self._leaves.input(node.data)
+        return text if type_ == node.type else Text(f"{self._types.type(node.type)}({text.text})")
+
+    def _native(self, node: Node) -> Text:
+        return self._natives.print(node, [self.operand(operand) for operand in node.operands])
+
+    def _vector(self, node: Node) -> Text:
+        return Text(f"{self._types.type(node.type)}({self._arguments(node.operands)})")
+
+    def _splat(self, node: Node) -> Text:
+        return self._splatted(self.operand(node.operands[0]), node.type)
+
+    def _splatted(self, operand: Text, type_: Type) -> Text:
+        return Text(
+            self._forms.splat.format(
+                type=self._types.type(type_), value=Operand(operand), lanes="x" * width(type_)
+            )
+        )
+
+    def _matrix(self, node: Node) -> Text:
+        type_ = self._types.type(node.type)
+        columns = self._arguments(node.operands)
+        return Text(self._forms.matrix.format(type=type_, columns=columns))
+
+    def _swizzle(self, node: Node) -> Text:
+        assert isinstance(node.data, tuple)
+        operand = self.operand(node.operands[0]).within(Binding.POSTFIX)
+        return Text(f"{operand}.{''.join('xyzw'[lane] for lane in node.data)}")
+
+    def _index(self, node: Node) -> Text:
+        aggregate, position = node.operands
+        form = "{matrix}[{position}]"
+        if isinstance(aggregate.type, Matrix):
+            form = self._forms.column
+        operand = self.operand(aggregate).within(Binding.POSTFIX)
+        return Text(form.format(matrix=operand, position=self.text(position)))
+
+    def _member(self, node: Node) -> Text:
+        (owner,) = node.operands
+        assert isinstance(owner.type, Struct) and isinstance(node.data, str)
+        name = self._names.member(owner.type.name, node.data)
+        return Text(f"{self.operand(owner).within(Binding.POSTFIX)}.{name}")
+
+    def _select(self, node: Node) -> Text:
+        assert isinstance(node.operands[0].type, Scalar), "conditions are scalars"
+        assert isinstance(node.type, Scalar | Vector), "matrices are chosen by a branch"
+        condition, then, otherwise = (self.operand(operand) for operand in node.operands)
+        if not self._forms.select:
+            return choice(condition, then, otherwise)
+        return Text(
+            self._forms.select.format(
+                condition=condition.text, then=then.text, otherwise=otherwise.text
+            )
+        )
+
+    def _call(self, node: Node) -> Text:
+        name, function = self._functions[node.operands[0].id]
+        return Text(f"{name}({self._arguments((*node.operands[1:], *function.captured))})")
+
+    def _formal(self, node: Node) -> Text:
+        assert isinstance(node.data, Formal)
+        return Text(self.formals[node.data], Binding.NAME)
+
+
+def _number(text: str) -> Text:
+    """A literal: no literal takes a swizzle, and the lowest integer is a difference."""
+    return Text(text, Binding.SUM if " " in text else Binding.PREFIX)

@@ -1,0 +1,90 @@
+"""How one stage reads what comes from outside: parameters, textures, inputs, varyings."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator
+
+from ...compiler.ir.leaves import Attribute, Parameter, Resource
+from ...compiler.ir.node import Node
+from ...compiler.ir.program import Program, Stage
+from ...compiler.ir.types import Type, width
+from .context import Context
+from .precedence import Binding, Text
+
+
+class Leaves:
+    """Finds the text of a stage's leaves."""
+
+    def __init__(
+        self,
+        context: Context,
+        stage: Stage,
+    ) -> None:
+        program = context.program
+        self._forms = context.target.forms
+        self._texture = context.profile.texture or context.target.forms.texture
+        self._names = context.names
+        self._inputs = context.inputs
+        self._members = {
+            member.parameter: (block.name, member.name, member.type)
+            for block in program.blocks
+            for member in block.members
+            if member.parameter is not None
+        }
+        self._crossings = dict(_crossings(program)) if stage.name == "fragment" else {}
+
+    def parameter(self, node: Node) -> Text:
+        """A member of a uniform block, in its stored type."""
+        assert isinstance(node.data, Parameter)
+        block, member, stored = self._members[node.data]
+        assert node.type == stored, f"{node.data.name} is stored as {stored}, not {node.type}"
+        text = self._forms.member.format(
+            block=self._names.variables.get(block, ""), name=self._names.member(block, member)
+        )
+        return Text(text, Binding.NAME)
+
+    def resource(self, node: Node) -> Text:
+        """A texture as the functions that read it want it."""
+        assert isinstance(node.data, Resource)
+        name = node.data.name
+        text = self._texture.format(
+            texture=self._names.textures[name], sampler=self._names.samplers[name]
+        )
+        return Text(text)
+
+    def sampler(self, node: Node) -> str:
+        """The name of a texture's sampler."""
+        assert isinstance(node.data, Resource)
+        return self._names.samplers[node.data.name]
+
+    def attribute(self, node: Node) -> Text:
+        """A vertex input."""
+        assert isinstance(node.data, Attribute)
+        return self._read(self._names.attributes[node.data.name])
+
+    def input(self, name: str) -> tuple[Text, Type]:
+        """A value that the pipeline supplies, and the type it has there."""
+        supplied = self._inputs[name]
+        return Text(supplied.read.format(name=name)), supplied.type
+
+    def interpolated(self, node: Node) -> Text:
+        """A varying, or those of its lanes that hold the value."""
+        slot, first, total = self._crossings[node.operands[0].id, node.data]
+        text = self._read(self._names.varyings[slot])
+        lanes = width(node.type)
+        if lanes == total:
+            return text
+        return Text(f"{text.text}.{'xyzw'[first : first + lanes]}")
+
+    def _read(self, name: str) -> Text:
+        return Text(self._forms.input.format(name=name), Binding.NAME)
+
+
+def _crossings(program: Program) -> Iterator[tuple[tuple[int, Hashable], tuple[str, int, int]]]:
+    """For each value that crosses: its slot, its first lane there, and the slot's lanes."""
+    for varying in program.varyings:
+        first = 0
+        total = width(varying.field.type)
+        for value in varying.values:
+            yield (value.id, varying.field.mode), (varying.field.name, first, total)
+            first += width(value.type)

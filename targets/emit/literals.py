@@ -1,0 +1,44 @@
+"""Numbers as every language reads them: the shortest text that means the same float32."""
+
+from __future__ import annotations
+
+import math
+import struct
+
+from ...compiler.ir.types import ScalarKind
+from .description import Literals
+
+_LOWEST = -(2**31)
+
+
+def literal(value: float, kind: ScalarKind, style: Literals) -> str:
+    """One lane of a constant."""
+    if kind == "bool":
+        return style.true if value else style.false
+    if kind == "float":
+        return decimal(float(value)) + style.float_suffix
+    if kind == "uint":
+        return f"{int(value)}{style.uint_suffix}"
+    # The lowest integer is the sign change of a number that does not fit.
+    return f"{_LOWEST + 1} - 1" if value == _LOWEST else str(int(value))
+
+
+def decimal(value: float) -> str:
+    """The shortest decimal that reads back as ``value`` rounded to float32, with a point in it."""
+    single = _rounded(value)
+    digits = next(
+        text for count in range(1, 10) if _rounded(float(text := f"{single:.{count}g}")) == single
+    )
+    mantissa, _, exponent = f"{float(digits)!r}".partition("e")
+    if exponent:
+        return f"{mantissa}e{int(exponent)}"
+    return mantissa
+
+
+def _rounded(value: float) -> float:
+    """``value`` as a float32; infinite beyond its range, as candidates for the last ones are."""
+    try:
+        result: float = struct.unpack("<f", struct.pack("<f", value))[0]
+    except OverflowError:
+        return math.copysign(math.inf, value)
+    return result

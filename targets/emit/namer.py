@@ -1,0 +1,59 @@
+"""Makes the user's names legal in one language, and different from each other."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from .reserved import Reserved
+
+_LONGEST = 128
+"""Longer names are cut: WebGL refuses those beyond 1024 characters, and readers much earlier."""
+
+
+class Namer:
+    """Hands out names; a name that is wanted twice, or not allowed, gets a suffix."""
+
+    def __init__(self, reserved: Reserved, taken: Iterable[str] = ()) -> None:
+        self._reserved = reserved
+        self._taken = set(taken)
+        self._scopes: list[list[str]] = []
+
+    def declare(self, wanted: str) -> str:
+        """A legal name that nothing visible has: ``wanted`` itself wherever possible."""
+        name = next(filter(self._free, self._candidates(wanted)))
+        self._taken.add(name)
+        if self._scopes:
+            self._scopes[-1].append(name)
+        return name
+
+    def inner(self) -> Namer:
+        """A namer for a scope that must not hide any name declared so far."""
+        return Namer(self._reserved, self._taken)
+
+    def enter(self) -> None:
+        """Open a block; its names may be used again after ``leave``."""
+        self._scopes.append([])
+
+    def leave(self) -> None:
+        """Close the innermost block."""
+        self._taken.difference_update(self._scopes.pop())
+
+    def _free(self, name: str) -> bool:
+        return name not in self._taken and not self._reserved.refuses(name)
+
+    def _candidates(self, wanted: str) -> Iterable[str]:
+        """Never two underscores in a row, which GLSL and WGSL keep for themselves."""
+        base = re.sub(r"_{2,}", "_", re.sub(r"[^A-Za-z0-9_]", "_", wanted))[:_LONGEST]
+        if not base[:1].isdigit():
+            yield base
+        stem = base.rstrip("_") or "user"
+        if stem[0].isdigit() or self._reserved.refuses(f"{stem}_2"):
+            # A suffix cannot help a word such as ``gl_FragColor``.
+            stem = f"user_{stem.lstrip('_')}"
+            yield stem
+        yield f"{stem}_"
+        number = 2
+        while True:
+            yield f"{stem}_{number}"
+            number += 1

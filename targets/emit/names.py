@@ -1,0 +1,175 @@
+"""The final names of everything a program declares outside of functions.
+
+They are decided once for both stages, so that stages that are matched by name agree and the
+reflection can list what the text says. Blocks come first: a host sees their names most.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from ...compiler.ir.node import Node
+from ...compiler.ir.program import Block, Field, Function, Program, Stage, StageName
+from .description import Target
+from .namer import Namer
+from .reserved import Reserved
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """Final names, by the program's own."""
+
+    blocks: Mapping[str, str]
+    variables: Mapping[str, str]
+    """The variable that a block is, in languages where members are reached through one."""
+    members: Mapping[tuple[str, str], str]
+    """By block (or struct) and member."""
+    structs: dict[str, str]
+    textures: Mapping[str, str]
+    samplers: Mapping[str, str]
+    attributes: Mapping[str, str]
+    varyings: Mapping[str, str]
+    targets: Mapping[str, str]
+    functions: Mapping[tuple[StageName, int], str]
+    """By stage and the id of the function's body."""
+    common: frozenset[str]
+    """Names that locals of either stage must not hide."""
+    reserved: Reserved = field(repr=False)
+
+    def member(self, block: str, member: str) -> str:
+        """The identifier of a block's or struct's member."""
+        return self.members[block, member]
+
+    def function(self, stage: StageName, body: Node) -> str:
+        """The function of a stage whose body is ``body``."""
+        return self.functions[stage, body.id]
+
+    def locals(self, own: Iterable[str]) -> Namer:
+        """A namer for the body of a function; ``own`` are its stage's global variables."""
+        return Namer(self.reserved, self.common.union(own))
+
+
+def name_program(program: Program, target: Target) -> Names:
+    """Decide the names of ``program`` in the language of ``target``."""
+    return _Naming(program, target).names()
+
+
+class _Naming:
+    """Declares names in the order of the file."""
+
+    def __init__(self, program: Program, target: Target) -> None:
+        self._program = program
+        self._target = target
+        self._reserved = target.reserved()
+        self._module = Namer(self._reserved, target.fixed_names)
+        self._common = set(target.fixed_names)
+
+    def names(self) -> Names:
+        """All names; the ones that hosts see are declared first."""
+        program = self._program
+        blocks = {block.name: self._declare(block.name) for block in program.blocks}
+        variables = self._variables(blocks)
+        members = dict(self._members())
+        structs = {name: self._declare(name) for name in self._structs()}
+        textures = {item.name: self._declare(item.name) for item in program.resources}
+        samplers = {
+            item.name: self._declare(f"{textures[item.name]}_sampler") for item in program.resources
+        }
+        fields = self._fields()
+        return Names(
+            blocks=blocks,
+            variables=variables,
+            members=members,
+            structs=structs,
+            textures=textures,
+            samplers=samplers,
+            attributes=fields.attributes,
+            varyings=fields.varyings,
+            targets=fields.targets,
+            functions=self._functions(fields),
+            common=frozenset(self._common),
+            reserved=self._reserved,
+        )
+
+    def _declare(self, wanted: str) -> str:
+        name = self._module.declare(wanted)
+        self._common.add(name)
+        return name
+
+    def _variables(self, blocks: Mapping[str, str]) -> dict[str, str]:
+        if self._target.global_members:
+            return {}
+        return {name: self._declare(_snake(final)) for name, final in blocks.items()}
+
+    def _members(self) -> Iterator[tuple[tuple[str, str], str]]:
+        for block in self._program.blocks:
+            scope = Namer(self._reserved)
+            declare = self._declare if self._target.global_members else scope.declare
+            for member in block.members:
+                yield (block.name, member.name), declare(member.name)
+            yield from self._struct_members(block)
+
+    def _struct_members(self, block: Block) -> Iterator[tuple[tuple[str, str], str]]:
+        for struct in block.structs:
+            scope = Namer(self._reserved)
+            for name, _type in struct.members:
+                yield (struct.name, name), scope.declare(name)
+
+    def _structs(self) -> Iterable[str]:
+        return dict.fromkeys(
+            struct.name for block in self._program.blocks for struct in block.structs
+        )
+
+    def _fields(self) -> _Fields:
+        """Inputs and outputs: names of the whole file, or of the structs they are members of."""
+        target, program = self._target, self._program
+        shared = self._module.inner() if target.global_fields else None
+        supplied = (*program.vertex.builtin_inputs, *program.fragment.builtin_inputs)
+        taken = () if shared else supplied
+
+        def declare(fields: Iterable[Field], prefix: str = "") -> dict[str, str]:
+            namer = shared or Namer(self._reserved, (*taken, *target.fixed_names))
+            names = dict.fromkeys(field.name for field in fields)
+            return {name: namer.declare(prefix + name) for name in names}
+
+        crossing = (*program.vertex.outputs, *program.fragment.inputs)
+        return _Fields(
+            attributes=declare(program.vertex.inputs),
+            varyings=declare(crossing, target.varying_prefix),
+            targets=declare(program.fragment.outputs, target.output_prefix),
+        )
+
+    def _functions(self, fields: _Fields) -> dict[tuple[StageName, int], str]:
+        taken = (
+            *fields.attributes.values(),
+            *fields.varyings.values(),
+            *fields.targets.values(),
+        )
+        namer = Namer(self._reserved, (*self._common, *taken))
+        found: dict[tuple[StageName, int], str] = {}
+        for stage, function in _all_functions(self._program):
+            name = namer.declare(function.name)
+            found[stage.name, function.body.id] = name
+            self._common.add(name)
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Fields:
+    """The names of stage inputs and outputs."""
+
+    attributes: dict[str, str]
+    varyings: dict[str, str]
+    targets: dict[str, str]
+
+
+def _all_functions(program: Program) -> Iterator[tuple[Stage, Function]]:
+    for stage in program.stages:
+        for function in stage.functions:
+            yield stage, function
+
+
+def _snake(name: str) -> str:
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()

@@ -1,0 +1,82 @@
+"""Builtins as a target spells them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from ...compiler.ir.node import Node
+from ...compiler.ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind
+from ...stdlib.builtins import BUILTINS
+from .context import Context
+from .description import Spelling
+from .leaves import Leaves
+from .precedence import INFIX, PREFIX, Binding, Text, infix, prefix
+
+
+class Operand:
+    """An operand inside a template: as it is, or in parentheses if it needs any (``:p``)."""
+
+    def __init__(self, text: Text) -> None:
+        self._text = text
+
+    def __format__(self, form: str) -> str:
+        return self._text.within(Binding.POSTFIX if form == "p" else Binding.CHOICE)
+
+
+def spelling_of(name: str, operands: Sequence[Type], table: Mapping[str, str | Spelling]) -> str:
+    """How builtin ``name`` is written for operands of these types."""
+    spelled = table.get(name, "")
+    if isinstance(spelled, Spelling):
+        if any(isinstance(operand, Matrix) for operand in operands):
+            spelled = spelled.matrix
+        else:
+            spelled = spelled.floats if scalar_kind(operands[0]) == "float" else ""
+    return spelled or BUILTINS[name].operator or name
+
+
+class Natives:
+    """Prints calls of builtins."""
+
+    def __init__(
+        self,
+        context: Context,
+        leaves: Leaves,
+        splat: Callable[[Text, Type], Text],
+    ) -> None:
+        self._table = context.natives
+        self._splats = context.target.splats
+        self._spell_type = context.types.type
+        self._splat = splat
+        self._sampler = leaves.sampler
+
+    def print(self, node: Node, printed: Sequence[Text]) -> Text:
+        """The native ``node`` applied to printed operands."""
+        assert isinstance(node.data, str)
+        operands = self._widened(node, printed) if node.data in self._splats else printed
+        spelled = spelling_of(node.data, [operand.type for operand in node.operands], self._table)
+        if "{" in spelled:
+            return self._template(spelled, node, operands)
+        if len(operands) == 2 and spelled in INFIX:
+            return infix(spelled, *operands)
+        if len(operands) == 1 and spelled in PREFIX:
+            return prefix(spelled, operands[0])
+        return Text(f"{spelled}({', '.join(operand.text for operand in operands)})")
+
+    def _widened(self, node: Node, operands: Sequence[Text]) -> list[Text]:
+        """The operands, scalars among them as vectors where the result is one."""
+        if not isinstance(node.type, Vector):
+            return list(operands)
+        return [
+            self._splat(text, node.type) if isinstance(operand.type, Scalar) else text
+            for text, operand in zip(operands, node.operands, strict=True)
+        ]
+
+    def _template(self, form: str, node: Node, operands: Sequence[Text]) -> Text:
+        textures = (operand for operand in node.operands if isinstance(operand.type, Texture))
+        return Text(
+            form.format(
+                *map(Operand, operands),
+                type=self._spell_type(node.type),
+                sampler="".join(map(self._sampler, textures)),
+            )
+        )

@@ -1,0 +1,48 @@
+"""Types as a target writes them."""
+
+from __future__ import annotations
+
+from ...compiler.ir.types import Array, Matrix, Scalar, Struct, Type, Vector
+from .description import TypeNames
+
+
+class TypeSpeller:
+    """Writes types and declarations; struct names come from the program's names."""
+
+    def __init__(self, names: TypeNames, structs: dict[str, str]) -> None:
+        self._names = names
+        self._structs = structs
+
+    def type(self, type_: Type) -> str:
+        """The type where it stands alone, as in a constructor or a result."""
+        match type_:
+            case Scalar(kind=kind):
+                return self._names.scalars[kind]
+            case Vector(kind=kind, size=size):
+                return self._names.vectors[kind].format(n=size)
+            case Matrix(size=size):
+                return self._names.matrix.format(n=size)
+            case Struct(name=name):
+                return self._structs.get(name, name)
+            case Array(element=element, count=count):
+                form = self._names.array or "{element}[{count}]"
+                return form.format(element=self.type(element), count=count)
+        raise TypeError(f"{type_} is no value's type")
+
+    def declare(self, name: str, type_: Type) -> str:
+        """``name`` with its type, as variables, parameters and members are declared."""
+        return self._declare(name, type_, stored=False)
+
+    def declare_stored(self, name: str, type_: Type) -> str:
+        """The same for a member of a block, where matrices state their order."""
+        return self._declare(name, type_, stored=True)
+
+    def _declare(self, name: str, type_: Type, stored: bool) -> str:
+        element = type_
+        if isinstance(type_, Array) and not self._names.array:
+            element, name = type_.element, f"{name}[{type_.count}]"
+        text = self.type(element)
+        inner = element.element if isinstance(element, Array) else element
+        if stored and isinstance(inner, Matrix):
+            text = self._names.stored_matrix.format(type=text)
+        return self._names.declaration.format(type=text, name=name)

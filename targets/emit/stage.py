@@ -1,0 +1,125 @@
+"""Prints one stage: its functions, its body and its interface."""
+
+from __future__ import annotations
+
+from ...compiler.ir.program import Field, Function, Stage
+from .comments import comment_line, comment_lines
+from .context import Context
+from .description import FieldRole
+from .expressions import Expressions
+from .leaves import Leaves
+from .namer import Namer
+from .statements import Statements
+from .views import EntryView, FieldView, FunctionView, InputView, StoreView
+
+
+class StagePrinter:
+    """Makes the view of one stage's entry point."""
+
+    def __init__(
+        self,
+        context: Context,
+        stage: Stage,
+    ) -> None:
+        names = context.names
+        self._context = context
+        self._stage = stage
+        self._target = context.target
+        self._names = names
+        self._types = context.types
+        self._leaves = Leaves(context, stage)
+        self._input_role: FieldRole = "attribute" if stage.name == "vertex" else "varying"
+        self._output_role: FieldRole = "varying" if stage.name == "vertex" else "target"
+        self._functions = {
+            function.body.id: (names.function(stage.name, function.body), function)
+            for function in stage.functions
+        }
+
+    def entry(self, name: str) -> EntryView:
+        """The entry point, called ``name``."""
+        stage = self._stage
+        namer = self._locals()
+        expressions, statements = self._body(namer)
+        lines = statements.lines(stage.region)
+        outputs = [self._field(field, self._output_role) for field in stage.outputs]
+        return EntryView(
+            stage=stage.name,
+            name=name,
+            inputs=[self._field(field, self._input_role) for field in stage.inputs],
+            pipeline_inputs=self._pipeline_inputs(),
+            outputs=outputs,
+            functions=[self._function(function) for function in stage.functions],
+            lines=lines,
+            stores=[
+                StoreView(field.name, expressions.text(node))
+                for field, node in zip(outputs, stage.results, strict=True)
+            ],
+            position="" if stage.position is None else expressions.text(stage.position),
+            discard="" if stage.discard is None else expressions.text(stage.discard),
+        )
+
+    def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
+        """Printers for one function body."""
+        expressions = Expressions(self._context, self._leaves, self._functions)
+        return expressions, Statements(self._context, expressions, namer)
+
+    def _function(self, function: Function) -> FunctionView:
+        namer = self._locals()
+        expressions, statements = self._body(namer)
+        names = [namer.declare(formal.name) for formal, _type in function.parameters]
+        for name, (formal, _type) in zip(names, function.parameters, strict=True):
+            expressions.formals[formal] = name
+        if function.captured:
+            captured = zip(function.captured, names[-len(function.captured) :], strict=True)
+            expressions.bound.update((node.id, name) for node, name in captured)
+        types = [type_ for _formal, type_ in function.parameters]
+        lines = statements.lines(function.region)
+        return FunctionView(
+            comments=comment_lines(function.doc),
+            type=self._types.type(function.value.type),
+            name=self._names.function(self._stage.name, function.body),
+            parameters=", ".join(
+                self._target.forms.parameter.format(typed=self._types.declare(name, type_))
+                for name, type_ in zip(names, types, strict=True)
+            ),
+            lines=lines,
+            value=expressions.text(function.value),
+        )
+
+    def _locals(self) -> Namer:
+        """A namer whose names hide nothing that this stage's file declares."""
+        if not self._target.global_fields:
+            return self._names.locals(())
+        fields = [
+            *(self._field_name(field, self._input_role) for field in self._stage.inputs),
+            *(self._field_name(field, self._output_role) for field in self._stage.outputs),
+        ]
+        return self._names.locals(fields)
+
+    def _field_name(self, field: Field, role: FieldRole) -> str:
+        table = {
+            "attribute": self._names.attributes,
+            "varying": self._names.varyings,
+            "target": self._names.targets,
+        }
+        return table[role][field.name]
+
+    def _field(self, field: Field, role: FieldRole) -> FieldView:
+        name = self._field_name(field, role)
+        return FieldView(
+            name=name,
+            type=self._types.type(field.type),
+            typed=self._types.declare(name, field.type),
+            location=field.location,
+            semantic=self._target.semantic(role, field.name, field.location),
+            flat=field.mode == "flat" and role == "varying",
+            comment=comment_line(field.doc),
+        )
+
+    def _pipeline_inputs(self) -> list[InputView]:
+        inputs = self._context.inputs
+        return [
+            InputView(self._types.declare(name, row.type), row.semantic)
+            for name in self._stage.builtin_inputs
+            if (row := inputs[name]).semantic
+        ]

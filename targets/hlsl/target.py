@@ -1,0 +1,94 @@
+"""HLSL for Shader Model 6, as DXC takes it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+
+from ...compiler.ir.types import BOOL, UINT, VEC4
+from ..emit.description import FieldRole, Forms, PipelineInput, Profile, Spelling, Target, TypeNames
+from ..emit.reserved import read_reserved
+
+FOLDER = Path(__file__).parent
+
+TYPES = TypeNames(
+    scalars={"float": "float", "int": "int", "uint": "uint", "bool": "bool"},
+    vectors={"float": "float{n}", "int": "int{n}", "uint": "uint{n}", "bool": "bool{n}"},
+    matrix="float{n}x{n}",
+    stored_matrix="column_major {type}",
+)
+
+# A constructor takes rows and an index yields a row; Burnish's matrices are made of columns.
+FORMS = Forms(
+    splat="{value:p}.{lanes}",
+    splat_constant=False,
+    matrix="transpose({type}({columns}))",
+    matrix_by_rows=True,
+    column="transpose({matrix})[{position}]",
+    input="input.{name}",
+)
+
+NATIVES: Mapping[str, str | Spelling] = {
+    "mul": Spelling(matrix="mul"),
+    "sign": "{type}(sign({0}))",
+    "fract": "frac",
+    "mix": "lerp",
+    "inversesqrt": "rsqrt",
+    "to_float": "{type}({0})",
+    "to_int": "{type}({0})",
+    "to_uint": "{type}({0})",
+    "sample": "{0}.Sample({sampler}, {1})",
+}
+
+INPUTS = {
+    # Direct3D's w is the reciprocal of the other APIs'.
+    "frag_coord": PipelineInput(
+        VEC4, "float4(input.{name}.xyz, 1.0 / input.{name}.w)", "SV_Position"
+    ),
+    "front_facing": PipelineInput(BOOL, "input.{name}", "SV_IsFrontFace"),
+    "vertex_index": PipelineInput(UINT, "input.{name}", "SV_VertexID"),
+    "instance_index": PipelineInput(UINT, "input.{name}", "SV_InstanceID"),
+}
+
+
+def semantic(role: FieldRole, name: str, location: int) -> str:
+    """The semantic by which a host or the next stage finds a field.
+
+    An attribute has its own name in capitals, with trailing digits as the index: ``texcoord1`` is
+    ``TEXCOORD1``. System values cannot be attributes, so that prefix is kept apart.
+    """
+    if role == "varying":
+        return f"TEXCOORD{location}"
+    if role == "target":
+        return f"SV_Target{location}"
+    word = name.upper()
+    return f"ATTRIBUTE_{word}" if re.match("SV_", word) else word
+
+
+SM6 = Profile(
+    name="sm6",
+    doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
+    single_file=True,
+    checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
+)
+
+TARGET = Target(
+    name="hlsl",
+    title="HLSL",
+    folder=FOLDER,
+    template="shader.hlsl.j2",
+    extension="hlsl",
+    types=TYPES,
+    forms=FORMS,
+    natives=NATIVES,
+    inputs=INPUTS,
+    semantic=semantic,
+    profiles=(SM6,),
+    reserved=partial(read_reserved, FOLDER / "reserved.txt"),
+    fixed_names=(
+        "main", "vs_main", "fs_main", "input", "output", "clip_position",
+        "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
+    ),
+)  # fmt: skip

@@ -1,0 +1,117 @@
+"""The checkers, one row each: which tools one needs, and how it puts a job to them."""
+
+from __future__ import annotations
+
+import base64
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from .glslang import check_glsl, check_hlsl, check_vulkan_glsl
+from .job import Job, Message, Verdict
+from .messages import read_dxc, read_naga, read_tint
+from .process import RUST_PANIC
+from .toolbox import Toolbox
+from .verdicts import accepted_unless_error, judge_spirv, rejected, undone
+
+Check = Callable[[Sequence[Job], Toolbox], list[Verdict]]
+"""Answers jobs in their order. All its jobs are for one checker and have the same flags."""
+
+DXC_PROFILES = {"vert": "vs_6_0", "frag": "ps_6_0"}
+NAGA_NO_ENTRY = "Unable to find the entry point"
+
+
+@dataclass(frozen=True, slots=True)
+class Checker:
+    """One way to have a shader text checked."""
+
+    name: str
+    needs: tuple[str, ...]
+    """Names of tools, all of which it needs."""
+    check: Check
+    batch: int = 1
+    """It takes at most so many jobs at once."""
+
+
+def _each(check: Callable[[Job, Toolbox], Verdict]) -> Check:
+    return lambda jobs, toolbox: [check(job, toolbox) for job in jobs]
+
+
+def _dxc_spirv(job: Job, toolbox: Toolbox) -> Verdict:
+    target = ("-spirv", "-fspv-target-env=vulkan1.1")
+    verdict, module = _dxc(job, toolbox, target, disassemble=False)
+    return judge_spirv(verdict, module, toolbox) if verdict.status == "accepted" else verdict
+
+
+def _dxc_dxil(job: Job, toolbox: Toolbox) -> Verdict:
+    return _dxc(job, toolbox, (), disassemble=True)[0]
+
+
+def _dxc(
+    job: Job, toolbox: Toolbox, target: tuple[str, ...], *, disassemble: bool
+) -> tuple[Verdict, bytes]:
+    arguments = [*target, "-T", DXC_PROFILES[job.stage], "-E", job.entry, *job.flags]
+    request = {"text": job.text, "arguments": arguments, "disassemble": disassemble}
+    with toolbox.dxc.borrow() as worker:
+        answer = worker.ask(request, toolbox.time_limit)
+    if answer.ending != "ended":
+        return undone(job, answer.ending, answer.log), b""
+    reply = answer.reply
+    messages = read_dxc(reply["log"])
+    if not reply["accepted"]:
+        return rejected(job, messages, reply["log"]), b""
+    verdict = Verdict(job, "accepted", messages, log=reply["log"], disassembly=reply["disassembly"])
+    return verdict, base64.b64decode(reply["object"])
+
+
+def _naga(job: Job, toolbox: Toolbox) -> Verdict:
+    """naga keeps the names of members only with ``-g``; the layout tests want them."""
+    arguments = ("-g", "--entry-point", job.entry, *job.flags)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "shader.wgsl").write_text(job.text, encoding="utf-8")
+        outcome = toolbox.run("naga", *arguments, "shader.wgsl", "shader.spv", folder=folder)
+        if outcome.code == RUST_PANIC and NAGA_NO_ENTRY in outcome.log:
+            return rejected(job, (_no_entry(job),), outcome.log)
+        if outcome.ending != "ended":
+            return undone(job, outcome.ending, outcome.log)
+        messages = read_naga(outcome.log)
+        if outcome.code != 0:
+            return rejected(job, messages, outcome.log)
+        module = (folder / "shader.spv").read_bytes()
+    return judge_spirv(Verdict(job, "accepted", messages, log=outcome.log), module, toolbox)
+
+
+def _no_entry(job: Job) -> Message:
+    return Message("error", None, None, f"there is no entry point named '{job.entry}'")
+
+
+def _tint(job: Job, toolbox: Toolbox) -> Verdict:
+    with toolbox.tint.borrow() as worker:
+        answer = worker.ask({"text": job.text}, toolbox.time_limit)
+    if answer.ending != "ended":
+        return undone(job, answer.ending, answer.log)
+    messages = read_tint(answer.reply["messages"])
+    log = "\n".join(each.text for each in messages)
+    return accepted_unless_error(job, messages, log)
+
+
+CHECKERS: dict[str, Checker] = {
+    checker.name: checker
+    for checker in (
+        Checker("glslang-vulkan", ("glslang", "spirv-tools"), _each(check_vulkan_glsl)),
+        Checker("glslang-gl330", ("glslang",), check_glsl, batch=32),
+        Checker("glslang-es300", ("glslang",), check_glsl, batch=32),
+        Checker("glslang-hlsl", ("glslang", "spirv-tools"), _each(check_hlsl)),
+        Checker("dxc-spirv", ("dxc", "spirv-tools"), _each(_dxc_spirv)),
+        Checker("dxc-dxil", ("dxc",), _each(_dxc_dxil)),
+        Checker("naga", ("naga", "spirv-tools"), _each(_naga)),
+        Checker("tint", ("tint", "node"), _each(_tint)),
+    )
+}
+
+
+def checkers_needing(tool: str) -> tuple[str, ...]:
+    """The names of the checkers that cannot work without a tool."""
+    return tuple(checker.name for checker in CHECKERS.values() if tool in checker.needs)

@@ -1,0 +1,86 @@
+"""Puts jobs to glslangValidator, which starts slowly: many texts to a process where it allows."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from .job import Job, Verdict
+from .messages import read_glslang
+from .process import Outcome
+from .toolbox import Toolbox
+from .verdicts import accepted_unless_error, judge_spirv, rejected, undone
+
+
+def check_vulkan_glsl(job: Job, toolbox: Toolbox) -> Verdict:
+    """GLSL for Vulkan, to SPIR-V."""
+    return _to_spirv(job, toolbox, ())
+
+
+def check_hlsl(job: Job, toolbox: Toolbox) -> Verdict:
+    """HLSL, to SPIR-V."""
+    return _to_spirv(job, toolbox, ("-D", "-e", job.entry))
+
+
+def _to_spirv(job: Job, toolbox: Toolbox, language: tuple[str, ...]) -> Verdict:
+    arguments = (*language, "-V", "--target-env", "vulkan1.1", "-S", job.stage, *job.flags)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "shader").write_text(job.text, encoding="utf-8")
+        outcome = toolbox.run("glslang", *arguments, "-o", "spv", "shader", folder=folder)
+        verdict = _verdict(job, outcome)
+        if verdict.status != "accepted":
+            return verdict
+        module = (folder / "spv").read_bytes()
+    return judge_spirv(verdict, module, toolbox)
+
+
+def _verdict(job: Job, outcome: Outcome) -> Verdict:
+    """The verdict on a job that had a process to itself."""
+    if outcome.ending != "ended":
+        return undone(job, outcome.ending, outcome.log)
+    messages = read_glslang(outcome.log)
+    if outcome.code != 0:
+        return rejected(job, messages, outcome.log)
+    return accepted_unless_error(job, messages, outcome.log)
+
+
+def check_glsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
+    """GLSL for OpenGL and OpenGL ES, all jobs in one process.
+
+    When the process breaks down, or its answers cannot be told apart, each job gets its own.
+    """
+    files = [f"{number}.{job.stage}" for number, job in enumerate(jobs)]
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for file, job in zip(files, jobs, strict=True):
+            (folder / file).write_text(job.text, encoding="utf-8")
+        outcome = toolbox.run("glslang", *jobs[0].flags, *files, folder=folder)
+    if len(jobs) == 1:
+        return [_verdict(jobs[0], outcome)]
+    verdicts = _split(jobs, files, outcome)
+    return verdicts or [check_glsl([job], toolbox)[0] for job in jobs]
+
+
+def _split(jobs: Sequence[Job], files: Sequence[str], outcome: Outcome) -> list[Verdict]:
+    """A verdict for each job; nothing unless the answers agree with the exit code.
+
+    glslangValidator writes a file's name on a line of its own, and below it what it has to say.
+    """
+    logs: dict[str, str] = {}
+    current = ""
+    for line in outcome.output.decode(errors="replace").splitlines():
+        if line in files:
+            current = line
+            logs[current] = ""
+        elif current:
+            logs[current] += f"{line}\n"
+    if outcome.ending != "ended" or list(logs) != list(files):
+        return []
+    verdicts = [
+        accepted_unless_error(job, read_glslang(log), log)
+        for job, log in zip(jobs, logs.values(), strict=True)
+    ]
+    refused = any(verdict.status == "rejected" for verdict in verdicts)
+    return verdicts if refused == (outcome.code != 0) else []

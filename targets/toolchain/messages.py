@@ -1,0 +1,96 @@
+"""Reads each tool's own way of complaining into ``Message`` rows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from .job import Message, Severity
+
+_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+
+_GLSLANG = re.compile(r"(ERROR|WARNING): (?:[^:\s]+:(\d+): )?(.*)")
+_GLSLANG_HLSL = re.compile(r"\S+\((\d+)\): error at column (\d+), (.*)")
+_GLSLANG_FATAL = "Entry point not found"
+"""glslang only warns of this in HLSL, and goes on to compile nothing."""
+_GLSLANG_NOISE = re.compile(r"\d+ compilation errors\.|'' : compilation terminated")
+
+_DXC = re.compile(r"(?:\S+?:(\d+):(?:(\d+):)? )?(?:fatal )?(error|warning): (.*)")
+_DXC_NOISE = re.compile(r"DXIL\.dll not found|validation errors$")
+
+_NAGA_HEAD = re.compile(r"(error|warning): (.*)")
+_NAGA_PLACE = re.compile(r"\s*┌─ .*:(\d+):(\d+)$")
+_NAGA_CAUSE = re.compile(r"\s*= (.*)")
+
+
+def read_glslang(log: str) -> tuple[Message, ...]:
+    """glslangValidator: ``ERROR: 0:12: 'x' : undeclared identifier``; no columns but in HLSL."""
+    return tuple(_glslang_messages(log))
+
+
+def _glslang_messages(log: str) -> Iterator[Message]:
+    for line in log.splitlines():
+        if found := _GLSLANG_HLSL.match(line):
+            yield Message("error", int(found[1]), int(found[2]), found[3].strip())
+        elif found := _GLSLANG.match(line):
+            severity, number, text = found.groups()
+            fatal = severity == "ERROR" or _GLSLANG_FATAL in text
+            if not _GLSLANG_NOISE.match(text):
+                yield Message(_severity(fatal), _number(number), None, text.strip())
+
+
+def read_dxc(log: str) -> tuple[Message, ...]:
+    """DXC: ``hlsl.hlsl:3:5: error: ...``, clang's way; its DXIL validator names no columns.
+
+    That this build finds no DXIL.dll is left out: it signs nothing, which is no fault of a shader;
+    the validator itself is part of the library and runs.
+    """
+    return tuple(
+        Message(
+            _severity(found[3] == "error"), _number(found[1]), _number(found[2]), found[4].strip()
+        )
+        for line in log.splitlines()
+        if (found := _DXC.match(line)) and not _DXC_NOISE.match(found[4])
+    )
+
+
+def read_naga(log: str) -> tuple[Message, ...]:
+    """naga: an ``error:`` line, then the place in a box drawn below it, then the cause."""
+    messages: list[Message] = []
+    for line in _COLOUR.sub("", log).splitlines():
+        if found := _NAGA_HEAD.match(line):
+            messages.append(Message(_severity(found[1] == "error"), None, None, found[2].strip()))
+        elif messages:
+            messages[-1] = _with_naga_detail(messages[-1], line)
+    return tuple(messages)
+
+
+def _with_naga_detail(message: Message, line: str) -> Message:
+    if message.line is None and (found := _NAGA_PLACE.match(line)):
+        return replace(message, line=int(found[1]), column=int(found[2]))
+    if found := _NAGA_CAUSE.match(line):
+        return replace(message, text=f"{message.text}: {found[1].strip()}")
+    return message
+
+
+def read_tint(rows: Iterable[Mapping[str, Any]]) -> tuple[Message, ...]:
+    """Tint's compilation info, as ``tint_worker.mjs`` sends it; notes join what they explain."""
+    messages: list[Message] = []
+    for row in rows:
+        line, column = row["line"] or None, row["column"] or None
+        if row["type"] in ("error", "warning"):
+            messages.append(Message(_severity(row["type"] == "error"), line, column, row["text"]))
+        elif messages:
+            note = f"{messages[-1].text}; {line}:{column}: {row['text']}"
+            messages[-1] = replace(messages[-1], text=note)
+    return tuple(messages)
+
+
+def _severity(fatal: bool) -> Severity:
+    return "error" if fatal else "warning"
+
+
+def _number(digits: str | None) -> int | None:
+    return int(digits) if digits else None

@@ -1,0 +1,139 @@
+"""The little of SPIR-V's binary form that the gate and the benchmark need to read.
+
+A module is a stream of 32-bit words: a header of five, then instructions, each starting with a
+word that holds its length (upper half) and its opcode (lower half).
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+
+from .process import run
+from .tools import program
+
+MAGIC = 0x07230203
+HEADER_WORDS = 5
+
+OPTIMISE_LIMIT = 60.0
+"""Seconds after which spirv-opt is given up on."""
+
+
+class Op(IntEnum):
+    """The opcodes with a meaning here."""
+
+    SOURCE_CONTINUED = 2
+    SOURCE = 3
+    NAME = 5
+    MEMBER_NAME = 6
+    LINE = 8
+    ENTRY_POINT = 15
+    TYPE_MATRIX = 24
+    TYPE_ARRAY = 28
+    TYPE_STRUCT = 30
+    TYPE_POINTER = 32
+    FUNCTION = 54
+    FUNCTION_PARAMETER = 55
+    FUNCTION_END = 56
+    VARIABLE = 59
+    DECORATE = 71
+    MEMBER_DECORATE = 72
+    LABEL = 248
+    NO_LINE = 317
+
+
+EXECUTION_MODELS = {0: "vert", 4: "frag"}
+
+_SOURCE = frozenset({Op.SOURCE, Op.SOURCE_CONTINUED})
+_NOT_CODE = frozenset({Op.FUNCTION_PARAMETER, Op.LABEL, Op.LINE, Op.NO_LINE})
+
+
+class SpirvError(ValueError):
+    """The bytes are no SPIR-V module, or a tool could not work on them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Instruction:
+    """One instruction: its opcode and the words behind it."""
+
+    opcode: int
+    operands: tuple[int, ...]
+
+
+def instructions(spirv: bytes) -> Iterator[Instruction]:
+    """The instructions of a module, in order. Raises ``SpirvError`` for anything else."""
+    words = _words(spirv)
+    place = HEADER_WORDS
+    while place < len(words):
+        length, opcode = words[place] >> 16, words[place] & 0xFFFF
+        if length == 0 or place + length > len(words):
+            raise SpirvError(f"broken instruction at word {place}")
+        yield Instruction(opcode, words[place + 1 : place + length])
+        place += length
+
+
+def string_at(operands: tuple[int, ...], start: int) -> str:
+    """The text that starts at one of an instruction's operands."""
+    data = struct.pack(f"<{len(operands) - start}I", *operands[start:])
+    return data.partition(b"\0")[0].decode(errors="replace")
+
+
+def entry_points(spirv: bytes) -> set[tuple[str, str]]:
+    """The stages and names of a module's entry points, e.g. ``("frag", "main")``."""
+    return {
+        (EXECUTION_MODELS.get(each.operands[0], "other"), string_at(each.operands, 2))
+        for each in instructions(spirv)
+        if each.opcode == Op.ENTRY_POINT
+    }
+
+
+def count_instructions(spirv: bytes) -> int:
+    """How many instructions the bodies of a module's functions hold, labels and lines aside."""
+    count, inside = 0, False
+    for each in instructions(spirv):
+        if each.opcode == Op.FUNCTION:
+            inside = True
+        elif each.opcode == Op.FUNCTION_END:
+            inside = False
+        elif inside and each.opcode not in _NOT_CODE:
+            count += 1
+    return count
+
+
+def without_source(spirv: bytes) -> bytes:
+    """A module without ``OpSource``.
+
+    Older SPIRV-Tools refuse a module whose source language they have not heard of, WGSL for one.
+    """
+    kept = list(_words(spirv)[:HEADER_WORDS])
+    for each in instructions(spirv):
+        if each.opcode not in _SOURCE:
+            kept += [(len(each.operands) + 1) << 16 | each.opcode, *each.operands]
+    return struct.pack(f"<{len(kept)}I", *kept)
+
+
+def optimise(spirv: bytes) -> bytes:
+    """What ``spirv-opt -O`` makes of a module, without debug information.
+
+    Raises ``SpirvError`` when spirv-opt is missing or fails.
+    """
+    tool = program("spirv-opt")
+    if tool is None:
+        raise SpirvError("spirv-opt is not installed")
+    arguments = [str(tool), "--strip-debug", "-O", "-", "-o", "-"]
+    outcome = run(arguments, time_limit=OPTIMISE_LIMIT, stdin=without_source(spirv))
+    if outcome.ending != "ended" or outcome.code != 0:
+        raise SpirvError(f"spirv-opt failed: {outcome.log}")
+    return outcome.output
+
+
+def _words(spirv: bytes) -> tuple[int, ...]:
+    """The module's words, header included."""
+    if len(spirv) % 4 or len(spirv) < 4 * HEADER_WORDS:
+        raise SpirvError("not a SPIR-V module: its length is wrong")
+    words = struct.unpack(f"<{len(spirv) // 4}I", spirv)
+    if words[0] != MAGIC:
+        raise SpirvError("not a SPIR-V module: its first word is wrong")
+    return words

@@ -1,0 +1,54 @@
+"""The tools of one ``Toolchain``: found once, run under its time limit, with its workers."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from .process import Outcome, run
+from .tools import ToolState, inspect, tool_named
+from .workers import Pool, Worker
+
+HERE = Path(__file__).parent
+
+
+class Toolbox:
+    """What a checker may use."""
+
+    def __init__(self, parallel: int, time_limit: float) -> None:
+        self.time_limit = time_limit
+        """Seconds that one run of one tool may take."""
+        self._states: dict[str, ToolState] = {}
+        self.dxc = Pool(parallel, lambda: Worker(self._dxc_command))
+        self.tint = Pool(1, lambda: Worker(self._tint_command))
+
+    def problem(self, tool: str) -> str | None:
+        """Why a tool cannot be used; None when it can."""
+        return self._state(tool).problem
+
+    def run(
+        self, tool: str, *arguments: str, stdin: bytes = b"", folder: Path | None = None
+    ) -> Outcome:
+        """Runs the first program of a tool that has no ``problem``."""
+        command = [self._path(tool), *arguments]
+        return run(command, time_limit=self.time_limit, stdin=stdin, folder=folder)
+
+    def close(self) -> None:
+        """Ends the workers."""
+        self.dxc.close()
+        self.tint.close()
+
+    def _state(self, tool: str) -> ToolState:
+        if tool not in self._states:
+            self._states[tool] = inspect(tool_named(tool))
+        return self._states[tool]
+
+    def _path(self, tool: str) -> str:
+        return str(self._state(tool).paths[0])
+
+    def _dxc_command(self) -> list[str]:
+        return [sys.executable, "-I", "-S", str(HERE / "dxc_worker.py"), self._path("dxc")]
+
+    def _tint_command(self) -> list[str]:
+        folder = self._state("tint").paths[0].parents[2]
+        return [self._path("node"), str(HERE / "tint_worker.mjs"), str(folder)]

@@ -1,0 +1,84 @@
+"""Has shader texts checked by the real downstream compilers, in parallel."""
+
+from __future__ import annotations
+
+import os
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from types import TracebackType
+from typing import Self
+
+from .checkers import CHECKERS
+from .job import Job, Message, Verdict
+from .toolbox import Toolbox
+
+TIME_LIMIT = 60.0
+
+
+class Toolchain:
+    """Owns the workers; use it as a context manager, and one for many calls of ``check``."""
+
+    def __init__(self, *, time_limit: float = TIME_LIMIT, parallel: int | None = None) -> None:
+        """``time_limit`` is in seconds, for each run of a tool; ``parallel`` tools run at once."""
+        self._parallel = parallel or os.cpu_count() or 1
+        self._toolbox = Toolbox(self._parallel, time_limit)
+        self._threads = ThreadPoolExecutor(self._parallel)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends all work and all workers."""
+        self._threads.shutdown(cancel_futures=True)
+        self._toolbox.close()
+
+    def problem(self, checker: str) -> str | None:
+        """Why a checker cannot be used, tool by tool; None when it can."""
+        problems = (self._toolbox.problem(tool) for tool in CHECKERS[checker].needs)
+        return "; ".join(problem for problem in problems if problem) or None
+
+    def check(self, jobs: Sequence[Job], *, keep_spirv: bool = False) -> list[Verdict]:
+        """A verdict for each job, in the jobs' order.
+
+        A checker without its tools answers ``missing``. Raises ``KeyError`` when a job names a
+        checker that there is not.
+        """
+        verdicts: dict[int, Verdict] = {}
+        problems = {name: self.problem(name) for name in {job.checker for job in jobs}}
+        batches = list(self._batches(jobs))
+        results = self._threads.map(
+            lambda batch: self._answer([jobs[index] for index in batch], problems), batches
+        )
+        for batch, answers in zip(batches, results, strict=True):
+            verdicts.update(zip(batch, answers, strict=True))
+        kept = [verdicts[index] for index in range(len(jobs))]
+        return kept if keep_spirv else [replace(verdict, spirv=None) for verdict in kept]
+
+    def _batches(self, jobs: Sequence[Job]) -> Iterator[list[int]]:
+        """The jobs' numbers, in lots that one call of one checker can answer."""
+        alike: defaultdict[tuple[str, tuple[str, ...]], list[int]] = defaultdict(list)
+        for index, job in enumerate(jobs):
+            alike[job.checker, job.flags].append(index)
+        for (name, _flags), indices in alike.items():
+            share = -(-len(indices) // self._parallel)
+            size = min(CHECKERS[name].batch, share)
+            yield from (indices[at : at + size] for at in range(0, len(indices), size))
+
+    def _answer(self, jobs: Sequence[Job], problems: Mapping[str, str | None]) -> list[Verdict]:
+        """The verdicts on one lot of jobs."""
+        checker = jobs[0].checker
+        problem = problems[checker]
+        if problem is None:
+            return CHECKERS[checker].check(jobs, self._toolbox)
+        message = Message("error", None, None, problem)
+        return [Verdict(job, "missing", (message,), log=problem) for job in jobs]

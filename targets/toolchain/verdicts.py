@@ -1,0 +1,62 @@
+"""Makes verdicts out of what tools answered."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from .job import Job, Message, Verdict
+from .process import Ending
+from .spirv import SpirvError, entry_points, without_source
+from .toolbox import Toolbox
+
+DX_LAYOUT_FLAGS = frozenset({"-fvk-use-dx-layout", "-fvk-use-scalar-layout"})
+"""With these DXC packs closer than Vulkan's plain rules allow, as Vulkan's scalar layout may."""
+
+
+def undone(job: Job, ending: Ending, log: str) -> Verdict:
+    """The verdict when a tool crashed or took too long, which says nothing of the shader."""
+    return Verdict(job, "timeout" if ending == "timeout" else "crashed", log=log)
+
+
+def rejected(job: Job, messages: tuple[Message, ...], log: str) -> Verdict:
+    """The verdict of a tool that refused the text; its log is the error if it named none."""
+    if not any(message.severity == "error" for message in messages):
+        messages = (*messages, Message("error", None, None, log.strip() or "refused, silently"))
+    return Verdict(job, "rejected", messages, log=log)
+
+
+def accepted_unless_error(job: Job, messages: tuple[Message, ...], log: str) -> Verdict:
+    """The verdict that a tool's messages amount to."""
+    refused = any(message.severity == "error" for message in messages)
+    return Verdict(job, "rejected" if refused else "accepted", messages, log=log)
+
+
+def judge_spirv(verdict: Verdict, module: bytes, toolbox: Toolbox) -> Verdict:
+    """The verdict after a look at the SPIR-V that an accepting compiler made.
+
+    It has to hold the entry point that was asked for (naga takes one of another stage
+    for it) and to pass spirv-val.
+    """
+    job = verdict.job
+    try:
+        module = without_source(module)
+        if (job.stage, job.entry) not in entry_points(module):
+            return _refuse(verdict, f"there is no {job.stage} entry point named '{job.entry}'")
+    except SpirvError as error:
+        return _refuse(verdict, str(error))
+    outcome = toolbox.run("spirv-tools", *_rules(job), stdin=module)
+    if outcome.ending != "ended":
+        return undone(job, outcome.ending, verdict.log + outcome.log)
+    if outcome.code != 0:
+        return _refuse(verdict, f"spirv-val: {outcome.log.strip()}")
+    return replace(verdict, spirv=module)
+
+
+def _rules(job: Job) -> tuple[str, ...]:
+    close_packing = ("--scalar-block-layout",) if DX_LAYOUT_FLAGS & {*job.flags} else ()
+    return ("--target-env", "vulkan1.1", *close_packing)
+
+
+def _refuse(verdict: Verdict, text: str) -> Verdict:
+    messages = (*verdict.messages, Message("error", None, None, text))
+    return replace(verdict, status="rejected", messages=messages, log=f"{verdict.log}\n{text}")

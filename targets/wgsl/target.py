@@ -1,0 +1,75 @@
+"""WGSL, for WebGPU."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+
+from ...compiler.ir.types import BOOL, UINT, VEC4
+from ..emit.description import Forms, PipelineInput, Profile, Spelling, Target, TypeNames
+from ..emit.reserved import read_reserved
+
+FOLDER = Path(__file__).parent
+
+TYPES = TypeNames(
+    scalars={"float": "f32", "int": "i32", "uint": "u32", "bool": "bool"},
+    vectors={"float": "vec{n}f", "int": "vec{n}i", "uint": "vec{n}u", "bool": "vec{n}<bool>"},
+    matrix="mat{n}x{n}f",
+    array="array<{element}, {count}>",
+    declaration="{name}: {type}",
+)
+
+FORMS = Forms(
+    let="let {name} = {value};",
+    variable="var {typed};",
+    variable_set="var {typed} = {value};",
+    loop="for (var {index_typed} = {zero}; {index} < {count}; {index}++) {{",
+    select="select({otherwise}, {then}, {condition})",
+    member="{block}.{name}",
+    input="input.{name}",
+)
+
+NATIVES: Mapping[str, str | Spelling] = {
+    "neg": Spelling(matrix="(-1.0 * {0:p})"),
+    "inversesqrt": "inverseSqrt",
+    "faceforward": "faceForward",
+    "to_float": "{type}({0})",
+    "to_int": "{type}({0})",
+    "to_uint": "{type}({0})",
+    "sample": "textureSample({0}, {sampler}, {1})",
+}
+
+INPUTS = {
+    "frag_coord": PipelineInput(VEC4, "input.{name}", "@builtin(position)"),
+    "front_facing": PipelineInput(BOOL, "input.{name}", "@builtin(front_facing)"),
+    "vertex_index": PipelineInput(UINT, "input.{name}", "@builtin(vertex_index)"),
+    "instance_index": PipelineInput(UINT, "input.{name}", "@builtin(instance_index)"),
+}
+
+WEBGPU = Profile(
+    name="webgpu",
+    doc="WGSL as browsers and wgpu take it.",
+    single_file=True,
+    checkers=("naga", "tint"),
+)
+
+TARGET = Target(
+    name="wgsl",
+    title="WGSL",
+    folder=FOLDER,
+    template="shader.wgsl.j2",
+    extension="wgsl",
+    types=TYPES,
+    forms=FORMS,
+    natives=NATIVES,
+    splats=frozenset({"clamp", "max", "min", "pow", "smoothstep", "step"}),
+    inputs=INPUTS,
+    profiles=(WEBGPU,),
+    reserved=partial(read_reserved, FOLDER / "reserved.txt", "__", "_$"),
+    global_members=False,
+    fixed_names=(
+        "main", "vs_main", "fs_main", "input", "output", "clip_position",
+        "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
+    ),
+)  # fmt: skip

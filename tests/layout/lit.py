@@ -1,0 +1,185 @@
+"""A small lit material as every part before the reflection would leave it."""
+
+from __future__ import annotations
+
+from burnish.compiler.diagnostics.source import Source, Span
+from burnish.compiler.ir.build import constant
+from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
+from burnish.compiler.ir.node import Graph, Node
+from burnish.compiler.ir.program import Field, Program, Region, Stage, Varying
+from burnish.compiler.ir.types import (
+    BOOL,
+    FLOAT,
+    UINT,
+    VEC2,
+    VEC3,
+    VEC4,
+    Array,
+    Struct,
+    Texture,
+)
+from burnish.compiler.layout import layout_blocks
+from burnish.compiler.reflection import (
+    BackendTable,
+    BindingPoint,
+    EmittedFile,
+    VertexInputName,
+)
+from burnish.compiler.semantics.shader import (
+    AttributeInfo,
+    Lanes,
+    Notes,
+    ParameterInfo,
+    ResourceInfo,
+    Shader,
+    TargetInfo,
+)
+
+HERE = Span(Source("lit.burnish", ""), 0, 0)
+
+POINT = Struct("Point", (("place", VEC3), ("reach", FLOAT), ("on", BOOL)))
+
+POWER = Parameter("power", FLOAT, "material")
+SHINE = Parameter("shine", VEC3, "material")
+AXIS = Parameter("torch.axis", VEC3, "rig")
+OUTER = Parameter("torch.outer", FLOAT, "rig")
+LAMPS = Parameter("lamps", Array(POINT, 8), "rig")
+COUNT = Parameter("lamps.count", UINT, "rig")
+COS_OUTER = Parameter("torch.cos_outer", FLOAT, "rig", derived=True)
+TIME = Parameter("time", FLOAT, "frame")
+"""Declared, but nothing reads its block."""
+
+ALBEDO = Resource(
+    "albedo", Texture(), "material", "white", (("filter", "linear"), ("wrap", "repeat"))
+)
+UV = Attribute("uv", VEC2)
+
+
+def _info(
+    parameter: Parameter,
+    declared: str,
+    doc: str = "",
+    *,
+    default: Lanes | None = None,
+    range_: tuple[float, float] | None = None,
+    members: tuple[ParameterInfo, ...] = (),
+) -> ParameterInfo:
+    return ParameterInfo(parameter, declared, range_, default, doc, HERE, members)
+
+
+PARAMETERS = (
+    _info(TIME, "float", "Seconds since the start."),
+    _info(AXIS, "direction<world>", default=(0.0, -1.0, 0.0)),
+    _info(OUTER, "angle", default=0.5),
+    _info(
+        LAMPS,
+        "Point[8]",
+        "Lamps on the ceiling.",
+        members=(
+            _info(Parameter("place", VEC3, "rig"), "point<world>", "Where it hangs."),
+            _info(Parameter("reach", FLOAT, "rig"), "float", range_=(0.0, 50.0), default=10.0),
+            _info(Parameter("on", BOOL, "rig"), "bool", default=True),
+        ),
+    ),
+    _info(COUNT, "uint", default=0),
+    _info(POWER, "float", "Specular exponent", default=48.0, range_=(1.0, 512.0)),
+    _info(SHINE, "rgb", "Highlight colour", default=(1.0, 1.0, 1.0)),
+)
+
+_GRAPH = Graph()
+_BLOCKS = tuple(
+    block
+    for block in layout_blocks(
+        [*(info.parameter for info in PARAMETERS), COS_OUTER], docs={"power": "Specular exponent"}
+    )
+    if block.name != "Frame"
+)
+_ORIGIN = constant(_GRAPH, VEC4, (0.0, 0.0, 0.0, 1.0))
+_UV_NODE = _GRAPH.node("attribute", VEC2, (), UV)
+
+SHADER = Shader(
+    name="Lit",
+    doc="A little plastic.",
+    pass_name="Forward",
+    rig_name="Studio",
+    graph=_GRAPH,
+    notes=Notes(),
+    parameters=PARAMETERS,
+    resources=(ResourceInfo(ALBEDO, "Multiplies the base colour", HERE),),
+    attributes=(AttributeInfo(UV, "vec2", "Texture coordinates", HERE),),
+    clip_position=_ORIGIN,
+    targets=(TargetInfo("color", "rgba8", "none", _ORIGIN, "", HERE),),
+    discard=None,
+)
+
+_SLOT = Field("uv", VEC2, 0)
+
+PROGRAM = Program(
+    name="Lit",
+    doc="A little plastic.",
+    vertex=Stage(
+        name="vertex",
+        inputs=(Field("uv", VEC2, 0),),
+        outputs=(_SLOT,),
+        blocks=(),
+        resources=(),
+        functions=(),
+        region=Region(()),
+        position=_ORIGIN,
+        results=(_UV_NODE,),
+        discard=None,
+    ),
+    fragment=Stage(
+        name="fragment",
+        inputs=(_SLOT,),
+        outputs=(Field("color", VEC4, 0),),
+        blocks=_BLOCKS,
+        resources=(ALBEDO,),
+        functions=(),
+        region=Region(()),
+        position=None,
+        results=(_ORIGIN,),
+        discard=None,
+    ),
+    blocks=_BLOCKS,
+    resources=(ALBEDO,),
+    varyings=(Varying(_SLOT, (_UV_NODE,)),),
+)
+
+BACKENDS = {
+    "glsl:es300": BackendTable(
+        language="glsl",
+        files=(
+            EmittedFile("vertex", "lit.vert.glsl", "main"),
+            EmittedFile("fragment", "lit.frag.glsl", "main"),
+        ),
+        blocks={block.name: BindingPoint(block.name) for block in _BLOCKS},
+        textures={"albedo": BindingPoint("albedo")},
+        vertex_inputs={"uv": VertexInputName("a_uv")},
+        clip_depth="-1..1",
+        first_row="bottom",
+        host_uniforms=("burnish_height",),
+    ),
+    "hlsl:sm6": BackendTable(
+        language="hlsl",
+        files=(
+            EmittedFile("vertex", "lit.vert.hlsl", "main"),
+            EmittedFile("fragment", "lit.frag.hlsl", "main"),
+        ),
+        blocks={
+            block.name: BindingPoint(
+                block.name, 1, number, f"b{number}", {m.name: m.name for m in block.members}
+            )
+            for number, block in enumerate(_BLOCKS)
+        },
+        textures={"albedo": BindingPoint("albedo", 1, 3, "t3")},
+        samplers={"albedo": BindingPoint("albedo_sampler", 1, 4, "s4")},
+        vertex_inputs={"uv": VertexInputName("uv", "TEXCOORD0")},
+    ),
+}
+
+
+def derived_values() -> dict[Parameter, Node]:
+    """The cosine of the torch's outer angle."""
+    outer = _GRAPH.node("parameter", FLOAT, (), OUTER)
+    return {COS_OUTER: _GRAPH.node("call", FLOAT, (outer,), "cos")}

@@ -1,0 +1,124 @@
+"""The reflection says what there is, in the form that its schema describes."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from burnish.compiler.ir.build import constant
+from burnish.compiler.ir.leaves import Attribute
+from burnish.compiler.ir.node import Folding, Graph
+from burnish.compiler.ir.types import FLOAT, INT
+from burnish.compiler.reflection import reflect
+from burnish.compiler.reflection.schema import schema, validate
+from burnish.compiler.reflection.values import steps
+
+from .lit import BACKENDS, PARAMETERS, PROGRAM, SHADER, derived_values
+
+GOLDEN = Path(__file__).parent / "golden" / "lit.json"
+
+
+@pytest.fixture
+def reflection() -> dict[str, Any]:
+    return reflect(SHADER, PROGRAM, BACKENDS, derived_values())
+
+
+def test_the_reflection_is_the_expected_one(reflection: dict[str, Any]) -> None:
+    """``UPDATE_GOLDEN=1`` writes the file anew; the difference is then there to be read."""
+    text = json.dumps(reflection, indent=2, ensure_ascii=False) + "\n"
+    if os.environ.get("UPDATE_GOLDEN"):
+        GOLDEN.write_text(text, encoding="utf-8")
+    assert text == GOLDEN.read_text(encoding="utf-8")
+
+
+def test_the_reflection_follows_its_schema(reflection: dict[str, Any]) -> None:
+    validate(reflection)
+    validate(json.loads(json.dumps(reflection)))
+
+
+@pytest.mark.parametrize("change", [{"extra": 1}, {"format": 2}, {"blocks": None}], ids=str)
+def test_the_schema_refuses_what_it_does_not_describe(
+    reflection: dict[str, Any], change: dict[str, Any]
+) -> None:
+    with pytest.raises(jsonschema.ValidationError):
+        validate(reflection | change)
+
+
+def objects(part: Any, path: str = "$") -> Iterator[tuple[str, dict[str, Any]]]:
+    """Every sub-schema that describes an object's properties."""
+    if isinstance(part, dict):
+        if "properties" in part:
+            yield path, part
+        for key, inner in part.items():
+            yield from objects(inner, f"{path}.{key}")
+
+
+def test_the_schema_is_one_and_describes_every_property() -> None:
+    jsonschema.Draft202012Validator.check_schema(schema())
+    definitions = schema()["$defs"]
+    for path, part in objects(schema()):
+        if path.endswith(".properties"):
+            continue
+        assert part["additionalProperties"] is False, path
+        for name, row in part["properties"].items():
+            target = definitions[row["$ref"].rpartition("/")[2]] if "$ref" in row else {}
+            assert row.get("description") or target.get("description"), f"{path}.{name}"
+
+
+def test_a_light_array_tells_its_members_and_its_count(reflection: dict[str, Any]) -> None:
+    rows = {row["name"]: row for row in reflection["parameters"]}
+    lamps = rows["lamps"]
+    assert lamps["count"] == "lamps.count"
+    assert lamps["layout"] == {"stored": "Point[8]", "count": 8, "stride": 32}
+    assert [(m["name"], m["offset"]) for m in lamps["members"]] == [
+        ("place", 0),
+        ("reach", 12),
+        ("on", 16),
+    ]
+    assert reflection["lights"] == [
+        {
+            "name": "torch",
+            "capacity": None,
+            "count": None,
+            "parameters": ["torch.axis", "torch.outer"],
+        },
+        {"name": "lamps", "capacity": 8, "count": "lamps.count", "parameters": ["lamps"]},
+    ]
+
+
+def test_a_parameter_that_nothing_reads_has_no_place(reflection: dict[str, Any]) -> None:
+    rows = {row["name"]: row for row in reflection["parameters"]}
+    assert list(rows) == [info.parameter.name for info in PARAMETERS]
+    assert (rows["time"]["block"], rows["time"]["offset"]) == (None, None)
+
+
+def test_shared_operands_of_a_derived_value_are_one_step() -> None:
+    graph = Graph()
+    value = constant(graph, FLOAT, 2.0)
+    for _ in range(200):
+        value = graph.node("call", FLOAT, (value, value), "mul")
+    found = steps(value)
+    assert len(found) == 201
+    assert found[-1] == {"op": "call", "type": "float", "function": "mul", "args": [199, 199]}
+
+
+def test_a_fold_can_be_derived() -> None:
+    graph = Graph()
+    count, start = constant(graph, INT, 3), constant(graph, INT, 0)
+    turn = graph.node("bound", INT, (), 0)
+    total = graph.node("fold", INT, (count, start, turn), Folding("add", 4))
+    assert steps(total)[-2:] == [
+        {"op": "bound", "type": "int", "binder": 0, "args": []},
+        {"op": "fold", "type": "int", "operator": "add", "bound": 4, "args": [0, 1, 2]},
+    ]
+
+
+def test_what_only_a_shader_knows_cannot_be_derived() -> None:
+    node = Graph().node("attribute", FLOAT, (), Attribute("weight", FLOAT))
+    with pytest.raises(ValueError, match="cannot compute attribute"):
+        steps(node)

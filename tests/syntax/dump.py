@@ -1,0 +1,63 @@
+"""Expressions and declarations written out fully parenthesised, for tests to read."""
+
+from __future__ import annotations
+
+from burnish.compiler.diagnostics.diagnostic import Report
+from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax import ast
+from burnish.compiler.syntax.parser import parse
+
+
+def parsed(text: str) -> ast.File:
+    """The AST of a text without mistakes."""
+    report = Report()
+    file = parse(Source("test.burnish", text), report)
+    assert [found.message for found in report.diagnostics] == []
+    return file
+
+
+def messages(text: str) -> list[str]:
+    """What is wrong with a text."""
+    report = Report()
+    parse(Source("test.burnish", text), report)
+    return [found.message for found in report.diagnostics]
+
+
+def expression(text: str) -> str:
+    """How ``text`` is understood as an expression."""
+    (constant,) = parsed(f"value = {text}").declarations
+    assert isinstance(constant, ast.Constant)
+    return show(constant.value)
+
+
+def show(node: ast.Expression) -> str:  # noqa: PLR0911, PLR0912
+    """``node`` with all its parentheses."""
+    match node:
+        case ast.Number(text=text, kind=kind, unit=unit):
+            return f"{text}{unit or ('u' if kind == 'uint' else '')}"
+        case ast.Color(channels=channels):
+            return f"color{channels}"
+        case ast.Boolean(value=value):
+            return str(value).lower()
+        case ast.Reference(name=name):
+            return name
+        case ast.Unary(operator=operator, operand=operand):
+            return f"({operator} {show(operand)})"
+        case ast.Binary(operator=operator, left=left, right=right):
+            return f"({show(left)} {operator} {show(right)})"
+        case ast.Conditional(condition=condition, then=then, otherwise=otherwise):
+            return f"(if {show(condition)} then {show(then)} else {show(otherwise)})"
+        case ast.Call(callee=callee, arguments=arguments):
+            return f"{show(callee)}({', '.join(map(show, arguments))})"
+        case ast.Field(operand=operand, name=name):
+            return f"{show(operand)}.{name.text}"
+        case ast.Index(operand=operand, index=index):
+            return f"{show(operand)}[{show(index)}]"
+        case ast.With(operand=operand, replacements=replacements):
+            slots = ", ".join(f"{name.text} = {show(value)}" for name, value in replacements)
+            return f"({show(operand)} with {{{slots}}})"
+        case ast.AtRate(rate=rate, operand=operand):
+            return f"(@{rate.text} {show(operand)})"
+        case ast.Fold(operator=operator, variable=name, start=start, end=end, body=body):
+            over = f"{show(start)}..{show(end)}"
+            return f"({operator} {name.text} in {over} : {show(body)})"

@@ -1,0 +1,202 @@
+"""What each declaration and member becomes."""
+
+from __future__ import annotations
+
+import pytest
+from burnish.compiler.syntax import ast
+
+from .dump import parsed, show
+
+
+def members(body: str) -> tuple[ast.Member, ...]:
+    """The members of a material with this body."""
+    (record,) = parsed(f"material M {{ {body} }}").declarations
+    assert isinstance(record, ast.Record)
+    return record.members
+
+
+def spelt(type_: ast.TypeName | None) -> str:
+    """A type as it was written."""
+    return type_.span.source.text[type_.span.start : type_.span.end] if type_ else ""
+
+
+def test_an_empty_file_has_no_declarations() -> None:
+    file = parsed("\ufeff \r\n\t// nothing\n")
+    assert file.declarations == ()
+    assert file.edition == 1
+
+
+def test_the_first_line_may_name_the_edition() -> None:
+    assert len(parsed("burnish 1\na = 1").declarations) == 1
+
+
+def test_imports() -> None:
+    text = 'import std.lights.{Point, Spot,} import std.terms import "a/wood.burnish".{Wood}'
+    described = [
+        (i.path, i.quoted, tuple(name.text for name in i.names) if i.names else None)
+        for i in parsed(text).declarations
+        if isinstance(i, ast.Import)
+    ]
+    assert described == [
+        (("std", "lights"), False, ("Point", "Spot")),
+        (("std", "terms"), False, None),
+        (("a/wood.burnish",), True, ("Wood",)),
+    ]
+
+
+def test_records() -> None:
+    text = "abstract material A {} light B : C {} pass D : E blend alpha {}"
+    described = [
+        (r.kind, r.name.text, r.abstract, r.base and r.base.text, r.blend and r.blend.text)
+        for r in parsed(text).declarations
+        if isinstance(r, ast.Record)
+    ]
+    assert described == [
+        ("material", "A", True, None, None),
+        ("light", "B", False, "C", None),
+        ("pass", "D", False, "E", "alpha"),
+    ]
+
+
+def test_a_param_with_everything() -> None:
+    (param,) = members("param power : float in -1..2 * pi per material = 48")
+    assert isinstance(param, ast.Param)
+    assert param.range and param.group and param.default
+    assert [show(bound) for bound in param.range] == ["(- 1)", "(2 * pi)"]
+    assert (param.name.text, spelt(param.type), param.group.text) == ("power", "float", "material")
+    assert show(param.default) == "48"
+
+
+def test_a_map_with_everything() -> None:
+    (made,) = members("map m : texture2d per draw = white with { filter = linear, wrap = repeat }")
+    assert isinstance(made, ast.Map)
+    assert made.group and made.default
+    assert (made.group.text, made.default.text) == ("draw", "white")
+    state = [(name.text, value.text) for name, value in made.state]
+    assert state == [("filter", "linear"), ("wrap", "repeat")]
+
+
+def test_members_follow_one_another_without_separators() -> None:
+    found = members("a = b c : rgb d : vec3[4] = e param f : float map g : texture2d h = sum i = 1")
+    assert [m.name.text for m in found if not isinstance(m, ast.Discard)] == list("acdfghi")
+
+
+def test_targets_and_discards() -> None:
+    target, discard = members("target lit : rgba8 = a + b blend add  discard when a < 0")
+    assert isinstance(target, ast.Target)
+    assert isinstance(discard, ast.Discard)
+    assert (target.format.text, show(target.value)) == ("rgba8", "(a + b)")
+    assert target.blend and target.blend.text == "add"
+    assert show(discard.condition) == "(a < 0)"
+
+
+@pytest.mark.parametrize(
+    "word",
+    [
+        "param",
+        "map",
+        "attribute",
+        "target",
+        "discard",
+        "with",
+        "blend",
+        "per",
+        "in",
+        "light",
+        "sum",
+        "when",
+        "base",
+    ],
+)
+def test_words_of_the_grammar_are_names_of_members(word: str) -> None:
+    first, second, third = members(f"{word} = a {word} : rgb param {word} : float = {word} b = 1")[
+        :3
+    ]
+    for member in (first, second, third):
+        assert not isinstance(member, ast.Discard)
+        assert member.name.text == word
+
+
+def test_functions_and_terms() -> None:
+    text = (
+        "fn lerp<T: floats>(a: T, b: vec3[2]) -> T = a\n"
+        "term lambert(k: rgb) per light = k * light.diffuse\n"
+        "term none() = 0"
+    )
+    described = [
+        (
+            f.kind,
+            [(p.name.text, p.family.text) for p in f.type_parameters],
+            [(a.name.text, spelt(a.type)) for a in f.arguments],
+            spelt(f.result),
+            f.per and f.per.text,
+        )
+        for f in parsed(text).declarations
+        if isinstance(f, ast.Function)
+    ]
+    assert described == [
+        ("fn", [("T", "floats")], [("a", "T"), ("b", "vec3[2]")], "T", None),
+        ("term", [], [("k", "rgb")], "", "light"),
+        ("term", [], [], "", None),
+    ]
+
+
+def test_rigs() -> None:
+    text = "rig R { a : A  b : B[<= 8], c : C[2]; d : D { inner = 10deg outer = 2rad } }"
+    (rig,) = parsed(text).declarations
+    assert isinstance(rig, ast.Rig)
+    described = [
+        (e.name.text, e.light.text, e.count and show(e.count), e.at_most, len(e.overrides))
+        for e in rig.entries
+    ]
+    assert described == [
+        ("a", "A", None, False, 0),
+        ("b", "B", "8", True, 0),
+        ("c", "C", "2", False, 0),
+        ("d", "D", None, False, 2),
+    ]
+
+
+def test_structures_spaces_and_constants() -> None:
+    text = "struct Layer { tint : rgb, weight : float } space bench golden = 1.618 n : int = 3"
+    structure, space, golden, n = parsed(text).declarations
+    assert isinstance(structure, ast.StructDeclaration)
+    assert [spelt(member.type) for member in structure.members] == ["rgb", "float"]
+    assert isinstance(space, ast.Space)
+    assert isinstance(golden, ast.Constant)
+    assert isinstance(n, ast.Constant)
+    assert (space.name.text, golden.type, spelt(n.type)) == ("bench", None, "int")
+
+
+def test_type_arguments_are_part_of_the_type() -> None:
+    (slot,) = members("t : transform<object, world>")
+    assert isinstance(slot, ast.Slot) and slot.type
+    assert [argument.text for argument in slot.type.arguments] == ["object", "world"]
+    assert spelt(slot.type) == "transform<object, world>"
+
+
+def test_spans_end_where_the_text_ends() -> None:
+    text = "material M {\n    a : vec3   // typed\n    b = (c)   \n}\n"
+    (record,) = parsed(text).declarations
+    assert isinstance(record, ast.Record)
+    assert [text[m.span.start : m.span.end] for m in record.members] == ["a : vec3", "b = (c)"]
+
+
+def test_docs_stand_above_or_behind() -> None:
+    text = (
+        "//! The file,\n//! in two lines.\n"
+        "/// Above,\n/// twice.\nmaterial M {\n"
+        "    /// Above a.\n    a = 1   /// Behind a.\n"
+        "    b : rgb;   /// Behind b.\n"
+        "    c = 2   // none\n    //// none\n    d = 3\n}\n"
+        "rig R { e : E   /// Behind e.\n}   /// Behind R.\n"
+    )
+    file = parsed(text)
+    record, rig = file.declarations
+    assert isinstance(record, ast.Record)
+    assert isinstance(rig, ast.Rig)
+    assert file.doc == "The file,\nin two lines."
+    assert record.doc == "Above,\ntwice."
+    docs = [m.doc for m in record.members if not isinstance(m, ast.Discard)]
+    assert docs == ["Above a.\nBehind a.", "Behind b.", "", ""]
+    assert (rig.doc, rig.entries[0].doc) == ("Behind R.", "Behind e.")

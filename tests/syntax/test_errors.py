@@ -1,0 +1,28 @@
+"""What a reader is told about broken texts: each ``broken/x.burnish`` beside its ``broken/x.txt``.
+
+After a deliberate change, run with ``BURNISH_ACCEPT=1`` and read the difference.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from burnish.compiler.diagnostics.diagnostic import Report
+from burnish.compiler.diagnostics.render import render_all
+from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax.parser import parse
+
+BROKEN = sorted((Path(__file__).parent / "broken").glob("*.burnish"))
+
+
+@pytest.mark.parametrize("path", BROKEN, ids=lambda path: path.stem)
+def test_the_messages_are_the_expected_ones(path: Path) -> None:
+    report = Report()
+    parse(Source(path.name, path.read_text(encoding="utf-8")), report)
+    rendered = render_all(report.diagnostics) + "\n"
+    expected = path.with_suffix(".txt")
+    if os.environ.get("BURNISH_ACCEPT"):
+        expected.write_text(rendered, encoding="utf-8")
+    assert rendered == expected.read_text(encoding="utf-8")

@@ -1,0 +1,81 @@
+"""No text makes the parser raise, and none takes long."""
+
+from __future__ import annotations
+
+import pytest
+from burnish.compiler.diagnostics.diagnostic import Report
+from burnish.compiler.diagnostics.render import render_all
+from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax.parser import parse
+from burnish.compiler.syntax.tables import load_tables
+from hypothesis import given
+from hypothesis import strategies as st
+
+from .dump import messages, parsed
+
+WORDS = sorted(load_tables().literals)
+OTHERS = [
+    "a",
+    "b",
+    "1",
+    "2.5",
+    "#fff",
+    '"x"',
+    "/// doc\n",
+    "//! doc\n",
+    "\n",
+    "&&",
+    "1.0f",
+    "ä",
+    "\0",
+]
+
+
+@given(st.lists(st.sampled_from(WORDS + OTHERS), max_size=40))
+def test_token_soup_is_reported_not_raised(words: list[str]) -> None:
+    report = Report()
+    parse(Source("soup", " ".join(words)), report)
+    assert isinstance(render_all(report.diagnostics), str)
+
+
+@given(st.text(max_size=60))
+def test_any_text_is_reported_not_raised(text: str) -> None:
+    report = Report()
+    parse(Source("any", text), report)
+    assert isinstance(render_all(report.diagnostics), str)
+
+
+@given(st.floats(0, allow_infinity=False), st.integers(0))
+def test_numbers_come_through_as_written(number: float, integer: int) -> None:
+    file = parsed(f"a = {number!r}\nb = {integer}u")
+    texts = [declaration.value.text for declaration in file.declarations]  # type: ignore[union-attr]
+    assert texts == [repr(number), str(integer)]
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        " + ".join(["x"] * 50_000),
+        "- " * 10_000 + "1",
+        "if a then b else " * 5_000 + "c",
+        "@vertex " * 5_000 + "c",
+        "(" * 200 + "1" + ")" * 200,
+    ],
+    ids=["sum", "minus", "if", "vertex", "parentheses"],
+)
+def test_long_texts_parse(expression: str) -> None:
+    assert len(parsed(f"a = {expression}").declarations) == 1
+
+
+@pytest.mark.parametrize("text", ["(" * 10_000 + "1" + ")" * 10_000, "[" * 100_000, "{(" * 5_000])
+def test_deep_nesting_is_refused(text: str) -> None:
+    assert messages(f"a = {text}") == ["brackets are nested too deeply: more than 200"]
+
+
+def test_every_broken_member_is_reported_and_the_others_kept() -> None:
+    report = Report()
+    body = "\n".join(f"bad{i} = = 1\ngood{i} = 2" for i in range(50))
+    file = parse(Source("x", f"material M {{\n{body}\n}}\nrig R {{}}"), report)
+    assert len(report.diagnostics) == 50
+    record, _ = file.declarations
+    assert len(record.members) == 50  # type: ignore[union-attr]

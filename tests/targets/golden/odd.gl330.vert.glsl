@@ -1,0 +1,10 @@
+#version 330 core
+// Odd: vertex shader, by Burnish.
+
+flat out uint v_id;
+
+void main() {
+    v_id = uint(gl_InstanceID) + 7u;
+    gl_Position = vec4(float(uint(gl_VertexID)), -0.5, 1e-7, 1.0);
+    gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;
+}

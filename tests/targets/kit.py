@@ -1,0 +1,147 @@
+"""What the tests of the backends share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from burnish.compiler.ir import build
+from burnish.compiler.ir.leaves import Parameter, Resource
+from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.program import Let, Program, Region
+from burnish.compiler.ir.types import (
+    FLOAT,
+    INT,
+    UINT,
+    VEC4,
+    Matrix,
+    Scalar,
+    ScalarKind,
+    Texture,
+    Type,
+    Vector,
+    width,
+    with_width,
+)
+from burnish.stdlib.builtins import BUILTINS
+from burnish.stdlib.builtins.row import Builtin, nowhere
+from burnish.targets import registry
+from burnish.targets.emit.description import Profile, Target
+from burnish.targets.emit.emitter import EmitOptions, emit
+
+from .programs import Maker, block, tiny
+
+
+@dataclass(frozen=True)
+class Selected:
+    """A target and one of its profiles."""
+
+    target: Target
+    profile: Profile
+
+    def __str__(self) -> str:
+        return f"{self.target.name}:{self.profile.name}"
+
+
+PROFILES = [
+    Selected(target, profile)
+    for target in map(registry.load, registry.names())
+    for profile in target.profiles
+]
+
+
+def emitted(
+    program: Program, selected: Selected, options: EmitOptions | None = None
+) -> dict[str, str]:
+    """The texts of a program by stage."""
+    emission = emit(program, selected.target, selected.profile, options)
+    return {file.stage: file.text for file in emission.files}
+
+
+KINDS: Mapping[str, tuple[ScalarKind, ...]] = {
+    "T": ("float",), "S": ("float",), "V": ("float",),
+    "N": ("float", "int", "uint"), "I": ("int", "uint"), "B": ("bool",),
+    "P": ("float", "int", "uint", "bool"),
+}  # fmt: skip
+WIDTHS = {"S": (1,), "V": (2, 3, 4)}
+FIXED: Mapping[str, Type] = {
+    **{kind: Scalar(kind) for kind in ("float", "int", "uint", "bool")},  # type: ignore[arg-type]
+    **{str(Vector(kind, n)): Vector(kind, n) for kind in KINDS["P"] for n in (2, 3, 4)},
+    "texture2d": Texture(),
+}
+
+
+def instances(row: Builtin) -> Iterator[tuple[tuple[Type, ...], Type]]:
+    """Operand and result types of every instance of every signature."""
+    for signature in row.signatures:
+        words, _, result = (part.strip() for part in signature.partition("->"))
+        letters = words.split(", ")
+        for types in _assignments([*letters, result]):
+            yield tuple(types[letter] for letter in letters), types[result]
+
+
+def _assignments(words: list[str]) -> Iterator[dict[str, Type]]:
+    free = [word for word in dict.fromkeys(words) if word in KINDS or word == "M"]
+    choices: list[dict[str, Type]] = [{}]
+    for word in free:
+        choices = [{**one, word: type_} for one in choices for type_ in _family(word)]
+    for one in choices:
+        yield {word: _type(word, one) for word in words}
+
+
+def _family(word: str) -> list[Type]:
+    if word == "M":
+        return [Matrix(size) for size in (2, 3, 4)]
+    widths = WIDTHS.get(word, (1, 2, 3, 4))
+    return [with_width(kind, lanes) for kind in KINDS[word] for lanes in widths]
+
+
+def _type(word: str, chosen: Mapping[str, Type]) -> Type:
+    if word in chosen:
+        return chosen[word]
+    if word == "C":
+        matrix = chosen["M"]
+        assert isinstance(matrix, Matrix)
+        return Vector("float", matrix.size)
+    if word == "L":
+        base = next(type_ for letter, type_ in chosen.items() if letter in "NTIP")
+        assert isinstance(base, Scalar | Vector)
+        return Scalar(base.kind)
+    if word == "Q":
+        return with_width("bool", width(chosen["P"]))
+    return FIXED[word]
+
+
+def program_of_rows() -> Program:
+    """One fragment stage that calls every instance of every builtin a target has natively."""
+    make = Maker()
+    lanes = {
+        kind: Parameter(f"some_{kind}", type_, "material")
+        for kind, type_ in (("float", FLOAT), ("int", INT), ("uint", UINT))
+    }
+    albedo = Resource("albedo", Texture(), "material")
+    material = block("Material", "material", [(parameter, "") for parameter in lanes.values()])
+
+    def operand(type_: Type) -> Node:
+        match type_:
+            case Texture():
+                return make.graph.node("resource", type_, (), albedo)
+            case Matrix(size=size):
+                column = operand(Vector("float", size))
+                return build.matrix(make.graph, (column,) * size)
+            case Vector(kind=kind, size=size):
+                return build.splat(make.graph, operand(Scalar(kind)), size)
+            case Scalar(kind="bool"):
+                return make.native("gt", type_, operand(FLOAT), make.number(0.5))
+            case Scalar(kind=kind):
+                return make.parameter(lanes[kind])
+        raise TypeError(type_)
+
+    lets = [
+        Let(f"{row.name}_{number}", make.native(row.name, result, *map(operand, operands)))
+        for row in BUILTINS.values()
+        if row.domain is not nowhere
+        for number, (operands, result) in enumerate(instances(row))
+    ]
+    color = build.constant(make.graph, VEC4, (0.5, 0.5, 0.5, 1.0))
+    return tiny(color, make, (material,), resources=(albedo,), region=Region(tuple(lets)))

@@ -1,0 +1,52 @@
+"""The real front ends take what the backends write. The tools are those of ``make tools``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from burnish.compiler.ir.program import Program
+from burnish.targets.emit.emitter import EmitOptions, emit
+from burnish.targets.toolchain import Job, Toolchain
+
+from .kit import PROFILES, Selected, program_of_rows
+from .programs import odd, plastic
+from .test_names import program_of_words
+
+STAGES = {"vertex": "vert", "fragment": "frag"}
+
+
+@pytest.fixture(scope="module")
+def toolchain() -> Iterator[Toolchain]:
+    with Toolchain() as tools:
+        yield tools
+
+
+def words(selected: Selected) -> Program:
+    return program_of_words(sorted(selected.target.reserved().words))
+
+
+def programs(selected: Selected) -> list[Program]:
+    return [plastic(), odd(), program_of_rows(), words(selected)]
+
+
+def jobs(selected: Selected, program: Program) -> Iterator[Job]:
+    profile = selected.profile
+    for single in (False, True) if profile.single_file else (False,):
+        options = EmitOptions(single_file=single)
+        for file in emit(program, selected.target, profile, options).files:
+            for stage, entry in file.entries.items():
+                for checker in profile.checkers:
+                    name = f"{selected} {program.name}"
+                    yield Job(checker, STAGES[stage], file.text, entry, name)
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_accepted(selected: Selected, toolchain: Toolchain) -> None:
+    asked = [job for program in programs(selected) for job in jobs(selected, program)]
+    refused = [
+        f"{verdict.job.checker}, {verdict.job.stage} of {verdict.job.name}: {verdict.messages[:3]}"
+        for verdict in toolchain.check(asked)
+        if verdict.status != "accepted"
+    ]
+    assert not refused, "\n".join(refused)

@@ -1,0 +1,106 @@
+"""Parentheses stand where they are needed, and nesting is no problem."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+from burnish.compiler.ir import build
+from burnish.compiler.ir.leaves import Parameter
+from burnish.compiler.ir.node import Graph, Node
+from burnish.compiler.ir.program import Branch, Region, Statement
+from burnish.compiler.ir.types import BOOL, FLOAT, INT, Matrix
+from burnish.targets.emit.precedence import Binding, Text, choice, infix, prefix
+from hypothesis import given
+from hypothesis import strategies as st
+
+from .kit import PROFILES, Selected, emitted
+from .programs import Maker, block, tiny
+
+NAMES = [Text(name, Binding.NAME) for name in "abc"]
+A, B, C = NAMES
+FAR_TOO_DEEP = 3000
+
+
+def test_parentheses() -> None:
+    assert infix("*", A, infix("+", B, C)).text == "a * (b + c)"
+    assert infix("+", infix("*", A, B), C).text == "a * b + c"
+    assert infix("-", infix("-", A, B), C).text == "a - b - c"
+    assert infix("-", A, infix("-", B, C)).text == "a - (b - c)"
+    assert infix("/", A, infix("*", B, C)).text == "a / (b * c)"
+    assert prefix("-", prefix("-", A)).text == "-(-a)"
+    assert infix("&&", A, infix("||", B, C)).text == "a && (b || c)"
+    assert infix("||", infix("&&", A, B), C).text == "(a && b) || c"
+    assert infix("&&", infix("<", A, B), C).text == "a < b && c"
+    assert infix("==", infix("<", A, B), C).text == "(a < b) == c"
+    assert infix("<<", A, infix("+", B, C)).text == "a << (b + c)"
+    assert infix("*", choice(A, B, C), A).text == "(a ? b : c) * a"
+
+
+@st.composite
+def trees(draw: st.DrawFn, depth: int = 5) -> tuple[Text, str]:
+    """A printed expression, and the same in full parentheses."""
+    if depth == 0 or draw(st.booleans()):
+        name = draw(st.sampled_from(NAMES))
+        return name, name.text
+    symbol = draw(st.sampled_from(["+", "-", "*", "/", "%", "neg"]))
+    left, left_full = draw(trees(depth=depth - 1))
+    if symbol == "neg":
+        return prefix("-", left), f"(-{left_full})"
+    right, right_full = draw(trees(depth=depth - 1))
+    return infix(symbol, left, right), f"({left_full} {symbol} {right_full})"
+
+
+@given(trees())
+def test_the_tree_is_kept(tree: tuple[Text, str]) -> None:
+    """Python groups arithmetic as shading languages do."""
+    printed, full = tree
+    assert ast.dump(ast.parse(printed.text)) == ast.dump(ast.parse(full))
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_deep_branches(selected: Selected) -> None:
+    make = Maker()
+    level = Parameter("level", FLOAT, "material")
+    material = block("Material", "material", [(level, "")])
+    value = make.number(0.0)
+    statements: tuple[Statement, ...] = ()
+    for number in range(FAR_TOO_DEEP):
+        test = make.native("lt", BOOL, make.parameter(level), make.number(float(number)))
+        value = make.graph.node("select", FLOAT, (test, value, make.number(1.0)))
+        statements = (Branch("chosen", value, Region(statements), Region(())),)
+    color = build.splat(make.graph, value, 4)
+    text = emitted(tiny(color, make, (material,), region=Region(statements)), selected)
+    assert text["fragment"].count("if (") == FAR_TOO_DEEP
+
+
+def test_an_unbound_chain_is_refused_and_not_overflowed() -> None:
+    make = Maker()
+    value = make.number(2.0)
+    for _ in range(FAR_TOO_DEEP):
+        value = make.native("sin", FLOAT, value)
+    with pytest.raises(AssertionError, match="scheduler"):
+        emitted(tiny(build.splat(make.graph, value, 4), make), PROFILES[0])
+
+
+@pytest.mark.parametrize(
+    ("selected", "column"),
+    [
+        (PROFILES[0], "mat2(1.0, 2.0, 3.0, 4.0)[1]"),
+        (PROFILES[3], "transpose(float2x2(1.0, 3.0, 2.0, 4.0))[1]"),
+        (PROFILES[4], "mat2x2f(1.0, 2.0, 3.0, 4.0)[1]"),
+    ],
+    ids=str,
+)
+def test_matrices_are_made_of_columns(selected: Selected, column: str) -> None:
+    graph = Graph()
+    make = Maker()
+    make.graph = graph
+    matrix = constant_matrix(graph)
+    second = build.index(graph, matrix, build.constant(graph, INT, 1))
+    color = build.vector(graph, (second, second))
+    assert column in emitted(tiny(color, make), selected)["fragment"]
+
+
+def constant_matrix(graph: Graph) -> Node:
+    return graph.node("constant", Matrix(2), (), (1.0, 2.0, 3.0, 4.0))

@@ -1,0 +1,61 @@
+"""Whole texts, to be read in review. ``BURNISH_UPDATE_GOLDEN=1`` writes them anew."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from burnish.compiler.ir.program import Program
+from burnish.targets.emit.emitter import EmitOptions, emit
+
+from .kit import PROFILES, Selected
+from .programs import odd, plastic
+
+GOLDEN = Path(__file__).parent / "golden"
+PROGRAMS = [plastic(), odd()]
+
+
+def check(name: str, text: str) -> None:
+    path = GOLDEN / name
+    if os.environ.get("BURNISH_UPDATE_GOLDEN"):
+        path.write_text(text, encoding="utf-8")
+    assert text == path.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
+def test_text(program: Program, selected: Selected) -> None:
+    for file in emit(program, selected.target, selected.profile).files:
+        check(f"{program.name.lower()}.{selected.profile.name}.{file.suffix}", file.text)
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
+def test_single_file(program: Program, selected: Selected) -> None:
+    options = EmitOptions(single_file=True)
+    if not selected.profile.single_file:
+        with pytest.raises(ValueError, match="no single-file form"):
+            emit(program, selected.target, selected.profile, options)
+        return
+    (file,) = emit(program, selected.target, selected.profile, options).files
+    assert file.entries == {"vertex": "vs_main", "fragment": "fs_main"}
+    check(f"{program.name.lower()}.{selected.profile.name}.{file.suffix}", file.text)
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_printing_twice_gives_the_same_text(selected: Selected) -> None:
+    first, second = (emit(plastic(), selected.target, selected.profile) for _ in range(2))
+    assert first.files == second.files
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_flip(selected: Selected) -> None:
+    upright = emit(odd(), selected.target, selected.profile)
+    flipped = emit(odd(), selected.target, selected.profile, EmitOptions(flip_y=True))
+    position = "gl_Position" if selected.target.global_fields else "output.clip_position"
+    negated = f"{position}.y = -{position}.y;"
+    assert negated in flipped.files[0].text
+    assert negated not in upright.files[0].text
+    assert bool(upright.host_uniforms) == selected.profile.rows_up
+    assert not flipped.host_uniforms

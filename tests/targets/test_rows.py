@@ -1,0 +1,48 @@
+"""Every builtin can be written in every target, with every signature it has."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from burnish.stdlib.builtins import BUILTINS
+from burnish.stdlib.builtins.row import Builtin, nowhere
+from burnish.targets import registry
+from burnish.targets.emit.natives import spelling_of
+from burnish.targets.emit.precedence import INFIX, PREFIX
+
+from .kit import PROFILES, Selected, emitted, instances, program_of_rows
+
+NATIVES = [row for row in BUILTINS.values() if row.domain is not nowhere]
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+@pytest.mark.parametrize("row", NATIVES, ids=lambda row: row.name)
+def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
+    table = {**selected.target.natives, **selected.profile.natives}
+    functions = selected.target.reserved().words
+    for operands, result in instances(row):
+        spelled = spelling_of(row.name, operands, table)
+        arity = len(operands)
+        known = (
+            (arity == 2 and spelled in INFIX)
+            or (arity == 1 and spelled in PREFIX)
+            or "{" in spelled
+            or spelled in functions
+        )
+        assert known, f"{selected} has no {row.name} of {operands} -> {result}: {spelled!r}"
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_rows_print(selected: Selected) -> None:
+    text = emitted(program_of_rows(), selected)["fragment"]
+    assert re.search(r"\bnormalize\(", text)
+
+
+def test_targets_are_found_by_their_folders() -> None:
+    assert registry.names() == ("glsl", "hlsl", "wgsl")
+    assert registry.select("glsl:es300")[1].name == "es300"
+    assert registry.select("hlsl")[1].name == "sm6"
+    for unknown in ("emit", "toolchain", "metal", "glsl:gl999", "../glsl"):
+        with pytest.raises(KeyError):
+            registry.select(unknown)

@@ -1,0 +1,41 @@
+"""One toolchain for all tests of this folder, and tools that misbehave on purpose."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from burnish.targets.toolchain import Toolchain
+
+PlantTool = Callable[[str, str, str], None]
+
+
+@pytest.fixture(scope="session")
+def toolchain() -> Iterator[Toolchain]:
+    """The real tools. ``make test`` has installed them, so a missing one is a failure."""
+    with Toolchain() as tools:
+        yield tools
+
+
+@pytest.fixture
+def no_tools(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A machine with an empty cache and nothing on PATH; returns the cache folder."""
+    monkeypatch.setenv("BURNISH_TOOLS", str(tmp_path))
+    monkeypatch.setenv("PATH", "")
+    return tmp_path
+
+
+@pytest.fixture
+def plant_tool(no_tools: Path) -> PlantTool:
+    """Puts a shell script into the cache that says a version and otherwise does as told."""
+
+    def plant(path: str, version: str, deed: str) -> None:
+        script = no_tools / path
+        script.parent.mkdir(parents=True, exist_ok=True)
+        script.write_text(
+            f'#!/bin/sh\nif [ "$1" = --version ]; then echo "{version}"; exit; fi\n{deed}\n'
+        )
+        script.chmod(0o755)
+
+    return plant

@@ -1,0 +1,103 @@
+"""The installer leaves a tool whole or not there, and does nothing twice."""
+
+from __future__ import annotations
+
+import multiprocessing
+import time
+from pathlib import Path
+
+import pytest
+from burnish.targets.toolchain import install
+from burnish.targets.toolchain.tools import DXC_LIBRARY, Tool
+
+
+def _no_install(_tool: Tool, _folder: Path) -> None:
+    raise AssertionError("it was there already")
+
+
+def _good_install(_tool: Tool, folder: Path) -> None:
+    (folder / DXC_LIBRARY).write_text("a library")
+
+
+def _broken_install(_tool: Tool, folder: Path) -> None:
+    (folder / "half").write_text("of it")
+    raise install.InstallError("the line went dead")
+
+
+def _empty_install(_tool: Tool, folder: Path) -> None:
+    (folder / "something-else").write_text("")
+
+
+def _folders(cache: Path) -> set[str]:
+    return {path.name for path in cache.iterdir() if path.is_dir()}
+
+
+def test_a_tool_is_installed_once(
+    no_tools: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(install.INTO_CACHE, "dxc", _good_install)
+    assert install.main(["dxc"]) == 0
+    assert _folders(no_tools) == {"dxc-3.7"}
+    assert "dxc: installed" in capsys.readouterr().out
+    monkeypatch.setitem(install.INTO_CACHE, "dxc", _no_install)
+    assert install.main(["dxc"]) == 0
+    assert capsys.readouterr().out == f"dxc: 3.7 at {no_tools / 'dxc-3.7' / DXC_LIBRARY}\n"
+
+
+@pytest.mark.parametrize("installer", [_broken_install, _empty_install])
+def test_a_failure_is_loud_and_leaves_nothing(
+    no_tools: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    installer: object,
+) -> None:
+    monkeypatch.setitem(install.INTO_CACHE, "dxc", installer)
+    assert install.main(["dxc"]) == 1
+    assert _folders(no_tools) == set()
+    assert "dxc: FAILED" in (said := capsys.readouterr().err)
+    assert "NOT installed: dxc" in said
+
+
+def test_what_a_killed_run_left_behind_is_cleared_away(
+    no_tools: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (no_tools / f"{install.PARTIAL}dead").mkdir()
+    (no_tools / "dxc-3.7").mkdir()
+    monkeypatch.setitem(install.INTO_CACHE, "dxc", _good_install)
+    assert install.main(["dxc"]) == 0
+    assert _folders(no_tools) == {"dxc-3.7"}
+
+
+def _count_and_install(_tool: Tool, folder: Path) -> None:
+    with (folder.parent / "runs").open("a") as runs:
+        runs.write("x")
+    time.sleep(0.2)
+    _good_install(_tool, folder)
+
+
+def _install_in_child() -> None:
+    install.INTO_CACHE["dxc"] = _count_and_install
+    raise SystemExit(install.main(["dxc"]))
+
+
+def test_two_runs_at_once_install_once(no_tools: Path) -> None:
+    fork = multiprocessing.get_context("fork")
+    children = [fork.Process(target=_install_in_child) for _ in range(2)]
+    for child in children:
+        child.start()
+    for child in children:
+        child.join()
+    assert [child.exitcode for child in children] == [0, 0]
+    assert (no_tools / "runs").read_text() == "x"
+
+
+@pytest.mark.usefixtures("no_tools")
+def test_without_apt_it_says_what_to_do(capsys: pytest.CaptureFixture[str]) -> None:
+    assert install.main(["glslang"]) == 1
+    assert "glslang-tools" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("no_tools")
+def test_without_cargo_it_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    assert install.main(["naga"]) == 1
+    assert "it needs cargo" in capsys.readouterr().err
