@@ -1,1 +1,42 @@
-"""Burnish: a declarative shader-graph compiler."""
+"""Burnish: a declarative shader-graph compiler.
+
+    import burnish
+
+    result = burnish.compile("plastic.burnish", targets=("wgsl",))
+    print(result["Plastic"].text("wgsl", "fragment"))
+
+One material comes out as HLSL, GLSL and WGSL that mean the same. See ``docs/`` for the language.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .api import CompiledMaterial, CompileResult, OutputFile, check, compile
+    from .compiler.diagnostics.diagnostic import CompileError, Diagnostic
+
+__version__ = "0.1.0"
+__all__ = [
+    "CompileError",
+    "CompileResult",
+    "CompiledMaterial",
+    "Diagnostic",
+    "OutputFile",
+    "__version__",
+    "check",
+    "compile",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Load the compiler on first use only: ``burnish --help`` and subpackages start without it."""
+    if name in ("CompileError", "Diagnostic"):
+        from .compiler.diagnostics import diagnostic  # noqa: PLC0415
+
+        return getattr(diagnostic, name)
+    if name in __all__:
+        from . import api  # noqa: PLC0415
+
+        return getattr(api, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

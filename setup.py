@@ -16,11 +16,10 @@ setup(
     package_data={
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish"],
-        "burnish.compiler.syntax": ["*.lark"],
         **{
-            f"burnish.{name}": ["*.j2", "*.txt", "*.json", "*.mjs"]
+            f"burnish.{name}": ["*.j2", "*.txt", "*.json", "*.lark", "*.mjs"]
             for name in sub_packages
-            if name.startswith("targets")
+            if name.startswith(("compiler", "targets"))
         },
     },
 )

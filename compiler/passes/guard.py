@@ -7,7 +7,7 @@ could not be proven is kept for the reader as a ``Guard``.
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 
 from ...stdlib.builtins import BUILTINS
@@ -46,7 +46,14 @@ class Guarding(Simplifier):
         super().__init__(graph, ranges)
         self.kept: dict[int, Guard] = {}
         """By the id of the ``call`` that was expanded."""
+        self.spans: Mapping[int, Span] = {}
+        self._at: Span | None = None
         self._expanded: dict[int, Node] = {}
+
+    def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
+        """As ``Simplifier.rule``; a guard that stays is put down to the source of ``node``."""
+        self._at = self.spans.get(node.id, self._at)
+        return super().rule(graph, node, operands)
 
     def make(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
@@ -61,7 +68,7 @@ class Guarding(Simplifier):
             return self.graph.node("native", node.type, node.operands, node.data)
         if node.id not in self._expanded:
             if row.outside:
-                self.kept[node.id] = Guard(row.name, facts, None)
+                self.kept[node.id] = Guard(row.name, facts, self._at)
             self._expanded[node.id] = self._expand(node)
         return self._expanded[node.id]
 

@@ -18,6 +18,8 @@ class Namer:
         self._reserved = reserved
         self._taken = set(taken)
         self._scopes: list[list[str]] = []
+        self._numbers: dict[str, int] = {}
+        """Where to go on counting, so that a name wanted very often stays cheap."""
 
     def declare(self, wanted: str) -> str:
         """A legal name that nothing visible has: ``wanted`` itself wherever possible."""
@@ -38,6 +40,7 @@ class Namer:
     def leave(self) -> None:
         """Close the innermost block."""
         self._taken.difference_update(self._scopes.pop())
+        self._numbers.clear()
 
     def _free(self, name: str) -> bool:
         return name not in self._taken and not self._reserved.refuses(name)
@@ -53,7 +56,6 @@ class Namer:
             stem = f"user_{stem.lstrip('_')}"
             yield stem
         yield f"{stem}_"
-        number = 2
         while True:
+            number = self._numbers[stem] = self._numbers.get(stem, 1) + 1
             yield f"{stem}_{number}"
-            number += 1

@@ -2,30 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from ...compiler.ir.program import StageName
 from .bindings import Slot
 
 
-@dataclass(frozen=True, slots=True)
-class MemberView:
+class MemberView(NamedTuple):
     """A member of a struct or block."""
 
     typed: str
     comment: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class StructView:
+class StructView(NamedTuple):
     """A struct that members of blocks use."""
 
     name: str
     members: tuple[MemberView, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class BlockView:
+class BlockView(NamedTuple):
     """A uniform block."""
 
     name: str
@@ -34,8 +31,7 @@ class BlockView:
     members: tuple[MemberView, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class TextureView:
+class TextureView(NamedTuple):
     """A texture and its sampler."""
 
     texture: str
@@ -44,8 +40,7 @@ class TextureView:
     sampler_slot: Slot
 
 
-@dataclass(frozen=True, slots=True)
-class FieldView:
+class FieldView(NamedTuple):
     """A stage's input or output."""
 
     name: str
@@ -57,16 +52,14 @@ class FieldView:
     comment: str
 
 
-@dataclass(frozen=True, slots=True)
-class InputView:
+class InputView(NamedTuple):
     """A value from the pipeline that the text has to declare."""
 
     typed: str
     semantic: str
 
 
-@dataclass(frozen=True, slots=True)
-class FunctionView:
+class FunctionView(NamedTuple):
     """A function."""
 
     comments: list[str]
@@ -77,16 +70,14 @@ class FunctionView:
     value: str
 
 
-@dataclass(frozen=True, slots=True)
-class StoreView:
+class StoreView(NamedTuple):
     """An output's final value."""
 
     name: str
     value: str
 
 
-@dataclass(frozen=True, slots=True)
-class EntryView:
+class EntryView(NamedTuple):
     """One stage's entry point and what belongs to it alone."""
 
     stage: StageName
@@ -103,8 +94,7 @@ class EntryView:
     """Condition; empty where nothing is discarded."""
 
 
-@dataclass(frozen=True, slots=True)
-class FileView:
+class FileView(NamedTuple):
     """One file."""
 
     header: list[str]

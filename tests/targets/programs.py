@@ -122,6 +122,43 @@ def tiny(color: Node, make: Maker, blocks: tuple[Block, ...] = (), **fragment: o
     )
 
 
+def placing(
+    make: Maker, world: Node, to_clip: Node, blocks: tuple[Block, ...]
+) -> tuple[Stage, tuple[Varying, ...]]:
+    """The usual vertex stage, and what crosses from it."""
+    position = make.attribute("position", VEC3)
+    normal = make.attribute("normal", VEC3)
+    uv = make.attribute("uv", VEC2)
+    one = make.number(1.0)
+    zero = make.number(0.0)
+    placed = make.native("mul", VEC4, world, build.vector(make.graph, (position, one)))
+    turned = make.native("mul", VEC4, world, build.vector(make.graph, (normal, zero)))
+    position_world = build.swizzle(make.graph, placed, (0, 1, 2))
+    normal_world = build.swizzle(make.graph, turned, (0, 1, 2))
+    packed = build.vector(make.graph, (normal_world, make.number(0.5)))
+    clip = make.native("mul", VEC4, to_clip, placed)
+    fields = (
+        Field("position", VEC3, 0),
+        Field("normal", VEC4, 1),
+        Field("uv", VEC2, 2),
+    )
+    varyings = (
+        Varying(fields[0], (position_world,)),
+        Varying(fields[1], (normal_world, make.number(0.5))),
+        Varying(fields[2], (uv,)),
+    )
+    made = stage(
+        "vertex",
+        inputs=(Field("position", VEC3, 0), Field("normal", VEC3, 1), Field("uv", VEC2, 2)),
+        outputs=fields,
+        blocks=blocks,
+        region=Region((Let("position", placed, "In world space, homogeneous"),)),
+        position=clip,
+        results=(position_world, packed, uv),
+    )
+    return made, varyings
+
+
 def plastic() -> Program:
     """A textured surface under a directional light and a loop of point lights."""
     make = Maker()
@@ -141,41 +178,10 @@ def plastic() -> Program:
     material = block("Material", "material", [(base, "Base colour"), (power, "Specular exponent")])
     draw = block("Draw", "draw", [(world, "")])
 
-    position = make.attribute("position", VEC3)
-    normal = make.attribute("normal", VEC3)
-    uv = make.attribute("uv", VEC2)
-    one = make.number(1.0)
-    zero = make.number(0.0)
-    placed = make.native(
-        "mul", VEC4, make.parameter(world), build.vector(make.graph, (position, one))
-    )
-    turned = make.native(
-        "mul", VEC4, make.parameter(world), build.vector(make.graph, (normal, zero))
-    )
-    position_world = build.swizzle(make.graph, placed, (0, 1, 2))
-    normal_world = build.swizzle(make.graph, turned, (0, 1, 2))
-    packed = build.vector(make.graph, (normal_world, make.number(0.5)))
-    clip = make.native("mul", VEC4, make.parameter(to_clip), placed)
-    fields = (
-        Field("position", VEC3, 0),
-        Field("normal", VEC4, 1),
-        Field("uv", VEC2, 2),
-    )
-    varyings = (
-        Varying(fields[0], (position_world,)),
-        Varying(fields[1], (normal_world, make.number(0.5))),
-        Varying(fields[2], (uv,)),
-    )
-    vertex = stage(
-        "vertex",
-        inputs=(Field("position", VEC3, 0), Field("normal", VEC3, 1), Field("uv", VEC2, 2)),
-        outputs=fields,
-        blocks=(view, draw),
-        region=Region((Let("position", placed, "In world space, homogeneous"),)),
-        position=clip,
-        results=(position_world, packed, uv),
-    )
-
+    vertex, varyings = placing(make, make.parameter(world), make.parameter(to_clip), (view, draw))
+    position_world, normal_world, uv = (varying.values[0] for varying in varyings)
+    fields = tuple(varying.field for varying in varyings)
+    one, zero = make.number(1.0), make.number(0.0)
     n = make.native("normalize", VEC3, make.crossing(normal_world))
     p = make.crossing(position_world)
     to_eye = make.native("normalize", VEC3, make.native("sub", VEC3, make.parameter(eye), p))
@@ -357,4 +363,3 @@ def odd() -> Program:
         resources=(),
         varyings=(Varying(field, (id_,)),),
     )
-

@@ -8,6 +8,7 @@ import pytest
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.row import Builtin, nowhere
 from burnish.targets import registry
+from burnish.targets.emit.description import PIPELINE_TYPES
 from burnish.targets.emit.natives import spelling_of
 from burnish.targets.emit.precedence import INFIX, PREFIX
 
@@ -46,3 +47,16 @@ def test_targets_are_found_by_their_folders() -> None:
     for unknown in ("emit", "toolchain", "metal", "glsl:gl999", "../glsl"):
         with pytest.raises(KeyError):
             registry.select(unknown)
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_pipeline_inputs_are_spelled(selected: Selected) -> None:
+    assert PIPELINE_TYPES.keys() <= {**selected.target.inputs, **selected.profile.inputs}.keys()
+
+
+def test_attributes_have_semantics() -> None:
+    semantic = registry.load("hlsl").semantic
+    assert semantic("attribute", "texcoord1", 3) == "TEXCOORD1"
+    assert semantic("attribute", "sv_position", 0) == "ATTRIBUTE_SV_POSITION"
+    assert semantic("varying", "normal", 2) == "TEXCOORD2"
+    assert semantic("target", "color", 1) == "SV_Target1"

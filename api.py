@@ -1,0 +1,219 @@
+"""The library: one call from a material to shader texts and their reflection."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Literal
+
+from .compiler.diagnostics import rules
+from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
+from .compiler.diagnostics.nearest import suggestion
+from .compiler.frontend import Frontend
+from .compiler.passes.guard import Guard
+from .compiler.passes.pipeline import Options, Staged, stage
+from .compiler.semantics.shader import Shader
+from .targets import registry
+from .targets.emit.description import Profile, Target
+from .targets.emit.emitter import Emission, EmitOptions, emit
+from .targets.emit.reflection import backend_table
+
+StageName = Literal["vertex", "fragment", "both"]
+
+
+@dataclass(frozen=True, slots=True)
+class OutputFile:
+    """One emitted shader text."""
+
+    name: str
+    """``Plastic.frag.wgsl``; with a profile that is not the target's default,
+    ``Plastic.gl330.frag.glsl``."""
+    target: str
+    profile: str
+    stage: StageName
+    entry_points: Mapping[str, str]
+    """Entry point of each stage in the text."""
+    text: str
+    checkers: tuple[str, ...] = ()
+    """The downstream compilers that have to accept it."""
+
+
+@dataclass(frozen=True)
+class CompiledMaterial:
+    """Everything that one material became."""
+
+    name: str
+    files: tuple[OutputFile, ...]
+    guards: tuple[Guard, ...]
+    """Operations whose operands could not be proven safe, so that a guard stays in the shader."""
+    _shader: Shader = field(repr=False)
+    _staged: Staged = field(repr=False)
+    _emissions: tuple[tuple[Target, Profile, Emission], ...] = field(repr=False)
+    _flip_y: bool = field(repr=False)
+
+    def text(self, target: str, stage: StageName) -> str:
+        """The text of one stage for one target (``"glsl"`` or ``"glsl:gl330"``).
+
+        Raises ``KeyError`` if the material was not compiled for it.
+        """
+        for file in self.files:
+            if file.stage == stage and target in (file.target, f"{file.target}:{file.profile}"):
+                return file.text
+        raise KeyError(f"{self.name} has no {stage} text for {target}")
+
+    @cached_property
+    def reflection(self) -> dict[str, Any]:
+        """What a host binds by, as JSON-able data (``compiler/reflection`` has the schema)."""
+        from .compiler.reflection import reflect  # noqa: PLC0415
+
+        tables = {
+            f"{target.name}:{profile.name}": backend_table(
+                self._staged.program, target, profile, emission, self._files(target, profile),
+                flip_y=self._flip_y,
+            )
+            for target, profile, emission in self._emissions
+        }  # fmt: skip
+        derived = {value.parameter: value.expression for value in self._staged.derived}
+        return reflect(self._shader, self._staged.program, tables, derived)
+
+    def _files(self, target: Target, profile: Profile) -> dict[str, str]:
+        return {
+            file.stage: file.name
+            for file in self.files
+            if (file.target, file.profile) == (target.name, profile.name)
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class CompileResult:
+    """All materials of a file, and what there is to say about it (warnings, as it compiled)."""
+
+    materials: tuple[CompiledMaterial, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+    def __getitem__(self, name: str) -> CompiledMaterial:
+        """The material called ``name``; ``KeyError`` if there is none."""
+        for material in self.materials:
+            if material.name == name:
+                return material
+        raise KeyError(name)
+
+
+def compile(  # noqa: A001
+    source: str | Path,
+    targets: Iterable[str] = ("hlsl", "glsl", "wgsl"),
+    *,
+    material: str | None = None,
+    rig: str | None = None,
+    pass_: str | None = None,
+    search_path: Sequence[str | Path] = (),
+    hoist: bool = True,
+    flip_y: bool = False,
+    single_file: bool = False,
+) -> CompileResult:
+    """Compile a file, or a text, for some targets.
+
+    ``source`` is a path, or the text itself (a ``str`` with a line break or a brace in it).
+    ``targets`` are names such as ``"wgsl"``, with a profile where wanted: ``"glsl:es300"``. All
+    concrete materials are compiled unless ``material`` names one; ``rig`` and ``pass_`` are only
+    needed where a file has several. With ``hoist=False`` the shaders compute everything themselves.
+
+    Raises ``CompileError``, whose ``diagnostics`` are all the errors found.
+    """
+    report = Report()
+    chosen = select_targets(targets, report, single_file=single_file)
+    frontend = Frontend(report, [Path(folder) for folder in search_path])
+    path, text = _path_or_text(source)
+    module = frontend.open_text(text, "<text>") if path is None else frontend.open_file(path)
+    shaders = [] if module is None else frontend.shaders(module, material, rig, pass_)
+    if report.failed:
+        raise CompileError(report.diagnostics)
+    options = EmitOptions(flip_y=flip_y, single_file=single_file)
+    compiled = tuple(_compiled(shader, chosen, Options(hoist), options) for shader in shaders)
+    return CompileResult(compiled, report.diagnostics)
+
+
+def check(
+    source: str | Path,
+    *,
+    rig: str | None = None,
+    pass_: str | None = None,
+    search_path: Sequence[str | Path] = (),
+) -> tuple[Diagnostic, ...]:
+    """All diagnostics of a file or text; nothing is emitted and nothing raised."""
+    report = Report()
+    frontend = Frontend(report, [Path(folder) for folder in search_path])
+    path, text = _path_or_text(source)
+    module = frontend.open_text(text, "<text>") if path is None else frontend.open_file(path)
+    if module is not None:
+        frontend.shaders(module, None, rig, pass_)
+    return report.diagnostics
+
+
+def select_targets(
+    wanted: Iterable[str], report: Report, *, single_file: bool = False
+) -> list[tuple[Target, Profile]]:
+    """The targets and profiles that ``wanted`` names; what there is not is reported."""
+    chosen: dict[tuple[str, str], tuple[Target, Profile]] = {}
+    known = registry.names()
+    for text in wanted:
+        name, _, profile_name = text.strip().partition(":")
+        if name not in known:
+            hint = suggestion(name, known) or f"there are {', '.join(known)}"
+            report.add(rules.UNKNOWN_TARGET, None, name=name, hint=hint)
+            continue
+        target = registry.load(name)
+        try:
+            profile = target.profile(profile_name)
+        except KeyError:
+            profiles = [profile.name for profile in target.profiles]
+            hint = suggestion(profile_name, profiles) or f"there are {', '.join(profiles)}"
+            report.add(rules.UNKNOWN_PROFILE, None, target=name, name=profile_name, hint=hint)
+            continue
+        if single_file and not profile.single_file:
+            feature = "text that holds both stages"
+            report.add(rules.UNSUPPORTED, None, target=f"{name}:{profile.name}", feature=feature)
+        chosen[name, profile.name] = target, profile
+    return list(chosen.values())
+
+
+def _path_or_text(source: str | Path) -> tuple[Path | None, str]:
+    if isinstance(source, str) and ("\n" in source or "{" in source):
+        return None, source
+    return Path(source), ""
+
+
+def _compiled(
+    shader: Shader,
+    chosen: list[tuple[Target, Profile]],
+    options: Options,
+    emit_options: EmitOptions,
+) -> CompiledMaterial:
+    staged = stage(shader, options)
+    emissions = tuple(
+        (target, profile, emit(staged.program, target, profile, emit_options))
+        for target, profile in chosen
+    )
+    files = tuple(
+        _output(shader.name, target, profile, file)
+        for target, profile, emission in emissions
+        for file in emission.files
+    )
+    return CompiledMaterial(
+        shader.name, files, staged.guards, shader, staged, emissions, emit_options.flip_y
+    )
+
+
+def _output(name: str, target: Target, profile: Profile, file: Any) -> OutputFile:
+    default = profile is target.profiles[0]
+    return OutputFile(
+        name=f"{name}.{file.suffix}" if default else f"{name}.{profile.name}.{file.suffix}",
+        target=target.name,
+        profile=profile.name,
+        stage=file.stage,
+        entry_points=file.entries,
+        text=file.text,
+        checkers=profile.checkers,
+    )

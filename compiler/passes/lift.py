@@ -1,0 +1,73 @@
+"""Makes function bodies closed: what they need of their caller becomes a parameter (lambda lifting).
+
+Values that do not depend on a body's own variables are computed once, by the caller. Uniforms and
+constants are global and stay where they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ..ir.node import Formal, Formals, Graph, Node
+from ..semantics.shader import Notes
+from .naming import Naming
+from .rewrite import following, rewrite
+from .schedule import LEAVES, operands_of, visible
+
+
+def lift(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+    """The roots with every applied body closed but for uniforms."""
+    return rewrite(graph, roots, _Lifting(notes).rule, following(notes))
+
+
+class _Lifting:
+    def __init__(self, notes: Notes) -> None:
+        self._notes = notes
+        self._naming = Naming(notes)
+        self._lifted: dict[int, tuple[Node, Formals, tuple[Node, ...]]] = {}
+
+    def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        """Pass the captured values along; callees inside the body have been closed already."""
+        if node.op != "apply":
+            return None
+        assert isinstance(node.data, tuple)
+        body = operands[0]
+        if body.id not in self._lifted:
+            self._lifted[body.id] = self._close(graph, body, node.data)
+        closed, formals, captured = self._lifted[body.id]
+        return graph.node("apply", node.type, (closed, *operands[1:], *captured), formals)
+
+    def _close(
+        self, graph: Graph, body: Node, formals: Formals
+    ) -> tuple[Node, Formals, tuple[Node, ...]]:
+        captured = _captured(body)
+        extra = tuple(Formal(self._naming.name(node)) for node in captured)
+        replaced = {
+            node.id: graph.node("formal", node.type, (), formal)
+            for node, formal in zip(captured, extra, strict=True)
+        }
+
+        def rule(_graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
+            return replaced.get(node.id)
+
+        (closed,) = rewrite(graph, (body,), rule, following(self._notes))
+        return closed, formals + extra, captured
+
+
+def _captured(body: Node) -> tuple[Node, ...]:
+    """The largest parts of a body that depend on no variable and are more than uniforms."""
+    nodes = visible((body,))
+    variable: dict[int, bool] = {}
+    uniform: dict[int, bool] = {}
+    for node in nodes:
+        operands = operands_of(node)
+        variable[node.id] = node.op == "formal" or any(variable[o.id] for o in operands)
+        leaf = node.op in LEAVES and node.op not in ("attribute", "input")
+        uniform[node.id] = leaf or (bool(operands) and all(uniform[o.id] for o in operands))
+    found: dict[int, Node] = {}
+    for node in nodes:
+        if variable[node.id]:
+            for operand in operands_of(node):
+                if not variable[operand.id] and not uniform[operand.id]:
+                    found[operand.id] = operand
+    return tuple(found.values())

@@ -1,0 +1,201 @@
+"""The middle end: every pass, in order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from ..ir import build
+from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.node import Graph, Node
+from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying
+from ..layout import STANDARD_GROUPS, layout_blocks
+from ..semantics.shader import Notes, Shader
+from .fuse import fuse
+from .guard import Guard, Guarding
+from .hoist import Derived, hoist
+from .inline import inline
+from .lift import lift
+from .naming import Naming
+from .opening import open_binders
+from .ranges import Ranges
+from .rates import move_to_vertices
+from .rewrite import following, rewrite
+from .schedule import Scheduler, called_functions, visible
+from .simplify import Simplifier
+from .split import crossings, pack
+from .storage import lower_reads
+
+Pass = Callable[[list[Node]], list[Node]]
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """Choices that change a program but not its meaning."""
+
+    hoist: bool = True
+    """Compute what depends on parameters only on the host side."""
+
+
+@dataclass(frozen=True, slots=True)
+class Staged:
+    """A program with what else is to be told about it."""
+
+    program: Program
+    derived: tuple[Derived, ...]
+    guards: tuple[Guard, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Results:
+    """The values a shader has to deliver, in the form of the moment."""
+
+    position: Node
+    targets: tuple[Node, ...]
+    discard: Node | None
+
+    def flat(self) -> list[Node]:
+        """All of them, as roots for a pass."""
+        discard = () if self.discard is None else (self.discard,)
+        return [self.position, *self.targets, *discard]
+
+    def of(self, roots: list[Node]) -> _Results:
+        """The same values after a pass."""
+        count = len(self.targets)
+        discard = roots[1 + count] if self.discard is not None else None
+        return _Results(roots[0], tuple(roots[1 : 1 + count]), discard)
+
+
+def stage(shader: Shader, options: Options) -> Staged:
+    """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
+    graph, notes = shader.graph, shader.notes
+    results = _Results(
+        shader.clip_position, tuple(target.value for target in shader.targets), shader.discard
+    )
+    roots = open_binders(graph, results.flat(), notes)
+    roots = _simplified(graph, roots, notes)
+    roots, guards = _guarded(graph, roots, notes)
+    roots = move_to_vertices(graph, roots, notes)
+    derived: tuple[Derived, ...] = ()
+    if options.hoist:
+        roots, derived = hoist(graph, roots, notes, Ranges(roots))
+    roots = lift(graph, roots, notes)
+    roots = lower_reads(graph, roots, following(notes))
+    program = _program(shader, results.of(roots), derived)
+    return Staged(program, derived, guards)
+
+
+def _simplified(graph: Graph, roots: list[Node], notes: Notes) -> list[Node]:
+    """Simplify, fuse sums over lights, and write out what is used once."""
+    simplifier = Simplifier(graph, Ranges(roots))
+    roots = rewrite(graph, roots, simplifier.rule, following(notes))
+    roots = fuse(graph, roots, notes, simplifier)
+    simplifier = Simplifier(graph, Ranges(roots))
+    return inline(graph, roots, notes, simplifier)
+
+
+def _guarded(
+    graph: Graph, roots: list[Node], notes: Notes
+) -> tuple[list[Node], tuple[Guard, ...]]:
+    guarding = Guarding(graph, Ranges(roots))
+    guarding.spans = notes.spans
+    roots = rewrite(graph, roots, guarding.rule, following(notes))
+    return roots, tuple(guarding.kept.values())
+
+
+# --- the program ---------------------------------------------------------------------------------
+
+
+def _program(shader: Shader, results: _Results, derived: tuple[Derived, ...]) -> Program:
+    fragment_roots = results.flat()[1:]
+    varyings = pack(crossings(visible(fragment_roots, into_bodies=True)), shader.notes)
+    outputs = tuple(varying.field for varying in varyings)
+    blocks = _blocks(shader, derived)
+    vertex = _stage(
+        "vertex", shader, blocks, _attributes(shader, results, varyings), outputs,
+        [results.position, *_joined(shader.graph, varyings)], None,
+    )  # fmt: skip
+    targets = tuple(
+        Field(target.name, value.type, i, doc=target.doc)
+        for i, (target, value) in enumerate(zip(shader.targets, results.targets, strict=True))
+    )
+    fragment = _stage(
+        "fragment", shader, blocks, outputs, targets, list(results.targets), results.discard
+    )
+    resources = tuple(
+        info.resource
+        for info in shader.resources
+        if info.resource in vertex.resources or info.resource in fragment.resources
+    )
+    used = tuple(b for b in blocks if b in vertex.blocks or b in fragment.blocks)
+    return Program(shader.name, shader.doc, vertex, fragment, used, resources, varyings)
+
+
+def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
+    parameters = [info.parameter for info in shader.parameters]
+    docs = {info.parameter.name: info.doc for info in shader.parameters if info.doc}
+    parameters += [value.parameter for value in derived]
+    return layout_blocks(parameters, STANDARD_GROUPS, docs)
+
+
+def _joined(graph: Graph, varyings: Iterable[Varying]) -> list[Node]:
+    return [build.vector(graph, varying.values) for varying in varyings]
+
+
+def _attributes(
+    shader: Shader, results: _Results, varyings: tuple[Varying, ...]
+) -> tuple[Field, ...]:
+    """The vertex inputs that are read, each at the location its declaration gives it."""
+    roots = [results.position, *(value for varying in varyings for value in varying.values)]
+    read = {node.data for node in visible(roots) if isinstance(node.data, Attribute)}
+    return tuple(
+        Field(info.attribute.name, info.attribute.type, location, doc=info.doc)
+        for location, info in enumerate(shader.attributes)
+        if info.attribute in read
+    )
+
+
+def _stage(
+    name: StageName,
+    shader: Shader,
+    blocks: tuple[Block, ...],
+    inputs: tuple[Field, ...],
+    outputs: tuple[Field, ...],
+    values: list[Node],
+    discard: Node | None,
+) -> Stage:
+    roots = values if discard is None else [*values, discard]
+    naming = Naming(shader.notes)
+    functions = tuple(_function(call, shader.notes, naming) for call in called_functions(roots))
+    leaves = [leaf for node in visible(roots, into_bodies=True) if (leaf := node.data) is not None]
+    parameters = {leaf for leaf in leaves if isinstance(leaf, Parameter)}
+    resources = {leaf for leaf in leaves if isinstance(leaf, Resource)}
+    return Stage(
+        name=name,
+        inputs=inputs,
+        outputs=outputs,
+        blocks=tuple(b for b in blocks if any(m.parameter in parameters for m in b.members)),
+        resources=tuple(i.resource for i in shader.resources if i.resource in resources),
+        functions=functions,
+        region=Scheduler(roots, shader.notes, naming).schedule(),
+        position=values[0] if name == "vertex" else None,
+        results=tuple(values[1:] if name == "vertex" else values),
+        discard=discard,
+        builtin_inputs=tuple(sorted({str(n.data) for n in visible(roots) if n.op == "input"})),
+    )
+
+
+def _function(call: Node, notes: Notes, naming: Naming) -> Function:
+    body = call.operands[0]
+    assert isinstance(call.data, tuple)
+    types = [argument.type for argument in call.operands[1:]]
+    return Function(
+        name=notes.functions.get(body.id, "shade"),
+        doc="",
+        parameters=tuple(zip(call.data, types, strict=True)),
+        captured=(),
+        body=body,
+        region=Scheduler((body,), notes, naming).schedule(),
+        value=body,
+    )
+

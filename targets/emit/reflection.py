@@ -1,0 +1,88 @@
+"""A backend's side of the reflection: final names, bindings and conventions of an emission."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ...compiler.ir.program import Block, Program, StoredMember
+from ...compiler.reflection.tables import (
+    BackendTable,
+    BindingPoint,
+    EmittedFile,
+    VertexInputName,
+)
+from .bindings import Slot
+from .description import Profile, Target
+from .emitter import Emission
+
+
+def backend_table(
+    program: Program,
+    target: Target,
+    profile: Profile,
+    emission: Emission,
+    files: Mapping[str, str],
+    *,
+    flip_y: bool,
+) -> BackendTable:
+    """What a host has to know of an emission; ``files`` are file names by stage (or ``both``)."""
+    names, bindings = emission.names, emission.bindings
+    return BackendTable(
+        language=target.name,
+        files=tuple(
+            EmittedFile(stage, files[file.stage], entry)
+            for file in emission.files
+            for stage, entry in file.entries.items()
+        ),
+        blocks={
+            block.name: _point(
+                target, profile, names.blocks[block.name], bindings.blocks[block.name], "b",
+                {m.name: names.members[block.name, m.name] for m in _real(block)},
+            )
+            for block in program.blocks
+        },
+        textures={
+            item.name: _point(
+                target, profile, names.textures[item.name], bindings.textures[item.name], "t"
+            )
+            for item in program.resources
+        },
+        samplers={}
+        if profile.combined_samplers
+        else {
+            item.name: _point(
+                target, profile, names.samplers[item.name], bindings.samplers[item.name], "s"
+            )
+            for item in program.resources
+        },
+        vertex_inputs={
+            field.name: VertexInputName(
+                names.attributes[field.name],
+                target.semantic("attribute", field.name, field.location),
+            )
+            for field in program.vertex.inputs
+        },
+        host_uniforms=emission.host_uniforms,
+        clip_depth=profile.clip_depth,
+        flip_y=flip_y,
+        front_face="cw" if flip_y else "ccw",
+        first_row="bottom" if profile.rows_up and not flip_y else "top",
+    )  # fmt: skip
+
+
+def _real(block: Block) -> list[StoredMember]:
+    return [member for member in block.members if member.parameter is not None]
+
+
+def _point(
+    target: Target,
+    profile: Profile,
+    identifier: str,
+    slot: Slot,
+    register: str,
+    members: Mapping[str, str] | None = None,
+) -> BindingPoint:
+    if not profile.explicit_bindings:
+        return BindingPoint(identifier, members=members or {})
+    shown = f"{register}{slot.binding}" if target.name == "hlsl" else ""
+    return BindingPoint(identifier, slot.set, slot.binding, shown, members or {})
