@@ -12,11 +12,16 @@ from collections.abc import Callable, Mapping, Sequence
 
 from .node import Formal, Graph, Node, binders, body_of, reachable
 
+Moved = Callable[[Node, Node], None]
+"""Told of every node that was rebuilt: ``(old, new)``."""
+
 Leaf = Callable[[Node, int], Node | None]
 """From a leaf and the number of binders around it to its replacement, if any."""
 
 
-def close(graph: Graph, body: Node, formals: Sequence[Formal]) -> Node:
+def close(
+    graph: Graph, body: Node, formals: Sequence[Formal], moved: Moved | None = None
+) -> Node:
     """``body`` with ``formals`` turned into bound variables 0, 1, … of one new binder.
 
     A formal that occurs nowhere leaves an unused index; ``body`` has no free bound variables.
@@ -29,10 +34,12 @@ def close(graph: Graph, body: Node, formals: Sequence[Formal]) -> Node:
             return graph.node("bound", node.type, (), depth + position[node.data])
         return None
 
-    return _transform(graph, body, leaf, lambda node, _depth: node.id in affected)
+    return _transform(graph, body, leaf, lambda node, _depth: node.id in affected, moved)
 
 
-def open_body(graph: Graph, body: Node, arguments: Sequence[Node]) -> Node:
+def open_body(
+    graph: Graph, body: Node, arguments: Sequence[Node], moved: Moved | None = None
+) -> Node:
     """``body`` with its binder's variables replaced by ``arguments``.
 
     The arguments themselves have no free bound variables (they may contain formals). Variables of
@@ -47,10 +54,12 @@ def open_body(graph: Graph, body: Node, arguments: Sequence[Node]) -> Node:
             return arguments[position]
         return graph.node("bound", node.type, (), node.data - len(arguments))
 
-    return _transform(graph, body, leaf, lambda node, depth: node.free >> depth != 0)
+    return _transform(graph, body, leaf, lambda node, depth: node.free >> depth != 0, moved)
 
 
-def substitute(graph: Graph, root: Node, replacements: Mapping[Formal, Node]) -> Node:
+def substitute(
+    graph: Graph, root: Node, replacements: Mapping[Formal, Node], moved: Moved | None = None
+) -> Node:
     """``root`` with formals replaced; for graphs whose binders are all open."""
     affected = _dependents(root, lambda node: node.op == "formal" and node.data in replacements)
 
@@ -59,7 +68,7 @@ def substitute(graph: Graph, root: Node, replacements: Mapping[Formal, Node]) ->
             return replacements.get(node.data)
         return None
 
-    return _transform(graph, root, leaf, lambda node, _depth: node.id in affected)
+    return _transform(graph, root, leaf, lambda node, _depth: node.id in affected, moved)
 
 
 def _dependents(root: Node, is_source: Callable[[Node], bool]) -> set[int]:
@@ -72,7 +81,11 @@ def _dependents(root: Node, is_source: Callable[[Node], bool]) -> set[int]:
 
 
 def _transform(
-    graph: Graph, root: Node, leaf: Leaf, affected: Callable[[Node, int], bool]
+    graph: Graph,
+    root: Node,
+    leaf: Leaf,
+    affected: Callable[[Node, int], bool],
+    moved: Moved | None,
 ) -> Node:
     """Rebuild ``root`` with leaves replaced, counting binders on the way; without recursion."""
     done: dict[tuple[int, int], Node] = {}
@@ -102,6 +115,8 @@ def _transform(
         )
         replaced = leaf(node, depth) if not operands else None
         done[key] = replaced or graph.node(node.op, node.type, operands, node.data)
+        if moved is not None and operands:
+            moved(node, done[key])
     return done[root.id, 0]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -28,6 +28,8 @@ class Step:
     type: Type
     operands: tuple[int, ...]
     data: Hashable
+    role: str = ""
+    """The function of ``meaning.burnish`` whose value this is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,11 +67,11 @@ def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
             source = symbol.module.file.source
             value = run(apply_body(low, symbol, arguments, Span(source, 0, 0)))
             assert not isinstance(value, Failure), report.diagnostics
-            return _steps(arguments, value)
+            return _steps(arguments, value, low.notes.roles)
     return None
 
 
-def _steps(arguments: tuple[Node, ...], value: Node) -> Template:
+def _steps(arguments: tuple[Node, ...], value: Node, roles: Mapping[int, str]) -> Template:
     number = {argument.id: i for i, argument in enumerate(arguments)}
     steps = [Step(node.op, node.type, (), None) for node in arguments]
     for node in reachable((value,)):
@@ -77,5 +79,6 @@ def _steps(arguments: tuple[Node, ...], value: Node) -> Template:
             continue
         number[node.id] = len(steps)
         operands = tuple(number[operand.id] for operand in node.operands)
-        steps.append(Step(node.op, node.type, operands, node.data))
+        role = "" if node is value else roles.get(node.id, "")
+        steps.append(Step(node.op, node.type, operands, node.data, role))
     return Template(len(arguments), tuple(steps), number[value.id], lanewise=False)

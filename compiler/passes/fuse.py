@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formals, Graph, Node, reachable
 from ..semantics.shader import Notes
-from .rewrite import following, rewrite
+from .rewrite import rewrite
 from .simplify import Simplifier
 
 
@@ -21,7 +21,7 @@ def fuse(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifi
     """The roots with the sums in them fused."""
     wanted = list(roots)
     fusing = _Fusing(graph, notes, simplifier, _inner_sums(wanted))
-    return rewrite(graph, wanted, fusing.rule, following(notes))
+    return rewrite(graph, wanted, fusing.rule, notes.follow)
 
 
 def _is_sum(node: Node) -> bool:
@@ -76,7 +76,9 @@ class _Fusing:
         assert left.data.index is not None and right.data.index is not None
         count, start, body = left.operands
         index = self._graph.node("formal", count.type, (), left.data.index)
-        other = substitute(self._graph, right.operands[2], {right.data.index: index})
+        other = substitute(
+            self._graph, right.operands[2], {right.data.index: index}, self._notes.follow
+        )
         joined = self._sum(self._graph.node("call", left.type, (body, other), "add"))
         return self._graph.node("fold", left.type, (count, start, joined), left.data)
 
@@ -111,7 +113,9 @@ class _Fusing:
                 )
             else:
                 formals += (formal,)
-        other = substitute(self._graph, right.operands[0], replacements)
+        other = substitute(
+            self._graph, right.operands[0], replacements, self._notes.follow
+        )
         body = self._simplifier.call("add", left.type, left.operands[0], other)
         names = [self._notes.functions.get(part.operands[0].id, "") for part in (left, right)]
         self._notes.functions.setdefault(body.id, "_".join(filter(None, names)))

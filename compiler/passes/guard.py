@@ -7,7 +7,7 @@ could not be proven is kept for the reader as a ``Guard``.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable
 from dataclasses import dataclass
 
 from ...stdlib.builtins import BUILTINS
@@ -15,6 +15,7 @@ from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
 from ..ir.node import Graph, Node, Op
 from ..ir.types import Scalar, Type, Vector, with_width
+from ..semantics.shader import Notes
 from .expand import Template, template
 from .ranges import Ranges
 from .simplify import Simplifier
@@ -42,17 +43,16 @@ def _interval(fact: Fact) -> str:
 class Guarding(Simplifier):
     """Builds nodes without any ``call``: natives and expansions."""
 
-    def __init__(self, graph: Graph, ranges: Ranges) -> None:
-        super().__init__(graph, ranges)
+    def __init__(self, graph: Graph, ranges: Ranges, notes: Notes) -> None:
+        super().__init__(graph, ranges, notes)
         self.kept: dict[int, Guard] = {}
         """By the id of the ``call`` that was expanded."""
-        self.spans: Mapping[int, Span] = {}
         self._at: Span | None = None
         self._expanded: dict[int, Node] = {}
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """As ``Simplifier.rule``; a guard that stays is put down to the source of ``node``."""
-        self._at = self.spans.get(node.id, self._at)
+        self._at = self.notes.spans.get(node.id, self._at)
         return super().rule(graph, node, operands)
 
     def make(
@@ -93,5 +93,7 @@ class Guarding(Simplifier):
         for step in found.steps[found.parameters :]:
             inner = tuple(values[i] for i in step.operands)
             values.append(self.make(step.op, step.type, inner, step.data))
+            if step.role and values[-1].operands:
+                self.notes.roles.setdefault(values[-1].id, step.role)
         return values[found.result]
 

@@ -15,8 +15,9 @@ from ..ir.node import Graph, Node, reachable
 from ..ir.types import Matrix, Scalar, Vector
 from ..semantics.shader import Notes
 from .cost import cost_of
+from .naming import Naming
 from .ranges import Ranges
-from .rewrite import following, rewrite
+from .rewrite import rewrite
 
 COMMON_GROUP = "frame"
 """Every other group is updated at least as often, so it may go with any of them."""
@@ -41,7 +42,7 @@ def hoist(
     wanted = list(roots)
     hoisting = _Hoisting(notes, ranges)
     hoisting.choose(wanted)
-    rewritten = rewrite(graph, wanted, hoisting.rule, following(notes))
+    rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow)
     return rewritten, tuple(hoisting.derived.values())
 
 
@@ -52,11 +53,13 @@ class _Hoisting:
         self._groups: dict[int, frozenset[str] | None] = {}
         self._chosen: set[int] = set()
         self._taken: set[str] = set()
+        self._naming = Naming(notes)
         self.derived: dict[int, Derived] = {}
 
     def choose(self, roots: list[Node]) -> None:
         """Find the hoistable nodes that some user which is not hoistable needs."""
         nodes = reachable(roots)
+        self._naming.learn(reversed(nodes))
         for node in nodes:
             self._groups[node.id] = self._groups_of(node)
             if node.op == "parameter":
@@ -129,18 +132,9 @@ class _Hoisting:
 
     def _name(self, node: Node) -> str:
         """The user's name for the value, or one that says what it is computed from."""
-        base = self._notes.names.get(node.id) or _described(node)
+        base = self._naming.name(node)
         name, number = base, 2
         while name in self._taken:
             name, number = f"{base}_{number}", number + 1
         return name
 
-
-def _described(node: Node) -> str:
-    """``cos_torch_outer`` for ``cos(torch.outer)``; the operation and its first parameter."""
-    operation = str(node.data) if node.op in ("call", "native") else node.op
-    for part in reversed(reachable((node,))):
-        if part.op == "parameter":
-            assert isinstance(part.data, Parameter)
-            return f"{operation}_{part.data.name.replace('.', '_')}"
-    return operation

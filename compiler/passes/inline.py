@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from ..ir.node import Graph, Node, reachable
 from ..semantics.shader import Notes
 from .cost import cost
-from .rewrite import following, rewrite
+from .rewrite import rewrite
 from .simplify import Simplifier, substitute_through
 
 TRIVIAL = 4
@@ -29,4 +29,4 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
         replacements = dict(zip(node.data, operands[1:], strict=True))
         return substitute_through(simplifier, operands[0], replacements)
 
-    return rewrite(graph, wanted, rule, following(notes))
+    return rewrite(graph, wanted, rule, notes.follow)

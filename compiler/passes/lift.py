@@ -11,13 +11,13 @@ from collections.abc import Iterable
 from ..ir.node import Formal, Formals, Graph, Node
 from ..semantics.shader import Notes
 from .naming import Naming
-from .rewrite import following, rewrite
+from .rewrite import rewrite
 from .schedule import LEAVES, operands_of, visible
 
 
 def lift(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with every applied body closed but for uniforms."""
-    return rewrite(graph, roots, _Lifting(notes).rule, following(notes))
+    return rewrite(graph, roots, _Lifting(notes).rule, notes.follow)
 
 
 class _Lifting:
@@ -50,7 +50,7 @@ class _Lifting:
         def rule(_graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
             return replaced.get(node.id)
 
-        (closed,) = rewrite(graph, (body,), rule, following(self._notes))
+        (closed,) = rewrite(graph, (body,), rule, self._notes.follow)
         return closed, formals + extra, captured
 
 

@@ -1,20 +1,27 @@
-"""Names for values that get a statement: the user's where there is one, else what is computed."""
+"""Names for values that get a statement: the user's where there is one.
+
+A value that nobody named is called after the named value that it is a part of and its role in it:
+``to_eye_difference``, ``falloff_inverse_width``.
+"""
 
 from __future__ import annotations
 
-from ..ir.leaves import Attribute, Parameter
-from ..ir.node import Node
+from collections.abc import Iterable
+
+from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.node import Formal, Node
 from ..semantics.shader import Notes
 
 OPERATIONS = {
     "add": "sum", "sub": "difference", "mul": "product", "div": "quotient", "mod": "remainder",
     "neg": "negated", "dot": "cosine", "inversesqrt": "inverse_length", "sample": "texel",
     "select": "chosen", "vector": "joined", "splat": "filled", "fold": "total", "apply": "result",
-    "lt": "below", "le": "at_most", "gt": "above", "ge": "at_least", "eq": "equal", "ne": "differs",
-    "and": "both", "or": "either", "not": "unless", "swizzle": "lanes", "index": "element",
+    "lt": "is_below", "le": "is_at_most", "gt": "is_above", "ge": "is_at_least",
+    "eq": "is_equal", "ne": "differs", "and": "both", "or": "either", "not": "unless",
+    "swizzle": "lanes", "index": "element", "matrix": "columns", "member": "part",
     "saturate": "clamped", "max": "at_least", "min": "at_most",
 }  # fmt: skip
-"""What a value without a user's name is called after, by its operation."""
+"""What a value is called after where only its operation is known."""
 
 
 class Naming:
@@ -22,33 +29,51 @@ class Naming:
 
     def __init__(self, notes: Notes) -> None:
         self._notes = notes
+        self._context: dict[int, str] = {}
+
+    def learn(self, nodes: Iterable[Node]) -> None:
+        """Find the named value that each unnamed one is a part of; users come before operands."""
+        for node in nodes:
+            within = self._notes.names.get(node.id) or self._context.get(node.id)
+            if within is not None:
+                for operand in node.operands:
+                    self._context.setdefault(operand.id, within)
 
     def name(self, node: Node) -> str:
         """The suggestion for ``node``."""
         named = self._notes.names.get(node.id)
         if named is not None:
             return named
-        if node.op in ("native", "call"):
-            return self._operation(node, str(node.data))
-        if node.op == "apply":
-            return self._notes.functions.get(node.operands[0].id, OPERATIONS["apply"])
-        return OPERATIONS.get(node.op, node.op)
+        own = self._own(node)
+        if own is not None:
+            return own
+        context, role = self._context.get(node.id), self._role(node)
+        return f"{context}_{role}" if context else role
 
-    def _operation(self, node: Node, name: str) -> str:
-        if name == "dot":
-            left, right = (self.short(operand) for operand in node.operands)
+    def _own(self, node: Node) -> str | None:
+        """A name that says by itself what the value is."""
+        body = node.operands[0] if node.op == "apply" else node
+        if body.id in self._notes.functions:
+            return self._notes.functions[body.id]
+        if node.op in ("native", "call") and node.data == "dot":
+            left, right = (self._short(operand) for operand in node.operands)
             if left and right:
                 return f"{left}_dot_{right}" if left != right else f"{left}_squared"
-        if name == "sample":
-            return self.short(node.operands[0]) or OPERATIONS["sample"]
-        return OPERATIONS.get(name, name)
+        if node.op in ("native", "call") and node.data == "sample":
+            return self._short(node.operands[0])
+        return None
 
-    def short(self, node: Node) -> str:
+    def _role(self, node: Node) -> str:
+        role = self._notes.roles.get(node.id)
+        if role is not None:
+            return role
+        operation = str(node.data) if node.op in ("native", "call") else node.op
+        return OPERATIONS.get(operation, operation)
+
+    def _short(self, node: Node) -> str | None:
         """What a value is called, if it is called anything."""
         if node.id in self._notes.names:
             return self._notes.names[node.id]
-        if isinstance(node.data, Parameter | Attribute):
+        if isinstance(node.data, Parameter | Attribute | Resource | Formal):
             return node.data.name.replace(".", "_")
-        if node.op in ("formal", "resource"):
-            return str(getattr(node.data, "name", ""))
-        return ""
+        return None

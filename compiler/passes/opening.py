@@ -12,7 +12,7 @@ from ..ir.binding import open_body
 from ..ir.node import Folding, Formal, Formals, Graph, Node, binders, body_of
 from ..ir.types import INT, Type
 from ..semantics.shader import Notes
-from .rewrite import following, rewrite
+from .rewrite import rewrite
 
 
 class _Opener:
@@ -46,9 +46,8 @@ class _Opener:
                 graph.node("formal", type_, (), formal)
                 for type_, formal in zip(types, formals, strict=True)
             ]
-            opened = open_body(graph, body, leaves)
-            if original.id in self._notes.functions:
-                self._notes.functions.setdefault(opened.id, self._notes.functions[original.id])
+            opened = open_body(graph, body, leaves, self._notes.follow)
+            self._notes.follow(original, opened)
             self._opened[key] = opened, formals
         return self._opened[key]
 
@@ -59,4 +58,4 @@ class _Opener:
 
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with every fold and apply opened."""
-    return rewrite(graph, roots, _Opener(notes).rule, following(notes))
+    return rewrite(graph, roots, _Opener(notes).rule, notes.follow)

@@ -20,10 +20,10 @@ from .naming import Naming
 from .opening import open_binders
 from .ranges import Ranges
 from .rates import move_to_vertices
-from .rewrite import following, rewrite
+from .rewrite import rewrite
 from .schedule import Scheduler, called_functions, visible
 from .simplify import Simplifier
-from .split import crossings, pack
+from .split import pack
 from .storage import lower_reads
 
 Pass = Callable[[list[Node]], list[Node]]
@@ -80,26 +80,25 @@ def stage(shader: Shader, options: Options) -> Staged:
     if options.hoist:
         roots, derived = hoist(graph, roots, notes, Ranges(roots))
     roots = lift(graph, roots, notes)
-    roots = lower_reads(graph, roots, following(notes))
+    roots = lower_reads(graph, roots, notes.follow)
     program = _program(shader, results.of(roots), derived)
     return Staged(program, derived, guards)
 
 
 def _simplified(graph: Graph, roots: list[Node], notes: Notes) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    simplifier = Simplifier(graph, Ranges(roots))
-    roots = rewrite(graph, roots, simplifier.rule, following(notes))
+    simplifier = Simplifier(graph, Ranges(roots), notes)
+    roots = rewrite(graph, roots, simplifier.rule, notes.follow)
     roots = fuse(graph, roots, notes, simplifier)
-    simplifier = Simplifier(graph, Ranges(roots))
+    simplifier = Simplifier(graph, Ranges(roots), notes)
     return inline(graph, roots, notes, simplifier)
 
 
 def _guarded(
     graph: Graph, roots: list[Node], notes: Notes
 ) -> tuple[list[Node], tuple[Guard, ...]]:
-    guarding = Guarding(graph, Ranges(roots))
-    guarding.spans = notes.spans
-    roots = rewrite(graph, roots, guarding.rule, following(notes))
+    guarding = Guarding(graph, Ranges(roots), notes)
+    roots = rewrite(graph, roots, guarding.rule, notes.follow)
     return roots, tuple(guarding.kept.values())
 
 
@@ -108,7 +107,7 @@ def _guarded(
 
 def _program(shader: Shader, results: _Results, derived: tuple[Derived, ...]) -> Program:
     fragment_roots = results.flat()[1:]
-    varyings = pack(crossings(visible(fragment_roots, into_bodies=True)), shader.notes)
+    varyings = pack(visible(fragment_roots, into_bodies=True), shader.notes)
     outputs = tuple(varying.field for varying in varyings)
     blocks = _blocks(shader, derived)
     vertex = _stage(

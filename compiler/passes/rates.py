@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from ..ir.node import Graph, Node, reachable
 from ..ir.types import Matrix, Scalar, Vector, width
 from ..semantics.shader import Notes
-from .rewrite import following, rewrite
+from .rewrite import rewrite
 
 
 def move_to_vertices(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
@@ -34,7 +34,7 @@ def move_to_vertices(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[
             moved = graph.node(node.op, node.type, operands, node.data)
             return graph.node("interpolate", node.type, (moved,), crossing.data)
 
-        wanted = rewrite(graph, wanted, rule, following(notes))
+        wanted = rewrite(graph, wanted, rule, notes.follow)
 
 
 def _moves(roots: list[Node]) -> dict[int, Node]:

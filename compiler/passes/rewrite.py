@@ -3,18 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TypeVar
 
+from ..ir.binding import Moved
 from ..ir.node import Graph, Node, reachable
-from ..semantics.shader import Notes
-
-T = TypeVar("T")
 
 Rule = Callable[[Graph, Node, tuple[Node, ...]], Node | None]
 """``(graph, node, new_operands) -> replacement``; ``None`` keeps the operation as it is."""
-
-Moved = Callable[[Node, Node], None]
-"""Told of every node that was replaced: ``(old, new)``."""
 
 
 def rewrite(
@@ -41,24 +35,3 @@ def with_operands(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
     if operands == node.operands:
         return node
     return graph.node(node.op, node.type, operands, node.data)
-
-
-def following(notes: Notes) -> Moved:
-    """A ``moved`` that hands what is noted about a node on to the node that replaces it.
-
-    What the replacement was already called, it stays called.
-    """
-
-    def moved(old: Node, new: Node) -> None:
-        _hand_on(notes.names, old, new)
-        _hand_on(notes.spans, old, new)
-        _hand_on(notes.docs, old, new)
-        _hand_on(notes.functions, old, new)
-        _hand_on(notes.variables, old, new)
-
-    return moved
-
-
-def _hand_on(table: dict[int, T], old: Node, new: Node) -> None:
-    if old.id in table:
-        table.setdefault(new.id, table[old.id])

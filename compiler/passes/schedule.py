@@ -20,10 +20,14 @@ from .naming import Naming
 LEAVES = frozenset({"constant", "parameter", "resource", "attribute", "formal", "input", "bound"})
 BRANCH_COST = 12
 """A select whose sides cost less than this is cheaper than a branch."""
-INLINE_DEPTH = 5
+INLINE_DEPTH = 7
 """Expressions nest at most so deeply before a part of them gets a name of its own."""
-INLINE_SIZE = 9
+INLINE_SIZE = 12
 """Operations in one printed expression."""
+
+
+BOUND = (0, 0)
+"""Size and depth, where it is used, of a value that has a name."""
 
 
 @dataclass(eq=False, slots=True)
@@ -61,10 +65,12 @@ class Scheduler:
         self._sides: dict[int, tuple[_Block, _Block]] = {}
         self._depends: dict[int, frozenset[Formal]] = {}
         self._size: dict[int, tuple[int, int]] = {}
-        self._order = visible(self._roots)
+        self._order = in_order_of_use(self._roots)
+        self._naming.learn(reversed(self._order))
 
     def schedule(self) -> Region:
         """The statements that compute the roots."""
+        self._results = self._region_results()
         for node in self._order:
             self._depends[node.id] = self._formals(node)
         branching = self._branching()
@@ -130,6 +136,16 @@ class Scheduler:
             block = block.parent
         return best
 
+    def _region_results(self) -> set[int]:
+        """Values that a statement of their own region takes, where a name would only repeat it."""
+        found = {root.id for root in self._roots}
+        for node in self._order:
+            if node.op == "fold":
+                found.add(node.operands[2].id)
+            elif node.op == "select":
+                found.update(side.id for side in node.operands[1:])
+        return found
+
     def _branching(self) -> set[int]:
         """Selects with a side that is worth skipping, and used by nothing else."""
         users: dict[int, set[tuple[int, int]]] = {}
@@ -175,11 +191,11 @@ class Scheduler:
             return self._loop(node)
         if node.id in self._sides:
             then, otherwise = (self._emit(side) for side in self._sides[node.id])
-            self._size[node.id] = (1, 1)
+            self._size[node.id] = BOUND
             return Branch(self._naming.name(node), node, then, otherwise)
         if not self._bound(node):
             return None
-        self._size[node.id] = (1, 1)
+        self._size[node.id] = BOUND
         return Let(self._naming.name(node), node, self._notes.docs.get(node.id, ""))
 
     def _loop(self, node: Node) -> Loop:
@@ -187,7 +203,7 @@ class Scheduler:
         count, start, value = node.operands
         name = self._naming.name(node)
         body = self._emit(self._loops[node.id])
-        self._size[node.id] = (1, 1)
+        self._size[node.id] = BOUND
         return Loop(
             name, node, count, node.data.bound, start, node.data.index, node.data.operator,
             body, value,
@@ -200,9 +216,10 @@ class Scheduler:
             return False
         if self._uses[node.id] > 1:
             return True
-        if node.id in self._notes.names and size > 1 and node not in self._roots:
-            return True
-        return size > INLINE_SIZE or depth > INLINE_DEPTH
+        if node.id in self._results:
+            return False
+        named = node.id in self._notes.names and size > 1
+        return named or size > INLINE_SIZE or depth > INLINE_DEPTH
 
     def _measure(self, node: Node) -> tuple[int, int]:
         """Operations and nesting of a node printed in place."""
@@ -237,6 +254,20 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
             if into_bodies and node.op == "apply":
                 pending.append(node.operands[0])
     return [seen[id_] for id_ in sorted(seen)]
+
+
+def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
+    """The same nodes, each as late as its first use allows: how a person would write them down."""
+    order: dict[int, Node] = {}
+    pending: list[tuple[Node, bool]] = [(root, False) for root in reversed(list(roots))]
+    while pending:
+        node, ready = pending.pop()
+        if ready:
+            order.setdefault(node.id, node)
+        elif node.id not in order:
+            pending.append((node, True))
+            pending.extend((operand, False) for operand in reversed(operands_of(node)))
+    return list(order.values())
 
 
 def _is_access(node: Node) -> bool:

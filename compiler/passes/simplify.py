@@ -15,8 +15,10 @@ from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Node, Op
 from ..ir.types import INT, Matrix, Scalar, Type, Vector, scalar_kind, width
 from ..reference.evaluate import apply, constant_lanes
+from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES
 from .ranges import Ranges
+from .rewrite import rewrite
 
 LARGEST_FLOAT = 3.4028234663852886e38
 UNROLLED = 2
@@ -28,9 +30,10 @@ OpRule = Callable[["Simplifier", Type, tuple[Node, ...], Hashable], Node | None]
 class Simplifier:
     """Builds nodes in their simplest form."""
 
-    def __init__(self, graph: Graph, ranges: Ranges) -> None:
+    def __init__(self, graph: Graph, ranges: Ranges, notes: Notes) -> None:
         self.graph = graph
         self.ranges = ranges
+        self.notes = notes
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """For ``rewrite``: the same operation in its simplest form."""
@@ -231,10 +234,11 @@ def _fold(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable
 
 def substitute_through(s: Simplifier, body: Node, replacements: Mapping[Formal, Node]) -> Node:
     """``body`` with formals replaced, each node that changes built anew in its simplest form."""
-    from .rewrite import rewrite  # noqa: PLC0415
-
-    replaced = substitute(s.graph, body, replacements)
-    return replaced if replaced is body else rewrite(s.graph, (replaced,), s.rule)[0]
+    replaced = substitute(s.graph, body, replacements, s.notes.follow)
+    if replaced is body:
+        return body
+    (simplified,) = rewrite(s.graph, (replaced,), s.rule, s.notes.follow)
+    return simplified
 
 
 _RULES: Mapping[str, OpRule] = {

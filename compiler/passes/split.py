@@ -6,10 +6,10 @@ decreasing width, so that a reader still finds each value in one place.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from ..ir.leaves import InterpolationMode
+from ..ir.leaves import Attribute, InterpolationMode
 from ..ir.node import Node
 from ..ir.program import Field, Varying
 from ..ir.types import ScalarKind, Scalar, Vector, scalar_kind, width, with_width
@@ -38,9 +38,15 @@ def crossings(nodes: Iterable[Node]) -> list[Node]:
     return [node for node in nodes if node.op == "interpolate"]
 
 
-def pack(crossing: Iterable[Node], notes: Notes) -> tuple[Varying, ...]:
-    """Slots for all values that cross."""
-    unique = list({node.operands[0].id: node for node in crossing}.values())
+def pack(nodes: Sequence[Node], notes: Notes) -> tuple[Varying, ...]:
+    """Slots for all values that cross into the fragment stage, whose nodes are given in order."""
+    unique = list({node.operands[0].id: node for node in crossings(nodes)}.values())
+    users: dict[int, str] = {}
+    for node in reversed(nodes):
+        within = notes.names.get(node.id) or users.get(node.id)
+        if within is not None:
+            for operand in node.operands:
+                users.setdefault(operand.id, within)
     by_width = sorted(unique, key=lambda node: (-width(node.type), node.id))
     slots: list[_Slot] = []
     for node in by_width:
@@ -53,7 +59,7 @@ def pack(crossing: Iterable[Node], notes: Notes) -> tuple[Varying, ...]:
             slots.append(_Slot(kind, mode, [value]))
         else:
             slot.values.append(value)
-    names = {node.operands[0].id: _name(node, notes) for node in unique}
+    names = {node.operands[0].id: _name(node, notes, users) for node in unique}
     return tuple(_varying(i, slot, names) for i, slot in enumerate(slots))
 
 
@@ -63,9 +69,10 @@ def _varying(location: int, slot: _Slot, names: dict[int, str]) -> Varying:
     return Varying(Field(name, type_, location, slot.mode), tuple(slot.values))
 
 
-def _name(node: Node, notes: Notes) -> str:
+def _name(node: Node, notes: Notes, users: Mapping[int, str]) -> str:
+    """The value's own name, else that of the attribute it is, else of what it is used for."""
     (value,) = node.operands
     named = notes.names.get(value.id) or notes.names.get(node.id)
-    if named is None and value.op == "attribute":
-        named = str(getattr(value.data, "name", ""))
-    return named or "varying"
+    if named is None and isinstance(value.data, Attribute):
+        named = value.data.name
+    return named or users.get(node.id, "varying")

@@ -305,6 +305,8 @@ def apply_body(
         )  # fmt: skip
     low.active.pop(symbol)
     low.applied[key] = result
+    if isinstance(result, Node) and result.operands:
+        low.notes.roles.setdefault(result.id, symbol.name)
     return result
 
 

@@ -48,7 +48,7 @@ def per_light(
             return FAILURE
         if formal is not None:
             count = None if entry.count is None else _parameter(low, entry.count)
-            contribution = fold(low.graph, "add", entry.bound, contribution, formal, count)
+            contribution = fold(low.graph, "add", entry.bound, contribution, formal, low.notes.follow, count)
         total = contribution if total is None else low.graph.node(
             "call", total.type, (total, contribution), "add"
         )  # fmt: skip
@@ -78,7 +78,7 @@ def _shared_body(
     if body.type == INT and body.op == "constant":
         body = build.floating(low.graph, float(body.data))  # type: ignore[arg-type]
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
-    closed = close(low.graph, body, formals)
+    closed = close(low.graph, body, formals, low.notes.follow)
     low.notes.functions.setdefault(closed.id, symbol.name)
     low.notes.variables.setdefault(closed.id, tuple(light.variables))
     return closed, light.variables

@@ -308,7 +308,7 @@ def _fold(low: Lowering, e: ast.Fold, scope: Scope) -> Step[Value]:
         low.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
         return FAILURE
     body = coerce(low.graph, body, FLOAT) or body
-    return fold(low.graph, "add" if e.operator == "sum" else "mul", count, body, formal)
+    return fold(low.graph, "add" if e.operator == "sum" else "mul", count, body, formal, low.notes.follow)
 
 
 _LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
@@ -74,6 +75,25 @@ class Notes:
     """Names for the bodies of ``apply`` nodes."""
     variables: dict[int, tuple[str, ...]] = field(default_factory=dict)
     """Names for the variables of bodies, in order."""
+    roles: dict[int, str] = field(default_factory=dict)
+    """What a value without a name is to the named one that it is a part of."""
+
+    def follow(self, old: Node, new: Node) -> None:
+        """Hand what is noted of a node on to one that replaces it, which keeps what it has."""
+        _hand_on(self.names, old, new)
+        _hand_on(self.spans, old, new)
+        _hand_on(self.docs, old, new)
+        _hand_on(self.functions, old, new)
+        _hand_on(self.variables, old, new)
+        _hand_on(self.roles, old, new)
+
+
+T = TypeVar("T")
+
+
+def _hand_on(table: dict[int, T], old: Node, new: Node) -> None:
+    if old.id in table:
+        table.setdefault(new.id, table[old.id])
 
 
 @dataclass(slots=True)

@@ -23,7 +23,7 @@ from burnish.compiler.ir.types import (
 )
 from burnish.compiler.layout import byte_size, layout_blocks, stored_type
 from burnish.compiler.packing import packing
-from burnish.compiler.passes.rewrite import following, rewrite
+from burnish.compiler.passes.rewrite import rewrite
 from burnish.compiler.passes.storage import lower_reads
 from burnish.compiler.semantics.shader import Notes
 from hypothesis import given, settings
@@ -154,7 +154,7 @@ def test_notes_follow_what_is_lowered() -> None:
     graph = Graph()
     on = parameter(graph, "on", BOOL)
     notes = Notes(names={on.id: "lit"}, docs={on.id: "Whether it shines."})
-    (lowered,) = lower_reads(graph, [on], following(notes))
+    (lowered,) = lower_reads(graph, [on], notes.follow)
     assert lowered.op == "native"
     assert notes.names[lowered.id] == "lit"
     assert notes.docs[lowered.id] == "Whether it shines."
@@ -165,7 +165,7 @@ def test_a_name_that_is_there_already_stays() -> None:
     old, new = constant(graph, FLOAT, 1.0), constant(graph, FLOAT, 2.0)
     notes = Notes(names={old.id: "old", new.id: "new"})
     rewrite(graph, [old], lambda _graph, node, _operands: new if node is old else None,
-            following(notes))  # fmt: skip
+            notes.follow)  # fmt: skip
     assert notes.names[new.id] == "new"
 
 
