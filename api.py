@@ -11,13 +11,14 @@ from typing import Any, Literal
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.diagnostics.nearest import suggestion
+from .compiler.diagnostics.source import Span
 from .compiler.frontend import Frontend
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.shader import Shader
 from .targets import registry
 from .targets.emit.description import Profile, Target
-from .targets.emit.emitter import Emission, EmitOptions, emit
+from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
 from .targets.emit.reflection import backend_table
 
 StageName = Literal["vertex", "fragment", "both"]
@@ -38,6 +39,8 @@ class OutputFile:
     text: str
     checkers: tuple[str, ...] = ()
     """The downstream compilers that have to accept it."""
+    spans: Mapping[int, Span] = field(default_factory=dict)
+    """Source map: by 1-based line of ``text``, what in the material it computes."""
 
 
 @dataclass(frozen=True)
@@ -197,7 +200,7 @@ def _compiled(
         for target, profile in chosen
     )
     files = tuple(
-        _output(shader.name, target, profile, file)
+        _output(shader, target, profile, file)
         for target, profile, emission in emissions
         for file in emission.files
     )
@@ -206,8 +209,11 @@ def _compiled(
     )
 
 
-def _output(name: str, target: Target, profile: Profile, file: Any) -> OutputFile:
-    default = profile is target.profiles[0]
+def _output(
+    shader: Shader, target: Target, profile: Profile, file: EmittedFile
+) -> OutputFile:
+    default, name = profile is target.profiles[0], shader.name
+    spans = shader.notes.spans
     return OutputFile(
         name=f"{name}.{file.suffix}" if default else f"{name}.{profile.name}.{file.suffix}",
         target=target.name,
@@ -216,4 +222,5 @@ def _output(name: str, target: Target, profile: Profile, file: Any) -> OutputFil
         entry_points=file.entries,
         text=file.text,
         checkers=profile.checkers,
+        spans={line: spans[node] for line, node in file.origins.items() if node in spans},
     )

@@ -7,7 +7,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from .cache import cached
-from .diagnostics.diagnostic import Report
+from .diagnostics.diagnostic import Diagnostic, Report
 from .diagnostics.source import Source
 from .semantics.modules import Module, Symbol
 from .syntax import ast
@@ -18,22 +18,30 @@ MEANING = "meaning.burnish"
 
 
 def parse_library(source: Source, report: Report) -> ast.File:
-    """A library file's tree, from the cache if it has been parsed before."""
-
-    def compute() -> bytes:
-        return pickle.dumps(parse(source, report), pickle.HIGHEST_PROTOCOL)
-
-    tree = cached("library", (_tree_shape(), source.name, source.text), compute)
-    file: ast.File = pickle.loads(tree)
+    """A library file's tree, and what is wrong with it, from the cache if it was parsed before."""
+    file, diagnostics = _parsed(source.name, source.text)
+    report.extend(diagnostics)
     return file
+
+
+@lru_cache(maxsize=64)
+def _parsed(name: str, text: str) -> tuple[ast.File, tuple[Diagnostic, ...]]:
+    def compute() -> bytes:
+        report = Report()
+        tree = parse(Source(name, text), report)
+        return pickle.dumps((tree, report.diagnostics), pickle.HIGHEST_PROTOCOL)
+
+    stored = cached("library", (_tree_shape(), name, text), compute)
+    found: tuple[ast.File, tuple[Diagnostic, ...]] = pickle.loads(stored)
+    return found
 
 
 @lru_cache(maxsize=1)
 def _tree_shape() -> str:
     """The texts that decide what a tree looks like: a tree of another shape must not be read."""
-    syntax = Path(__file__).parent / "syntax"
-    names = ("ast.py", "builder.py", "burnish.lark")
-    return "".join((syntax / name).read_text(encoding="utf-8") for name in names)
+    here = Path(__file__)
+    syntax = [here.parent / "syntax" / n for n in ("ast.py", "builder.py", "burnish.lark")]
+    return "".join(path.read_text(encoding="utf-8") for path in (here, *syntax))
 
 
 @lru_cache(maxsize=1)
@@ -51,9 +59,10 @@ def expansions() -> tuple[Module, dict[str, tuple[Symbol, ...]]]:
     assert not report.failed, report.diagnostics
     module = Module(file, path)
     found: dict[str, tuple[Symbol, ...]] = {}
+    expanding = {row.expansion for row in BUILTINS.values()}
     for declaration in file.declarations:
         assert not isinstance(declaration, ast.Import)
         name = declaration.name.text
-        names = found if name in BUILTINS else module.declared
+        names = found if name in expanding else module.declared
         names[name] = (*names.get(name, ()), Symbol(declaration, module))
     return module, found

@@ -205,15 +205,15 @@ def _negated(decide: Callable[[Simplifier, Node, Node], bool | None]) -> Builtin
     return _comparison(opposite)
 
 
-_OPPOSITES = {"lt": "ge", "ge": "lt", "gt": "le", "le": "gt", "eq": "ne", "ne": "eq"}
+OPPOSITES = {"lt": "ge", "ge": "lt", "gt": "le", "le": "gt", "eq": "ne", "ne": "eq"}
 
 
 def _not(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
     (operand,) = operands
     if _is_call(operand, "not"):
         return operand.operands[0]
-    if operand.op == op and operand.data in _OPPOSITES and type_ == Scalar("bool"):
-        return s.make(op, type_, operand.operands, _OPPOSITES[str(operand.data)])
+    if operand.op == op and operand.data in OPPOSITES and type_ == Scalar("bool"):
+        return s.make(op, type_, operand.operands, OPPOSITES[str(operand.data)])
     return None
 
 

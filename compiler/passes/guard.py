@@ -93,6 +93,8 @@ class Guarding(Simplifier):
         for step in found.steps[found.parameters :]:
             inner = tuple(values[i] for i in step.operands)
             values.append(self.make(step.op, step.type, inner, step.data))
+            if self._at is not None:
+                self.notes.spans.setdefault(values[-1].id, self._at)
             if step.role and values[-1].operands:
                 self.notes.roles.setdefault(values[-1].id, step.role)
         return values[found.result]

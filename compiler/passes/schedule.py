@@ -65,6 +65,8 @@ class Scheduler:
         self._sides: dict[int, tuple[_Block, _Block]] = {}
         self._depends: dict[int, frozenset[Formal]] = {}
         self._size: dict[int, tuple[int, int]] = {}
+        self._apart: set[int] = set()
+        """Reads that are made outside of the branch that uses them, and so need a name."""
         self._order = in_order_of_use(self._roots)
         self._naming.learn(reversed(self._order))
 
@@ -101,8 +103,10 @@ class Scheduler:
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
         for node in reversed(self._order):
             home = _enclosing(homes[node.id])
-            home = self._lifted(node, home)
-            self._home[node.id] = home
+            self._home[node.id] = self._lifted(node, home)
+            if self._home[node.id] is not home and _needs_uniform_flow(node):
+                self._apart.add(node.id)
+            home = self._home[node.id]
             if node.op == "fold":
                 assert isinstance(node.data, Folding)
                 body = _Block(home, node, node.data.index, home.depth + 1)
@@ -126,7 +130,7 @@ class Scheduler:
 
     def _lifted(self, node: Node, home: _Block) -> _Block:
         """Out of loops that the value does not depend on, and reads with implicit level to the top."""
-        uniform = node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
+        uniform = _needs_uniform_flow(node)
         block, best = home, home
         while block.parent is not None:
             if block.loop is not None and block.loop in self._depends[node.id]:
@@ -169,7 +173,7 @@ class Scheduler:
             outside = {u for u in users[node.id] if u[0] not in inside and u != (select.id, side)}
             if outside or node.id in inside:
                 continue
-            if node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow:
+            if _needs_uniform_flow(node):
                 continue
             inside.add(node.id)
             total += cost_of(node)
@@ -214,7 +218,7 @@ class Scheduler:
         size, depth = self._measure(node)
         if node.op in LEAVES or _is_access(node):
             return False
-        if self._uses[node.id] > 1:
+        if self._uses[node.id] > 1 or node.id in self._apart:
             return True
         if node.id in self._results:
             return False
@@ -268,6 +272,11 @@ def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
             pending.append((node, True))
             pending.extend((operand, False) for operand in reversed(operands_of(node)))
     return list(order.values())
+
+
+def _needs_uniform_flow(node: Node) -> bool:
+    """Whether a node compares neighbouring pixels, all of which have to get there."""
+    return node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
 
 
 def _is_access(node: Node) -> bool:

@@ -14,9 +14,9 @@ from ..ir import build
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Node, Op
 from ..ir.types import INT, Matrix, Scalar, Type, Vector, scalar_kind, width
-from ..reference.evaluate import apply, constant_lanes
+from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
-from .arithmetic import BUILTIN_RULES
+from .arithmetic import BUILTIN_RULES, OPPOSITES
 from .ranges import Ranges
 from .rewrite import rewrite
 
@@ -205,9 +205,17 @@ def _select(
         return then
     if condition.op in ("call", "native") and condition.data == "not":
         return s.make("select", type_, (condition.operands[0], otherwise, then))
+    if then.op == "constant" != otherwise.op and _is_comparison(condition):
+        # The side that computes something comes first: it is the one that a branch may skip.
+        opposite = s.make(condition.op, condition.type, (condition,), "not")
+        return s.make("select", type_, (opposite, otherwise, then))
     if (then.data, otherwise.data) == (True, False) and then.op == otherwise.op == "constant":
         return condition if isinstance(type_, Scalar) and type_.kind == "bool" else None
     return None
+
+
+def _is_comparison(node: Node) -> bool:
+    return node.op in ("call", "native") and node.data in OPPOSITES
 
 
 def _interpolate(

@@ -6,8 +6,9 @@ decreasing width, so that a reader still finds each value in one place.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
 
 from ..ir.leaves import Attribute, InterpolationMode
 from ..ir.node import Node
@@ -60,13 +61,23 @@ def pack(nodes: Sequence[Node], notes: Notes) -> tuple[Varying, ...]:
         else:
             slot.values.append(value)
     names = {node.operands[0].id: _name(node, notes, users) for node in unique}
-    return tuple(_varying(i, slot, names) for i, slot in enumerate(slots))
+    varyings: dict[str, Varying] = {}
+    for location, slot in enumerate(slots):
+        shown = "_".join(dict.fromkeys(names[value.id] for value in slot.values))
+        name = _apart(shown, varyings)
+        varyings[name] = _varying(name, location, slot)
+    return tuple(varyings.values())
 
 
-def _varying(location: int, slot: _Slot, names: dict[int, str]) -> Varying:
-    name = "_".join(dict.fromkeys(names[value.id] for value in slot.values))
+def _varying(name: str, location: int, slot: _Slot) -> Varying:
     type_ = with_width(slot.kind, slot.lanes)
     return Varying(Field(name, type_, location, slot.mode), tuple(slot.values))
+
+
+def _apart(name: str, taken: Collection[str]) -> str:
+    """The name itself, or with the first number that tells it from the others."""
+    numbered = (f"{name}_{number}" for number in count(2))
+    return name if name not in taken else next(n for n in numbered if n not in taken)
 
 
 def _name(node: Node, notes: Notes, users: Mapping[int, str]) -> str:

@@ -1,105 +1,164 @@
-"""The value of a graph whose leaves are known."""
+"""The value of a graph whose leaves are known: the definition of what a program means.
+
+Works on graphs at every stage of the compiler, with binders closed (de Bruijn) or open (formals),
+so that a pass can be checked by evaluating before and after it; on Python numbers or, for pictures,
+on arrays. Graphs and the nesting of binders may be as deep as they like.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from dataclasses import dataclass, field
 
-from ..ir.node import Node, reachable
-from ..ir.types import Matrix, Scalar, Type, Vector, scalar_kind
+from ..ir.node import Folding, Formal, Node, binders, body_of, reachable
+from ..ir.types import scalar_kind
+from ..semantics.trampoline import Step, run
 from . import scalars
 from .functions import evaluate as builtin
 from .namespace import Lanes, Namespace
+from .operations import NotConstantError, apply, chosen
 
-Leaves = Mapping[int, Lanes]
-"""Values of leaves by node id."""
+__all__ = ["Evaluator", "Leaves", "NotConstantError", "evaluate"]
 
+Leaves = Callable[[Node], Lanes | None]
+"""The value of a leaf; ``None`` where it has none. A texture's one lane is a function of ``u, v``.
 
-class NotConstantError(Exception):
-    """The graph has a leaf without a value."""
+It is asked about crossings (``interpolate``) too: one without a value has that of its operand.
+"""
 
-    def __init__(self, node: Node) -> None:
-        super().__init__(f"{node} has no value")
-        self.node = node
+_LEAVES = frozenset({"parameter", "resource", "attribute", "input", "interpolate"})
 
 
 def evaluate(root: Node, leaves: Leaves | None = None, xp: Namespace = scalars) -> Lanes:
-    """The lanes of ``root`` (a matrix: its columns), in float64; binders do not occur in it.
+    """The lanes of ``root`` (a matrix: its columns), in float64.
 
-    Raises ``NotConstantError`` at a leaf that is neither a constant nor in ``leaves``.
+    Raises ``NotConstantError`` at a leaf without a value.
     """
-    values: dict[int, Lanes] = dict(leaves or {})
-    for node in reachable((root,)):
-        if node.id not in values:
-            values[node.id] = apply(node, [values[operand.id] for operand in node.operands], xp)
-    return values[root.id]
+    return Evaluator(leaves, xp).value(root)
 
 
-def apply(node: Node, operands: list[Lanes], xp: Namespace = scalars) -> Lanes:
-    """The value of one operation for the values of its operands."""
-    step = _STEPS.get(node.op)
-    if step is None:
-        raise NotConstantError(node)
-    return step(node, operands, xp)
+@dataclass(eq=False, slots=True)
+class _Frame:
+    """One evaluation of a binder's body, or (without parent) of what is under no binder."""
+
+    parent: _Frame | None = None
+    bound: tuple[Lanes, ...] = ()
+    """Values of the de Bruijn variables, of all binders around, the innermost first."""
+    formals: Mapping[Formal, Lanes] = field(default_factory=dict)
+    values: dict[int, Lanes] = field(default_factory=dict)
 
 
-def constant_lanes(type_: Type, data: Any) -> Lanes:
-    """A constant node's data as lanes."""
-    if isinstance(type_, Scalar):
-        return (data,)
-    return tuple(data)
+class Evaluator:
+    """Evaluates roots that share nodes; each node once for each value of the variables in it."""
+
+    def __init__(self, leaves: Leaves | None = None, xp: Namespace = scalars) -> None:
+        self._leaves = leaves
+        self._xp = xp
+        self._outermost = _Frame()
+        self._variables: dict[int, frozenset[Formal]] = {}
+
+    def value(self, root: Node) -> Lanes:
+        """The lanes of ``root``."""
+        self._learn_variables(root)
+        return run(self._value(root, self._outermost))
+
+    def _learn_variables(self, root: Node) -> None:
+        """Which formals of binders further out each node needs."""
+        if root.id in self._variables:
+            return
+        for node in reachable((root,)):
+            if node.id not in self._variables:
+                inner = [self._variables[operand.id] for operand in node.operands]
+                found = frozenset().union(*inner) if any(inner) else frozenset()
+                if node.op == "formal" and isinstance(node.data, Formal):
+                    found = frozenset((node.data,))
+                self._variables[node.id] = found.difference(_formals(node))
+
+    def _home(self, node: Node, frame: _Frame) -> _Frame:
+        """The outermost frame in which ``node`` has the value that it has in ``frame``."""
+        wanted = self._variables[node.id]
+        while frame.parent is not None and not node.free and wanted.isdisjoint(frame.formals):
+            frame = frame.parent
+        return frame
+
+    def _value(self, root: Node, frame: _Frame) -> Step[Lanes]:
+        pending = [root]
+        while pending:
+            node = pending[-1]
+            home = self._home(node, frame)
+            known = home.values.get(node.id)
+            if known is None:
+                known = self._given(node, home)
+            if known is None:
+                missing = [
+                    operand
+                    for operand in _needed_first(node)
+                    if operand.id not in self._home(operand, frame).values
+                ]
+                if missing:
+                    pending.extend(missing)
+                    continue
+                known = yield self._computed(node, home)
+            home.values[node.id] = known
+            pending.pop()
+        return self._home(root, frame).values[root.id]
+
+    def _given(self, node: Node, frame: _Frame) -> Lanes | None:
+        """The value of a variable or a leaf."""
+        if node.op in _LEAVES:
+            return self._leaves(node) if self._leaves is not None else None
+        if node.op == "bound" and isinstance(node.data, int):
+            return frame.bound[node.data] if node.data < len(frame.bound) else None
+        if node.op == "formal" and isinstance(node.data, Formal):
+            return frame.formals.get(node.data)
+        return None
+
+    def _computed(self, node: Node, frame: _Frame) -> Step[Lanes]:
+        operands = [
+            self._home(operand, frame).values[operand.id] for operand in _needed_first(node)
+        ]
+        if node.op == "fold":
+            folded: Lanes = yield self._folded(node, operands, frame)
+            return folded
+        body = body_of(node)
+        if body is None:
+            return apply(node, operands, self._xp)
+        result: Lanes = yield self._value(body, _inner(node, frame, tuple(operands)))
+        return result
+
+    def _folded(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
+        """One turn after the other; where counts differ, in an array, some take no part."""
+        assert isinstance(node.data, Folding)
+        (count,), total = operands
+        kind = scalar_kind(node.type) or "float"
+        for turn in range(node.data.bound):
+            goes_on = turn < count
+            if goes_on is False:
+                break
+            term = yield self._value(node.operands[2], _inner(node, frame, ((turn,),)))
+            combined = builtin(node.data.operator, (total, term), self._xp, kind)
+            total = chosen(self._xp, goes_on, combined, total)
+        return total
 
 
-def _constant(node: Node, _operands: list[Lanes], _xp: Namespace) -> Lanes:
-    return constant_lanes(node.type, node.data)
+def _needed_first(node: Node) -> tuple[Node, ...]:
+    """The operands that are evaluated where the node is: not the body under its binder."""
+    if node.op == "fold":
+        return node.operands[:2]
+    return node.operands[1:] if node.op == "apply" else node.operands
 
 
-def _call(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
-    kind = scalar_kind(node.operands[0].type)
-    return builtin(str(node.data), operands, xp, kind or "float")
+def _formals(node: Node) -> tuple[Formal, ...]:
+    """The variables of an opened binder."""
+    if node.op == "apply" and isinstance(node.data, tuple):
+        return node.data
+    if isinstance(node.data, Folding) and node.data.index is not None:
+        return (node.data.index,)
+    return ()
 
 
-def _vector(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    return tuple(lane for operand in operands for lane in operand)
-
-
-def _splat(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    assert isinstance(node.type, Vector)
-    return operands[0] * node.type.size
-
-
-def _matrix(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    return tuple(operands)
-
-
-def _swizzle(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    assert isinstance(node.data, tuple)
-    return tuple(operands[0][lane] for lane in node.data)
-
-
-def _index(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    aggregate, (position,) = operands
-    element = aggregate[int(position)]
-    return element if isinstance(node.operands[0].type, Matrix) else (element,)
-
-
-def _select(_node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
-    (condition,), then, otherwise = operands
-    if then and isinstance(then[0], tuple):
-        return tuple(
-            tuple(xp.where(condition, a, b) for a, b in zip(*columns, strict=True))
-            for columns in zip(then, otherwise, strict=True)
-        )
-    return tuple(xp.where(condition, a, b) for a, b in zip(then, otherwise, strict=True))
-
-
-_STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
-    "constant": _constant,
-    "call": _call,
-    "vector": _vector,
-    "splat": _splat,
-    "matrix": _matrix,
-    "swizzle": _swizzle,
-    "index": _index,
-    "select": _select,
-}
+def _inner(node: Node, frame: _Frame, variables: tuple[Lanes, ...]) -> _Frame:
+    """A frame for the body of ``node``."""
+    if binders(node):
+        return _Frame(frame, variables + frame.bound)
+    return _Frame(frame, frame.bound, dict(zip(_formals(node), variables, strict=True)))

@@ -49,6 +49,7 @@ def per_light(
         if formal is not None:
             count = None if entry.count is None else _parameter(low, entry.count)
             contribution = fold(low.graph, "add", entry.bound, contribution, formal, low.notes.follow, count)
+        low.notes.spans.setdefault(contribution.id, e.span)
         total = contribution if total is None else low.graph.node(
             "call", total.type, (total, contribution), "add"
         )  # fmt: skip

@@ -58,7 +58,9 @@ class Module:
             yield from self.prelude.declared
 
 
-Read = Callable[[Path, Report], Source | None]
+Read = Callable[[Path, Report, str], Source | None]
+"""Reads a file; the text is what messages call it."""
+
 Parse = Callable[[Source, Report], ast.File]
 
 
@@ -88,7 +90,7 @@ class Loader:
         """The library module whose names every other module sees."""
         if self._prelude is None:
             path = self._library / "prelude.burnish"
-            source = self._read(path, self._report)
+            source = self._read(path, self._report, _library_name(path))
             assert source is not None, "the library has no prelude"
             # Known before it is linked: the library files that it imports see it as well.
             self._prelude = Module(self._parse_library(source, self._report), path)
@@ -150,12 +152,13 @@ class Loader:
             self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
             return None
         for root, inside in self._roots(module, wanted, relative):
-            path = (root / inside).resolve()
+            found = root / inside
+            path = found.resolve()
             if not path.is_relative_to(root.resolve()):
                 self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
                 return None
             if path.is_file():
-                return self._load(path, wanted.span)
+                return self._load(found, path, wanted.span)
         self._report.add(
             rules.MISSING_IMPORT, wanted.span, path=relative, hint=self._suggest(wanted)
         )
@@ -178,7 +181,7 @@ class Loader:
         modules = (f"std.{path.stem}" for path in self._library.glob("*.burnish"))
         return suggestion(".".join(wanted.path), sorted(modules))
 
-    def _load(self, path: Path, span: Span) -> Module | None:
+    def _load(self, found: Path, path: Path, span: Span) -> Module | None:
         if path in self._modules:
             return self._modules[path]
         pending = [loading for loading, _ in self._loading]
@@ -188,10 +191,11 @@ class Loader:
                 rules.IMPORT_CYCLE, span, cycle=" → ".join(step.name for step in cycle)
             )
             return None
-        source = self._read(path, self._report)
+        library = path.is_relative_to(self._library.resolve())
+        shown = _library_name(path) if library else str(found)
+        source = self._read(path, self._report, shown)
         if source is None:
             return None
-        library = path.is_relative_to(self._library.resolve())
         self._loading.append((path, span))
         parse = self._parse_library if library else self._parse
         linked = Module(parse(source, self._report), path, prelude=self.prelude())
@@ -199,3 +203,8 @@ class Loader:
         self._loading.pop()
         self._modules[path] = linked
         return linked
+
+
+def _library_name(path: Path) -> str:
+    """What messages call a library file, wherever it is installed."""
+    return f"std/{path.name}"

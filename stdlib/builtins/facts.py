@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 SMALLEST_NORMAL = 2.0**-126
@@ -61,9 +61,11 @@ class Fact:
 
     def as_kind(self, kind: Kind) -> Fact:
         """This fact about lanes of ``kind``; bounds that its integers cannot hold may wrap."""
+        if self.kind == kind == "float":
+            return self
         lo, hi = _LIMITS[kind]
         if self.within(lo, hi):
-            return replace(self, kind=kind)
+            return Fact(self.lo, self.hi, self.nonzero, self.unit, kind)
         if (self.lo, self.hi) == (-math.inf, math.inf):
             return Fact(lo, hi, self.nonzero, self.unit, kind)
         return Fact(lo, hi, kind=kind)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -16,6 +16,7 @@ from .context import Context
 from .description import Profile, Target
 from .names import Names, name_program
 from .stage import StagePrinter
+from .statements import Traced
 from .views import BlockView, EntryView, FileView, MemberView, StructView, TextureView
 
 _SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
@@ -42,6 +43,8 @@ class EmittedFile:
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
+    origins: Mapping[int, int]
+    """By 1-based line of ``text``, the id of the node that the line computes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,18 +97,21 @@ class _Emitter:
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
         names = {stage.name: _SINGLE_ENTRIES[stage.name] if single else "main" for stage in stages}
-        entries = [self._entry(stage, names[stage.name]) for stage in stages]
+        printers = [StagePrinter(self._context, stage) for stage in stages]
+        entries = [
+            printer.entry(names[stage.name]) for printer, stage in zip(printers, stages, strict=True)
+        ]
+        text = self._text(stages, entries)
+        traced = [line for printer in printers for line in printer.traced]
         extension = self._target.extension
         first = stages[0].name
         return EmittedFile(
             suffix=extension if single else f"{_SUFFIXES[first]}.{extension}",
             stage="both" if single else first,
             entries=names,
-            text=self._text(stages, entries),
+            text=text,
+            origins=dict(_origins(text, traced)),
         )
-
-    def _entry(self, stage: Stage, name: str) -> EntryView:
-        return StagePrinter(self._context, stage).entry(name)
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
         view = self._view(stages, entries)
@@ -173,3 +179,13 @@ class _Emitter:
             texture_slot=self._bindings.textures[resource.name],
             sampler_slot=self._bindings.samplers[resource.name],
         )
+
+
+def _origins(text: str, traced: Iterable[Traced]) -> Iterator[tuple[int, int]]:
+    """Line numbers of traced lines; skeletons keep their order, whatever they put around them."""
+    remaining = iter(traced)
+    expected = next(remaining, None)
+    for number, line in enumerate(text.split("\n"), start=1):
+        if expected is not None and line.strip() == expected:
+            yield number, expected.node
+            expected = next(remaining, None)

@@ -9,7 +9,7 @@ from .description import FieldRole
 from .expressions import Expressions
 from .leaves import Leaves
 from .namer import Namer
-from .statements import Statements
+from .statements import Statements, Traced
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
 
 
@@ -34,13 +34,17 @@ class StagePrinter:
             function.body.id: (names.function(stage.name, function.body), function)
             for function in stage.functions
         }
+        self.traced: list[Traced] = []
+        """The lines that compute nodes, in the order of the text."""
 
     def entry(self, name: str) -> EntryView:
         """The entry point, called ``name``."""
         stage = self._stage
         namer = self._locals()
         expressions, statements = self._body(namer)
+        functions = [self._function(function) for function in stage.functions]
         lines = statements.lines(stage.region)
+        self.traced += statements.traced
         outputs = [self._field(field, self._output_role) for field in stage.outputs]
         return EntryView(
             stage=stage.name,
@@ -48,7 +52,7 @@ class StagePrinter:
             inputs=[self._field(field, self._input_role) for field in stage.inputs],
             pipeline_inputs=self._pipeline_inputs(),
             outputs=outputs,
-            functions=[self._function(function) for function in stage.functions],
+            functions=functions,
             lines=lines,
             stores=[
                 StoreView(field.name, expressions.text(node))
@@ -74,6 +78,7 @@ class StagePrinter:
             expressions.bound.update((node.id, name) for node, name in captured)
         types = [type_ for _formal, type_ in function.parameters]
         lines = statements.lines(function.region)
+        self.traced += statements.traced
         return FunctionView(
             comments=comment_lines(function.doc),
             type=self._types.type(function.value.type),

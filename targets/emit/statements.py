@@ -20,6 +20,20 @@ Lines: TypeAlias = Iterator["str | Lines"]
 """Lines of a block, and the lines of blocks inside it."""
 
 
+class Traced(str):
+    """A line that computes a node."""
+
+    __slots__ = ("node",)
+
+    def __new__(cls, text: str, node: int) -> Traced:
+        line = super().__new__(cls, text)
+        line.node = node
+        return line
+
+    node: int
+    """The node's id."""
+
+
 class Statements:
     """Prints the statements of one function body."""
 
@@ -29,6 +43,8 @@ class Statements:
         self._types = context.types
         self._expressions = expressions
         self._namer = namer
+        self.traced: list[Traced] = []
+        """The lines that compute nodes, in the order of the text."""
 
     def lines(self, region: Region) -> list[str]:
         """The statements of ``region``; what they bind stays bound."""
@@ -39,6 +55,8 @@ class Statements:
             if item is None:
                 open_.pop()
             elif isinstance(item, str):
+                if isinstance(item, Traced):
+                    self.traced.append(item)
                 lines.append(INDENT * (len(open_) - 1) + item)
             else:
                 open_.append(item)
@@ -58,9 +76,9 @@ class Statements:
         yield from comment_lines(let.doc, "//")
         value = self._expressions.expression(let.node).text
         name = self._bind(let)
-        yield self._forms.let.format(
-            name=name, typed=self._types.declare(name, let.node.type), value=value
-        )
+        typed = self._types.declare(name, let.node.type)
+        text = self._forms.let.format(name=name, typed=typed, value=value)
+        yield Traced(text, let.node.id)
 
     def _branch(self, branch: Branch) -> Lines:
         condition, then, otherwise = branch.node.operands
@@ -118,7 +136,7 @@ class Statements:
         outer = len(bound)
         self._namer.enter()
         yield from self._region(region)
-        yield f"{name} {sign} {self._expressions.text(value)};"
+        yield Traced(f"{name} {sign} {self._expressions.text(value)};", value.id)
         self._namer.leave()
         while len(bound) > outer:
             bound.popitem()

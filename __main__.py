@@ -1,0 +1,5 @@
+"""``python -m burnish`` is the command ``burnish``."""
+
+from .cli import main
+
+main()

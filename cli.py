@@ -1,0 +1,47 @@
+"""The command line: ``burnish COMMAND``, one file in ``commands`` for each command.
+
+Exit codes: 0 all is well, 1 the input has errors, 2 the command line itself makes no sense, 130
+interrupted. Starting fast is a feature, so nothing here loads the compiler.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from . import __version__
+from .commands.check import check
+from .commands.compile import compile_
+from .commands.doctor import doctor
+from .commands.explain import explain
+from .commands.targets import targets
+
+INTERRUPTED = 130
+"""What shells expect of a program that Ctrl-C ended."""
+
+
+class _QuietGroup(click.Group):
+    """Ends on Ctrl-C without a word."""
+
+    def invoke(self, context: click.Context) -> Any:
+        try:
+            return super().invoke(context)
+        except KeyboardInterrupt:
+            context.exit(INTERRUPTED)
+
+
+@click.group(cls=_QuietGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="burnish")
+def main() -> None:
+    """Compile shader graphs: one material in, HLSL, GLSL and WGSL out, all meaning the same.
+
+    \b
+    Example:
+        burnish compile plastic.burnish -o build/
+        burnish compile --help
+    """
+
+
+for _command in (compile_, check, targets, doctor, explain):
+    main.add_command(_command)

@@ -1,0 +1,58 @@
+"""``burnish check``: what is wrong with a file, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from .console import FAILED, show
+from .options import file_argument, format_option, pass_option, rig_option, search_option
+
+if TYPE_CHECKING:
+    from ..compiler.diagnostics.diagnostic import Diagnostic
+
+
+@click.command()
+@file_argument
+@rig_option
+@pass_option
+@search_option
+@format_option
+@click.pass_context
+def check(
+    context: click.Context,
+    file: Path,
+    rig: str | None,
+    pass_: str | None,
+    search_path: tuple[Path, ...],
+    form: str,
+) -> None:
+    """Report what is wrong with FILE, and write nothing.
+
+    The exit code is 1 if there are errors; warnings alone do not fail.
+
+    \b
+    Example:
+        burnish check plastic.burnish
+        burnish check plastic.burnish --format json
+    """
+    from .. import api  # noqa: PLC0415
+
+    found = api.check(file, rig=rig, pass_=pass_, search_path=search_path)
+    if form == "json":
+        click.echo(_json(found))
+    else:
+        show(found)
+    if any(diagnostic.severity == "error" for diagnostic in found):
+        context.exit(FAILED)
+
+
+def _json(diagnostics: Sequence[Diagnostic]) -> str:
+    import json  # noqa: PLC0415
+
+    from ..compiler.diagnostics.serialise import serialise  # noqa: PLC0415
+
+    return json.dumps([serialise(diagnostic) for diagnostic in diagnostics], indent=2)

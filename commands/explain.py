@@ -1,0 +1,37 @@
+"""``burnish explain``: what a diagnostic's code stands for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from ..compiler.diagnostics.diagnostic import Rule
+
+
+@click.command()
+@click.argument("code")
+def explain(code: str) -> None:
+    """Say what the diagnostic CODE means and how to satisfy it.
+
+    \b
+    Example:
+        burnish explain B0203
+    """
+    rules = _rules()
+    rule = rules.get(code.upper())
+    if rule is None:
+        from ..compiler.diagnostics.nearest import suggestion  # noqa: PLC0415
+
+        hint = suggestion(code.upper(), rules) or f"they run from {min(rules)} to {max(rules)}"
+        raise click.BadParameter(f"there is no code `{code}`; {hint}", param_hint="CODE")
+    click.echo(f"{rule.severity}[{rule.code}]: {rule.message}\n")
+    click.echo(click.wrap_text(rule.help, width=80))
+
+
+def _rules() -> dict[str, Rule]:
+    from ..compiler.diagnostics import rules  # noqa: PLC0415
+    from ..compiler.diagnostics.diagnostic import Rule  # noqa: PLC0415
+
+    return {rule.code: rule for rule in vars(rules).values() if isinstance(rule, Rule)}

@@ -1,0 +1,33 @@
+"""Options that several commands take."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+file_argument = click.argument("file", type=click.Path(path_type=Path))
+
+rig_option = click.option(
+    "--rig", metavar="NAME", help="The rig to use, where the file declares several."
+)
+pass_option = click.option(
+    "--pass", "pass_", metavar="NAME", help="The pass that draws, if not the library's Forward."
+)
+search_option = click.option(
+    "-I",
+    "--include",
+    "search_path",
+    metavar="FOLDER",
+    multiple=True,
+    type=click.Path(path_type=Path),
+    help="A folder to look for imported files in; may be given several times.",
+)
+format_option = click.option(
+    "--format",
+    "form",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    show_default=True,
+    help="Text for people or JSON for programs.",
+)

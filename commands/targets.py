@@ -1,0 +1,82 @@
+"""``burnish targets``: the backends' rows, for people and for programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from .console import wants_color
+from .options import format_option
+
+if TYPE_CHECKING:
+    from ..targets.emit.description import Profile, Target
+
+
+@click.command()
+@format_option
+def targets(form: str) -> None:
+    """List the targets, their profiles and what each can do.
+
+    A target is chosen by its name, which means its first profile, or as TARGET:PROFILE.
+
+    \b
+    Example:
+        burnish targets
+        burnish compile plastic.burnish --target wgsl,glsl:es300 -o build/
+    """
+    from ..targets import registry  # noqa: PLC0415
+
+    rows = [registry.load(name) for name in registry.names()]
+    if form == "json":
+        import json  # noqa: PLC0415
+
+        click.echo(json.dumps([_data(target) for target in rows], indent=2))
+        return
+    color = wants_color(click.get_text_stream("stdout"))
+    for target in rows:
+        click.echo("\n".join(_lines(target)), color=color)
+
+
+def _lines(target: Target) -> Iterator[str]:
+    yield click.style(f"{target.name}", bold=True) + f"  {target.title}, *.{target.extension}"
+    for profile in target.profiles:
+        default = "" if profile is not target.profiles[0] else " (default)"
+        yield f"  {target.name}:{profile.name}{default}"
+        yield f"      {profile.doc}"
+        yield f"      {'; '.join(_abilities(profile))}"
+
+
+def _abilities(profile: Profile) -> Iterator[str]:
+    """What a host has to know to choose a profile, in words."""
+    yield "textures with their samplers" if profile.combined_samplers else "separate samplers"
+    yield "bindings in the text" if profile.explicit_bindings else "bindings set by name"
+    yield f"depth {profile.clip_depth}"
+    yield f"rows count {'upwards' if profile.rows_up else 'downwards'}"
+    if profile.single_file:
+        yield "--single-file"
+    yield f"checked by {', '.join(profile.checkers) or 'nothing'}"
+
+
+def _data(target: Target) -> dict[str, Any]:
+    return {
+        "name": target.name,
+        "title": target.title,
+        "extension": target.extension,
+        "profiles": [_profile_data(profile) for profile in target.profiles],
+    }
+
+
+def _profile_data(profile: Profile) -> dict[str, Any]:
+    return {
+        "name": profile.name,
+        "doc": profile.doc,
+        "combined_samplers": profile.combined_samplers,
+        "explicit_bindings": profile.explicit_bindings,
+        "varyings_by_name": profile.varyings_by_name,
+        "clip_depth": profile.clip_depth,
+        "rows_up": profile.rows_up,
+        "single_file": profile.single_file,
+        "checkers": list(profile.checkers),
+    }

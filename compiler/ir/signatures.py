@@ -1,0 +1,131 @@
+"""What the signatures of builtins say: which types go in, which one comes out.
+
+Letters of a signature stand for the same type wherever they occur; ``stdlib/builtins/row.py`` lists
+them. Here types match or they do not; that constants adapt is the business of ``semantics``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+from ...stdlib.builtins import BUILTINS
+from .types import (
+    BOOL,
+    FLOAT,
+    INT,
+    UINT,
+    Matrix,
+    Scalar,
+    ScalarKind,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+    with_width,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Family:
+    """What a signature letter ranges over."""
+
+    kinds: tuple[ScalarKind, ...]
+    widths: tuple[int, ...]
+    broadcasts: bool = False
+    """Whether a scalar operand may stand for a vector of equal lanes."""
+
+    def contains(self, type_: Type) -> bool:
+        """Whether a type belongs to the family."""
+        return (
+            isinstance(type_, Scalar | Vector)
+            and type_.kind in self.kinds
+            and width(type_) in self.widths
+        )
+
+
+NUMBER_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint")
+FAMILIES: Mapping[str, Family] = {
+    "T": Family(("float",), (1, 2, 3, 4), broadcasts=True),
+    "V": Family(("float",), (2, 3, 4)),
+    "N": Family(NUMBER_KINDS, (1, 2, 3, 4), broadcasts=True),
+    "I": Family(("int", "uint"), (1, 2, 3, 4), broadcasts=True),
+    "B": Family(("bool",), (1, 2, 3, 4)),
+    "P": Family((*NUMBER_KINDS, "bool"), (1, 2, 3, 4)),
+}
+
+_PREFIXES: tuple[tuple[str, ScalarKind], ...] = (("i", "int"), ("u", "uint"), ("b", "bool"))
+FIXED: Mapping[str, Type] = {
+    "S": FLOAT, "float": FLOAT, "int": INT, "uint": UINT, "bool": BOOL, "texture2d": Texture(),
+    **{f"vec{n}": Vector("float", n) for n in (2, 3, 4)},
+    **{f"{p}vec{n}": Vector(k, n) for n in (2, 3, 4) for p, k in _PREFIXES},
+    **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
+}  # fmt: skip
+"""Words of a signature that are one type."""
+
+DEPENDENT = "CLQ"
+"""Letters that follow from others and so are bound last."""
+
+
+@lru_cache(maxsize=None)
+def parsed(signature: str) -> tuple[tuple[str, ...], str]:
+    """The words for the operands and the one for the result."""
+    operands, result = signature.split("->")
+    return tuple(word.strip() for word in operands.split(",")), result.strip()
+
+
+@lru_cache(maxsize=4096)
+def result_type(name: str, operands: tuple[Type, ...]) -> Type | None:
+    """The result of builtin ``name`` for operands of just these types; ``None`` if it has none."""
+    for signature in BUILTINS[name].signatures:
+        words, result = parsed(signature)
+        bound = _bound(words, operands)
+        if bound is not None:
+            return meaning(result, bound)
+    return None
+
+
+def meaning(letter: str, bound: Mapping[str, Type]) -> Type:
+    """What a result's letter stands for, once those of the operands are bound."""
+    result = bound.get(letter) or FIXED.get(letter) or dependent(letter, bound)
+    assert result is not None, letter
+    return result
+
+
+def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
+    """``L``, ``C`` and ``Q`` follow from a letter bound before them."""
+    if letter == "C" and isinstance(matrix := bound.get("M"), Matrix):
+        return Vector("float", matrix.size)
+    if letter == "Q" and (base := bound.get("P")) is not None:
+        return with_width("bool", width(base))
+    if letter == "L":
+        for source in ("N", "T", "I", "P"):
+            kind = scalar_kind(bound[source]) if source in bound else None
+            if kind is not None:
+                return Scalar(kind)
+    return None
+
+
+def _bound(words: tuple[str, ...], operands: tuple[Type, ...]) -> dict[str, Type] | None:
+    """What each letter stands for, where the operands fit."""
+    if len(words) != len(operands):
+        return None
+    bound: dict[str, Type] = {}
+    for letter in sorted(dict.fromkeys(words), key=DEPENDENT.__contains__):
+        used = {type_ for word, type_ in zip(words, operands, strict=True) if word == letter}
+        type_ = used.pop()
+        if used or not _may_be(letter, type_, bound):
+            return None
+        bound[letter] = type_
+    return bound
+
+
+def _may_be(letter: str, type_: Type, bound: Mapping[str, Type]) -> bool:
+    """Whether a letter can stand for a type."""
+    if letter in FAMILIES:
+        return FAMILIES[letter].contains(type_)
+    if letter == "M":
+        return isinstance(type_, Matrix)
+    return letter == "R" or type_ == (FIXED.get(letter) or dependent(letter, bound))

@@ -1,0 +1,27 @@
+#version 450
+layout(location=0) in vec3 vPos; layout(location=1) in vec3 vNrm;
+layout(location=0) out vec4 oCol;
+layout(std140,set=0,binding=0) uniform P {
+  mat4 world; mat4 viewProj; mat3 nrm; vec3 eye; float p0;
+  vec3 ka; float p1; vec3 kd; float p2; vec3 ks; float shin;
+  vec3 La; float p3;
+  vec3 dDir; float p4; vec3 dCol; float p5;
+  vec3 pPos; float p6; vec3 pCol; float p7;
+  vec3 sPos; float sCosOut; vec3 sDir; float sScale; vec3 sCol; uint sSharp;
+};
+vec3 unit(vec3 v){ return v*inversesqrt(max(dot(v,v),1.1754944e-38)); }
+vec3 shade(vec3 n, vec3 v, vec3 l, vec3 L){
+  float nl=clamp(dot(n,l),0.0,1.0);
+  float s=nl>0.0 ? pow(clamp(dot(reflect(-l,n),v),0.0,1.0),shin) : 0.0;
+  return (kd*nl+ks*s)*L;
+}
+void main(){
+  vec3 n=unit(vNrm), v=unit(eye-vPos);
+  vec3 c=ka*La;
+  c+=shade(n,v,-dDir,dCol);
+  c+=shade(n,v,unit(pPos-vPos),pCol);
+  vec3 l=unit(sPos-vPos);
+  float x=dot(sDir,-l), t=clamp((x-sCosOut)*sScale,0.0,1.0);
+  c+=shade(n,v,l,sCol*(sSharp!=0u ? step(sCosOut,x) : t*t*(3.0-2.0*t)));
+  oCol=vec4(c,1.0);
+}

@@ -1,0 +1,52 @@
+"""The examples, and every shader that can be asked of one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import burnish
+from burnish.compiler.diagnostics.diagnostic import Report
+from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax import ast
+from burnish.compiler.syntax.parser import parse
+from burnish.targets import registry
+
+FOLDER = Path(__file__).parents[2] / "examples"
+EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
+PROFILES = tuple(
+    f"{name}:{profile.name}" for name in registry.names() for profile in registry.load(name).profiles
+)
+
+
+@dataclass(frozen=True)
+class Variant:
+    """An example under one of its own rigs and passes, or under the library's."""
+
+    path: Path
+    rig: str | None
+    pass_: str | None
+
+    def __str__(self) -> str:
+        return "-".join(filter(None, (self.path.stem, self.rig, self.pass_)))
+
+    def compile(self) -> burnish.CompileResult:
+        """All its materials for every target and profile."""
+        return burnish.compile(self.path, PROFILES, rig=self.rig, pass_=self.pass_)
+
+
+def variants() -> Iterator[Variant]:
+    """Every example × rig × pass."""
+    for path in EXAMPLES:
+        declarations = parse(Source(path.name, path.read_text("utf-8")), Report()).declarations
+        rigs = [d.name.text for d in declarations if isinstance(d, ast.Rig)]
+        passes = [
+            d.name.text for d in declarations if isinstance(d, ast.Record) and d.kind == "pass"
+        ]
+        for rig in rigs or [None]:
+            for pass_ in (None, *passes):
+                yield Variant(path, rig, pass_)
+
+
+VARIANTS = tuple(variants())

@@ -1,0 +1,42 @@
+"""Every example compiles for every target, and the real front ends take the texts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from burnish import CompileResult
+from burnish.targets.toolchain import Job, Toolchain
+
+from .kit import EXAMPLES, PROFILES, VARIANTS, Variant
+
+STAGES = {"vertex": "vert", "fragment": "frag"}
+
+
+@pytest.fixture(scope="module")
+def toolchain() -> Iterator[Toolchain]:
+    with Toolchain() as tools:
+        yield tools
+
+
+def jobs(result: CompileResult) -> Iterator[Job]:
+    for material in result.materials:
+        for file in material.files:
+            for stage, entry in file.entry_points.items():
+                for checker in file.checkers:
+                    yield Job(checker, STAGES[stage], file.text, entry, file.name)
+
+
+@pytest.mark.parametrize("variant", VARIANTS, ids=str)
+def test_accepted(variant: Variant, toolchain: Toolchain) -> None:
+    result = variant.compile()
+    assert not result.diagnostics
+    assert result.materials
+    verdicts = toolchain.check(list(jobs(result)))
+    refused = [verdict.report() for verdict in verdicts if verdict.status != "accepted"]
+    assert not refused, "\n".join(refused)
+    assert len(verdicts) >= len(result.materials) * len(PROFILES) * len(STAGES)
+
+
+def test_every_example_is_tried() -> None:
+    assert {variant.path for variant in VARIANTS} == set(EXAMPLES)
