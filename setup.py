@@ -1,12 +1,12 @@
 """Maps the repository root onto the package ``burnish``; everything else stands in pyproject.toml.
 
-The list of sub-packages is computed so that a new folder under ``compiler``, ``targets`` or
-``stdlib`` is part of the next build by itself.
+The list of sub-packages is computed so that a new folder under any of the roots is
+part of the next build by itself.
 """
 
 from setuptools import find_packages, setup
 
-ROOTS = ("compiler", "targets", "stdlib")
+ROOTS = ("commands", "compiler", "targets", "stdlib")
 
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])
 

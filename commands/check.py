@@ -21,9 +21,7 @@ if TYPE_CHECKING:
 @pass_option
 @search_option
 @format_option
-@click.pass_context
 def check(
-    context: click.Context,
     file: Path,
     rig: str | None,
     pass_: str | None,
@@ -47,7 +45,7 @@ def check(
     else:
         show(found)
     if any(diagnostic.severity == "error" for diagnostic in found):
-        context.exit(FAILED)
+        click.get_current_context().exit(FAILED)
 
 
 def _json(diagnostics: Sequence[Diagnostic]) -> str:

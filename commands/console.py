@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections import Counter
 from collections.abc import Sequence
 from typing import IO, TYPE_CHECKING, Any
@@ -27,9 +28,8 @@ def show(diagnostics: Sequence[Diagnostic]) -> None:
         return
     from ..compiler.diagnostics.render import render_all  # noqa: PLC0415
 
-    stream = click.get_text_stream("stderr")
-    text = render_all(diagnostics, color=wants_color(stream))
-    click.echo(f"{text}\n\n{_counted(diagnostics)}", file=stream, color=True)
+    text = render_all(diagnostics, color=wants_color(sys.stderr))
+    click.echo(f"{text}\n\n{_counted(diagnostics)}", err=True, color=True)
 
 
 def _counted(diagnostics: Sequence[Diagnostic]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 import click
@@ -13,8 +14,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.pass_context
-def doctor(context: click.Context) -> None:
+def doctor() -> None:
     """Look for the tools that `--validate` and the tests use.
 
     Compiling needs none of them. For each that is missing the command that installs it is shown;
@@ -31,11 +31,11 @@ def doctor(context: click.Context) -> None:
 
     with ThreadPoolExecutor() as threads:
         states = list(threads.map(inspect, TOOLS))
-    color = wants_color(click.get_text_stream("stdout"))
+    color = wants_color(sys.stdout)
     for state in states:
         click.echo(_described(state), color=color)
     if any(state.problem for state in states):
-        context.exit(FAILED)
+        click.get_current_context().exit(FAILED)
 
 
 def _described(state: ToolState) -> str:

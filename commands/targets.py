@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -34,7 +35,7 @@ def targets(form: str) -> None:
 
         click.echo(json.dumps([_data(target) for target in rows], indent=2))
         return
-    color = wants_color(click.get_text_stream("stdout"))
+    color = wants_color(sys.stdout)
     for target in rows:
         click.echo("\n".join(_lines(target)), color=color)
 

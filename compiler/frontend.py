@@ -36,6 +36,11 @@ class Frontend:
         """The module in a text; its quoted imports are looked up along the search path."""
         return self._loader.main(Source(name, text), None)
 
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The files imported so far, down to those of the library."""
+        return self._loader.files
+
     def shaders(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None
     ) -> list[Shader]:

@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import count, filterfalse
 
 from .ir.leaves import Parameter
 from .ir.program import Block, StoredMember
@@ -72,20 +73,26 @@ def block_name(group: str, derived: bool) -> str:
 def _block(
     group: str, derived: bool, parameters: list[Parameter], docs: Mapping[str, str]
 ) -> Block:
-    placed = place((suggested_name(p), stored_type(p.type)) for p in parameters)
+    name = block_name(group, derived)
+    rows = [(suggested_name(p), stored_type(p.type)) for p in parameters]
+    placed = place(rows, f"{name.lower()}_pad")
+    size = sum(byte_size(row.type) for row in placed)
+    # Every backend rounds a whole block up by itself; only gaps before a member have to be said.
+    while placed[-1].padding:
+        placed = placed[:-1]
     remaining = iter(parameters)
     members = []
     for row in placed:
         parameter = None if row.padding else next(remaining)
         doc = docs.get(parameter.name, "") if parameter else ""
-        size = byte_size(row.type)
-        members.append(StoredMember(row.name, row.type, row.offset, size, parameter, doc))
+        own = byte_size(row.type)
+        members.append(StoredMember(row.name, row.type, row.offset, own, parameter, doc))
     return Block(
-        name=block_name(group, derived),
+        name=name,
         group=group,
         derived=derived,
         members=tuple(members),
-        size=sum(member.size for member in members),
+        size=size,
         structs=_structs(member.type for member in members),
     )
 
@@ -98,18 +105,21 @@ def suggested_name(parameter: Parameter) -> str:
     return parameter.name.replace(".", "_")
 
 
-def place(members: Iterable[tuple[str, Type]]) -> tuple[Placed, ...]:
-    """Stored members in order with every gap filled, up to a whole number of rows."""
+def place(members: Iterable[tuple[str, Type]], padding: str = "pad") -> tuple[Placed, ...]:
+    """Stored members in order with every gap filled, up to a whole number of rows.
+
+    ``padding`` is what the fillers are called, with a number.
+    """
     members = tuple(members)
     taken = {name for name, _ in members}
+    free = filterfalse(taken.__contains__, (f"{padding}_{i}" for i in count()))
     placed: list[Placed] = []
     end = 0
 
     def pad_to(alignment: int) -> None:
         nonlocal end
         while end % alignment:
-            name = _padding_name(taken)
-            placed.append(Placed(name, FLOAT, end, padding=True))
+            placed.append(Placed(next(free), FLOAT, end, padding=True))
             end += LANE
 
     for name, type_ in members:
@@ -118,15 +128,6 @@ def place(members: Iterable[tuple[str, Type]]) -> tuple[Placed, ...]:
         end += byte_size(type_)
     pad_to(ROW)
     return tuple(placed)
-
-
-def _padding_name(taken: set[str]) -> str:
-    """The next free ``pad_N``; it is taken afterwards."""
-    number = 0
-    while f"pad_{number}" in taken:
-        number += 1
-    taken.add(f"pad_{number}")
-    return f"pad_{number}"
 
 
 @cache

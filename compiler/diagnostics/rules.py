@@ -75,7 +75,7 @@ UNKNOWN_TARGET = _error(
 UNKNOWN_PROFILE = _error(
     "B0011",
     "target `{target}` has no profile `{name}`",
-    "A profile is a version of a target's language, such as `glsl-es300`.",
+    "A profile is a version of a target's language, such as `glsl:es300`.",
 )
 UNKNOWN_EXPORT = _error(
     "B0012",
@@ -446,4 +446,26 @@ TOO_MANY = _error(
     "B0702",
     "{count} {what}, but {target} has only {limit}",
     "The limit is what every device of the target is guaranteed to have.",
+)
+REJECTED = _error(
+    "B0703",
+    "{checker} rejects `{file}`: {text}",
+    "Every text that Burnish writes should be accepted, so this is a fault of Burnish and not of "
+    "the material. Please report it together with the material.",
+)
+DOUBTED = _warning(
+    "B0704",
+    "{checker} about `{file}`: {text}",
+    "The text was accepted, but this compiler has something to say about it.",
+)
+TOOL_BROKE = _error(
+    "B0705",
+    "{checker} has no answer on `{file}`: {reason}",
+    "The tool crashed or ran out of time, which is the tool's fault and leaves the shader "
+    "unchecked.",
+)
+TOOL_MISSING = _error(
+    "B0706",
+    "{checker} cannot check anything: {problem}",
+    "`burnish doctor` lists the tools, with a command that installs each missing one.",
 )

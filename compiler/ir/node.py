@@ -28,7 +28,7 @@ Op = Literal[
     "swizzle",  # data: tuple of lane numbers
     "index",  # (aggregate, integer)
     "member",  # data: member name of a struct
-    "select",  # (condition, then, otherwise)
+    "select",  # (condition, then, otherwise); data: "branch" where both must not be computed
     "interpolate",  # data: mode; the operand lives in the vertex domain
     "fold",  # data: Folding; (count, start, body); the body's bound 0 is the index
     "apply",  # data: Formals once opened; (body, *arguments); the body's bound i is argument i

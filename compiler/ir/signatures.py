@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from ...stdlib.builtins import BUILTINS
 from .types import (
@@ -69,7 +69,7 @@ DEPENDENT = "CLQ"
 """Letters that follow from others and so are bound last."""
 
 
-@lru_cache(maxsize=None)
+@cache
 def parsed(signature: str) -> tuple[tuple[str, ...], str]:
     """The words for the operands and the one for the result."""
     operands, result = signature.split("->")

@@ -1,8 +1,8 @@
 """Checks that a graph is well formed: what every pass may rely on and has to keep.
 
-The form tightens on the way through the compiler, and each ``Form`` includes what those before it ask:
-binders are closed as semantics leaves them, then opened, then without Burnish's own ``call``, and
-finally with parameters as blocks store them.
+The form tightens on the way through the compiler. Binders are closed as semantics leaves them, then
+``opened``; a ``guarded`` graph has no ``call``, and a ``stored`` one reads parameters as blocks
+hold them.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from .types import (
 
 Form = Literal["semantics", "opened", "guarded", "stored"]
 Variables = frozenset[tuple[Formal | int, Type]]
-"""Variables of binders further out, by formal or by de Bruijn index, each with the type it is used at."""
+"""Variables of binders further out, by formal or de Bruijn index, and the types they are used at."""
 
 _LANES: Mapping[ScalarKind, type] = {"float": float, "int": int, "uint": int, "bool": bool}
 
@@ -212,7 +212,8 @@ def _index(node: Node) -> Type | None:
 
 def _member(node: Node) -> Type | None:
     (source,) = node.operands
-    return dict(source.type.members).get(str(node.data)) if isinstance(source.type, Struct) else None
+    members = source.type.members if isinstance(source.type, Struct) else ()
+    return dict(members).get(str(node.data))
 
 
 def _select(node: Node) -> Type | None:

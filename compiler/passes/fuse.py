@@ -1,6 +1,6 @@
 """Fuses sums over the same lights: one loop, and one function a light, for all terms together.
 
-``Σ f(light) + Σ g(light)`` is ``Σ (f + g)(light)``; so ``lambert(…) + phong(…)`` costs one pass over the rig.
+``Σ f(light) + Σ g(light)`` is ``Σ (f + g)(light)``; so ``matt(…) + shiny(…)`` costs one pass over the rig.
 In the graph: two applies in one sum that share an argument become an apply of the sum of their
 bodies, and two folds of one count become a fold of the sum of theirs. Real addition is associative,
 and the accuracy that a backend owes is worked out on the fused graph.

@@ -17,8 +17,13 @@ from ..ir.node import Graph, Node, Op
 from ..ir.types import Scalar, Type, Vector, with_width
 from ..semantics.shader import Notes
 from .expand import Template, template
+from .paths import Paths
 from .ranges import Ranges
 from .simplify import Simplifier
+
+
+BRANCH = "branch"
+"""Data of a select that has to become a branch: one of its sides is safe only behind it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,17 +48,39 @@ def _interval(fact: Fact) -> str:
 class Guarding(Simplifier):
     """Builds nodes without any ``call``: natives and expansions."""
 
-    def __init__(self, graph: Graph, ranges: Ranges, notes: Notes) -> None:
+    def __init__(self, graph: Graph, ranges: Ranges, notes: Notes, paths: Paths) -> None:
         super().__init__(graph, ranges, notes)
+        self._paths = paths
+        self._branches: set[int] = set()
         self.kept: dict[int, Guard] = {}
         """By the id of the ``call`` that was expanded."""
         self._at: Span | None = None
         self._expanded: dict[int, Node] = {}
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """As ``Simplifier.rule``; a guard that stays is put down to the source of ``node``."""
+        """As ``Simplifier.rule``, with what is known on the path to ``node``.
+
+        A guard that stays is put down to the source of ``node``.
+        """
         self._at = self.notes.spans.get(node.id, self._at)
+        if node.id in self._branches:
+            return self.make("select", node.type, operands, BRANCH)
+        if node.op == "call" and self._safe_on_path(node, operands):
+            return self.graph.node("native", node.type, operands, node.data)
         return super().rule(graph, node, operands)
+
+    def _safe_on_path(self, node: Node, operands: tuple[Node, ...]) -> bool:
+        """Whether conditions prove what ranges alone do not; their selects then have to branch."""
+        row = BUILTINS[str(node.data)]
+        plain = tuple(self.ranges.of(operand) for operand in operands)
+        if not row.expansion or row.domain(plain):
+            return False
+        known = [self._paths.known(node, operand) for operand in node.operands]
+        facts = tuple(fact.meet(more) for fact, (more, _) in zip(plain, known, strict=True))
+        if not row.domain(facts):
+            return False
+        self._branches.update(select.id for _, selects in known for select in selects)
+        return True
 
     def make(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None

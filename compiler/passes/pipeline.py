@@ -11,6 +11,7 @@ from ..ir.node import Graph, Node
 from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying
 from ..layout import STANDARD_GROUPS, layout_blocks
 from ..semantics.shader import Notes, Shader
+from .checkpoint import passed
 from .fuse import fuse
 from .guard import Guard, Guarding
 from .hoist import Derived, hoist
@@ -18,6 +19,7 @@ from .inline import inline
 from .lift import lift
 from .naming import Naming
 from .opening import open_binders
+from .paths import Paths
 from .ranges import Ranges
 from .rates import move_to_vertices
 from .rewrite import rewrite
@@ -72,15 +74,17 @@ def stage(shader: Shader, options: Options) -> Staged:
     results = _Results(
         shader.clip_position, tuple(target.value for target in shader.targets), shader.discard
     )
-    roots = open_binders(graph, results.flat(), notes)
+    roots = passed("semantics", "semantics", results.flat())
+    roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
     roots = _simplified(graph, roots, notes)
     roots, guards = _guarded(graph, roots, notes)
-    roots = move_to_vertices(graph, roots, notes)
+    roots = passed("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
         roots, derived = hoist(graph, roots, notes, Ranges(roots))
-    roots = lift(graph, roots, notes)
-    roots = lower_reads(graph, roots, notes.follow)
+        passed("hoist", "guarded", roots)
+    roots = passed("lift", "guarded", lift(graph, roots, notes))
+    roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     program = _program(shader, results.of(roots), derived)
     return Staged(program, derived, guards)
 
@@ -88,17 +92,18 @@ def stage(shader: Shader, options: Options) -> Staged:
 def _simplified(graph: Graph, roots: list[Node], notes: Notes) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
     simplifier = Simplifier(graph, Ranges(roots), notes)
-    roots = rewrite(graph, roots, simplifier.rule, notes.follow)
-    roots = fuse(graph, roots, notes, simplifier)
+    roots = passed("simplify", "opened", rewrite(graph, roots, simplifier.rule, notes.follow))
+    roots = passed("fuse", "opened", fuse(graph, roots, notes, simplifier))
     simplifier = Simplifier(graph, Ranges(roots), notes)
-    return inline(graph, roots, notes, simplifier)
+    return passed("inline", "opened", inline(graph, roots, notes, simplifier))
 
 
 def _guarded(
     graph: Graph, roots: list[Node], notes: Notes
 ) -> tuple[list[Node], tuple[Guard, ...]]:
-    guarding = Guarding(graph, Ranges(roots), notes)
-    roots = rewrite(graph, roots, guarding.rule, notes.follow)
+    ranges = Ranges(roots)
+    guarding = Guarding(graph, ranges, notes, Paths(roots, ranges))
+    roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
     return roots, tuple(guarding.kept.values())
 
 

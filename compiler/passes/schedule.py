@@ -15,6 +15,7 @@ from ..ir.node import Folding, Formal, Node
 from ..ir.program import Branch, Let, Loop, Region, Statement
 from ..semantics.shader import Notes
 from .cost import cost_of
+from .guard import BRANCH
 from .naming import Naming
 
 LEAVES = frozenset({"constant", "parameter", "resource", "attribute", "formal", "input", "bound"})
@@ -135,6 +136,8 @@ class Scheduler:
         while block.parent is not None:
             if block.loop is not None and block.loop in self._depends[node.id]:
                 break
+            if block.owner is not None and block.owner.data == BRANCH and not uniform:
+                break
             if block.loop is not None or uniform:
                 best = block.parent
             block = block.parent
@@ -160,8 +163,11 @@ class Scheduler:
             node.id
             for node in self._order
             if node.op == "select"
-            and max(self._exclusive_cost(node, side, users) for side in (1, 2)) >= BRANCH_COST
+            and (node.data is not None or self._dear_side(node, users))
         }
+
+    def _dear_side(self, select: Node, users: dict[int, set[tuple[int, int]]]) -> bool:
+        return any(self._exclusive_cost(select, side, users) >= BRANCH_COST for side in (1, 2))
 
     def _exclusive_cost(
         self, select: Node, side: int, users: dict[int, set[tuple[int, int]]]

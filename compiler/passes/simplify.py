@@ -196,7 +196,7 @@ def _index(
 
 
 def _select(
-    s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashable
+    s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable
 ) -> Node | None:
     condition, then, otherwise = operands
     if condition.op == "constant":
@@ -204,11 +204,11 @@ def _select(
     if then is otherwise:
         return then
     if condition.op in ("call", "native") and condition.data == "not":
-        return s.make("select", type_, (condition.operands[0], otherwise, then))
+        return s.make("select", type_, (condition.operands[0], otherwise, then), data)
     if then.op == "constant" != otherwise.op and _is_comparison(condition):
         # The side that computes something comes first: it is the one that a branch may skip.
         opposite = s.make(condition.op, condition.type, (condition,), "not")
-        return s.make("select", type_, (opposite, otherwise, then))
+        return s.make("select", type_, (opposite, otherwise, then), data)
     if (then.data, otherwise.data) == (True, False) and then.op == otherwise.op == "constant":
         return condition if isinstance(type_, Scalar) and type_.kind == "bool" else None
     return None

@@ -86,6 +86,11 @@ class Loader:
         self._loading: list[tuple[Path, Span]] = []
         self._prelude: Module | None = None
 
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The imported files that were read."""
+        return tuple(self._modules)
+
     def prelude(self) -> Module:
         """The library module whose names every other module sees."""
         if self._prelude is None:

@@ -93,7 +93,7 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
 def _overrides(
     low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record
 ) -> dict[str, Replacement]:
-    """``torch : Spot { inner = 10deg }``: equations lowered as the light's own."""
+    """``torch : Beam { inner = 10deg }``: equations lowered as the light's own."""
     given: dict[str, Replacement] = {}
     for slot in written.overrides:
         if slot.name.text not in record.definitions:

@@ -20,7 +20,7 @@ class ParameterInfo:
 
     parameter: Parameter
     declared_type: str
-    """As written: ``rgb``, ``direction<world>``, ``Point[8]``."""
+    """As written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
     range: tuple[float, float] | None
     default: Lanes | None
     doc: str

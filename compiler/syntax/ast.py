@@ -241,7 +241,7 @@ Member = Param | Map | Attribute | Slot | Target | Discard
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Import:
-    """``import std.lights.{Point, Spot}``, ``import std.lights`` or ``import "wood.burnish"``.
+    """``import std.lights.{Lamp, Beam}``, ``import std.lights`` or ``import "wood.burnish"``.
 
     ``path`` is ``("std", "lights")`` or, for a quoted import, the one quoted text; ``names`` is
     ``None`` where everything is imported.
@@ -307,7 +307,7 @@ class Function:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RigEntry:
-    """``sun : Directional``, ``fill : Point[2]``, ``lamps : Point[<= 8]``, with overrides."""
+    """``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, with overrides."""
 
     span: Span
     doc: str

@@ -18,6 +18,8 @@ from .verdicts import accepted_unless_error, judge_spirv, rejected, undone
 Check = Callable[[Sequence[Job], Toolbox], list[Verdict]]
 """Answers jobs in their order. All its jobs are for one checker and have the same flags."""
 
+VULKAN_ATTRIBUTES_ARE_FINE = "-Wno-ignored-attributes"
+"""One text serves both of DXC's outputs, and DXIL has no use for ``[[vk::location]]``."""
 DXC_PROFILES = {"vert": "vs_6_0", "frag": "ps_6_0"}
 NAGA_NO_ENTRY = "Unable to find the entry point"
 
@@ -45,7 +47,7 @@ def _dxc_spirv(job: Job, toolbox: Toolbox) -> Verdict:
 
 
 def _dxc_dxil(job: Job, toolbox: Toolbox) -> Verdict:
-    return _dxc(job, toolbox, (), disassemble=True)[0]
+    return _dxc(job, toolbox, (VULKAN_ATTRIBUTES_ARE_FINE,), disassemble=True)[0]
 
 
 def _dxc(

@@ -6,7 +6,7 @@ It is drawn in comments, the name of a struct below its members::
     ; {
     ;   struct hostlayout.P
     ;   {
-    ;       struct struct.Light
+    ;       struct struct.Lamp
     ;       {
     ;           float3 pos;                     ; Offset:   16
     ;       } lights[2];;                       ; Offset:   16

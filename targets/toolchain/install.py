@@ -34,6 +34,8 @@ APT_PACKAGES = {
     "spirv-tools": ("spirv-tools",),
     "node": ("nodejs", "npm"),
 }
+CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
+"""Debian's own ``cargo`` is too old for naga; this one follows the browsers that are built with it."""
 APT_LOCK_SECONDS = 300
 
 
@@ -93,7 +95,7 @@ def _lock() -> Iterator[None]:
 
 def _install(tool: Tool) -> None:
     if tool.name in APT_PACKAGES:
-        _apt(tool)
+        _apt(*APT_PACKAGES[tool.name])
         state = inspect(tool)
         if state.problem:
             raise InstallError(state.problem)
@@ -112,14 +114,14 @@ def _install(tool: Tool) -> None:
         shutil.rmtree(partial, ignore_errors=True)
 
 
-def _apt(tool: Tool) -> None:
+def _apt(*names: str) -> None:
     if os.geteuid() != 0 or not shutil.which("apt-get"):
         raise InstallError(
-            f"this needs root and apt-get; install {' and '.join(APT_PACKAGES[tool.name])} with "
-            f"your system's package manager, or run as root: {tool.install}"
+            f"this needs root and apt-get; install {' and '.join(names)} with your system's "
+            "package manager, or run this as root"
         )
     patience = ("-o", f"DPkg::Lock::Timeout={APT_LOCK_SECONDS}")
-    packages = ("--no-install-recommends", *APT_PACKAGES[tool.name])
+    packages = ("--no-install-recommends", *names)
     try:
         _run("apt-get", *patience, "install", "-y", *packages)
     except InstallError:
@@ -128,6 +130,8 @@ def _apt(tool: Tool) -> None:
 
 
 def _cargo_naga(tool: Tool, folder: Path) -> None:
+    if not shutil.which("cargo"):
+        _apt(*CARGO_PACKAGES)
     wanted = ("naga-cli", "--locked", "--version", tool.pinned)
     _run("cargo", "install", *wanted, "--root", str(folder))
 

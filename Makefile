@@ -1,0 +1,56 @@
+# Everything that is done with a checkout. Both `make demo` and `make test` set up what they need in
+# .venv and in the user's cache folder; PYTHON says which Python makes the environment.
+
+PYTHON ?= $(shell command -v python3.11 || command -v python3 || echo python3)
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test lint bench tools clean
+
+help: ## Say what there is to make
+	@sed -n 's/^\([a-z]*\):.*## /make \1\t/p' $(MAKEFILE_LIST) | expand -t 14
+
+demo: $(VENV)/installed ## Compile examples/plastic.burnish for all backends into build/
+	@$(BIN)/burnish compile examples/plastic.burnish -o build
+	@echo
+	@echo 'build/Plastic.vert.*   vertex shaders: hlsl for Direct3D, glsl for Vulkan, wgsl for WebGPU'
+	@echo 'build/Plastic.frag.*   fragment shaders, likewise'
+	@echo 'build/Plastic.json     the reflection: what a host has to bind where'
+	@echo
+	@echo 'Next: . $(BIN)/activate; burnish --help'
+
+test: tools lint ## Install what the tests need, then check style, types and behaviour
+	$(BIN)/python -m pytest -n auto
+
+lint: $(VENV)/dev build/mypy/burnish ## Check style and types
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+bench: tools ## Measure: a table, and build/bench.json
+	$(BIN)/python -m tests.bench
+
+tools: $(VENV)/dev ## Install the downstream compilers
+	$(BIN)/python -m burnish.targets.toolchain.install
+
+clean: ## Remove everything that was made in the checkout
+	rm -rf $(VENV) build dist *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	find . -name __pycache__ -prune -exec rm -rf {} +
+
+$(BIN)/python:
+	.ci/venv $(PYTHON) $(VENV)
+
+$(VENV)/installed: pyproject.toml setup.py | $(BIN)/python
+	$(PIP) install --editable .
+	@touch $@
+
+$(VENV)/dev: $(VENV)/installed
+	$(PIP) install --editable '.[dev]'
+	@touch $@
+
+# The checkout under its name as a package, whatever its folder is called, for mypy.
+build/mypy/burnish:
+	mkdir -p build/mypy
+	ln -s ../.. $@

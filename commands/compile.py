@@ -1,0 +1,177 @@
+"""``burnish compile``: from a file to shader texts on disk."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from .console import FAILED, show
+from .options import file_argument, pass_option, rig_option, search_option
+
+if TYPE_CHECKING:
+    from ..api import CompiledMaterial, CompileResult
+
+STDOUT = "-"
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What the command line asks for."""
+
+    file: Path
+    targets: tuple[str, ...]
+    """Empty for all there are."""
+    output: str
+    """A folder, or ``-``."""
+    validate: bool
+    material: str | None
+    rig: str | None
+    pass_: str | None
+    search_path: tuple[Path, ...]
+    hoist: bool
+    flip_y: bool
+    single_file: bool
+
+
+def _split(_context: click.Context, _option: click.Parameter, given: Iterable[str]) -> Any:
+    return tuple(name for names in given for name in names.split(","))
+
+
+@click.command("compile")
+@file_argument
+@click.option(
+    "-t",
+    "--target",
+    "targets",
+    metavar="NAME[:PROFILE],…",
+    multiple=True,
+    callback=_split,
+    help="What to write; see `burnish targets`. By default each target's first profile.",
+)
+@click.option(
+    "-o",
+    "--output",
+    metavar="FOLDER",
+    required=True,
+    help="Where to put the files; made if it is not there. `-` prints the shaders instead.",
+)
+@click.option("--material", metavar="NAME", help="Only this material, instead of all in the file.")
+@rig_option
+@pass_option
+@search_option
+@click.option("--validate", is_flag=True, help="Have the real compilers check what is written.")
+@click.option("--watch", is_flag=True, help="Compile again whenever a source changes.")
+@click.option("--single-file", is_flag=True, help="Both stages in one text: vs_main and fs_main.")
+@click.option("--flip-y", is_flag=True, help="Turn the picture over, for drawing into textures.")
+@click.option(
+    "--hoist/--no-hoist",
+    default=True,
+    help="Leave what depends on parameters only to the host, or compute it in the shader.",
+    show_default=True,
+)
+def compile_(watch: bool, **chosen: Any) -> None:
+    """Compile the materials of FILE.
+
+    Each becomes FOLDER/<Material>.<vert|frag>.<hlsl|glsl|wgsl> and FOLDER/<Material>.json, which
+    tells a host what to bind where. If anything is wrong, nothing is written.
+
+    \b
+    Example:
+        burnish compile plastic.burnish -o build/
+        burnish compile plastic.burnish --target wgsl,glsl:es300 --validate -o build/
+        burnish compile plastic.burnish --target wgsl --single-file -o - | less
+    """
+    request = Request(**chosen)
+    if watch:
+        from .watch import watch as repeat  # noqa: PLC0415
+
+        repeat(request.file, request.search_path, lambda: _succeeds(request))
+    elif not _succeeds(request):
+        click.get_current_context().exit(FAILED)
+
+
+def _succeeds(request: Request) -> bool:
+    """Do what is asked once, telling what there is to tell; whether it came to an output."""
+    from ..compiler.diagnostics.diagnostic import CompileError  # noqa: PLC0415
+
+    try:
+        result = _compiled(request)
+        _deliver(request, result)
+    except CompileError as error:
+        show(error.diagnostics)
+        return False
+    show(result.diagnostics)
+    return True
+
+
+def _compiled(request: Request) -> CompileResult:
+    from .. import api  # noqa: PLC0415
+    from ..targets import registry  # noqa: PLC0415
+
+    return api.compile(
+        request.file,
+        request.targets or registry.names(),
+        material=request.material,
+        rig=request.rig,
+        pass_=request.pass_,
+        search_path=request.search_path,
+        hoist=request.hoist,
+        flip_y=request.flip_y,
+        single_file=request.single_file,
+    )
+
+
+def _deliver(request: Request, result: CompileResult) -> None:
+    if request.validate:
+        _insist_on_acceptance(result)
+    if request.output == STDOUT:
+        _print(result)
+        return
+    from .output import write_all  # noqa: PLC0415
+
+    texts: dict[str, str] = {}
+    for material in result.materials:
+        texts |= {file.name: file.text for file in material.files}
+        texts[_reflection_name(material)] = _reflection_text(material)
+    write_all(Path(request.output), texts)
+    for material in result.materials:
+        click.echo(
+            f"{material.name}: {len(material.files)} shaders and {_reflection_name(material)} "
+            f"in {request.output}"
+        )
+
+
+def _insist_on_acceptance(result: CompileResult) -> None:
+    """Raise ``CompileError`` unless the downstream compilers accept every text."""
+    from ..compiler.diagnostics.diagnostic import CompileError  # noqa: PLC0415
+    from .validate import validate  # noqa: PLC0415
+
+    found = validate(file for material in result.materials for file in material.files)
+    if any(diagnostic.severity == "error" for diagnostic in found):
+        raise CompileError(found)
+    show(found)
+
+
+def _print(result: CompileResult) -> None:
+    """Print the shaders as they are, with a heading for each where there are several.
+
+    As bytes: what a shader's comments say should not depend on the terminal's encoding.
+    """
+    files = [file for material in result.materials for file in material.files]
+    for file in files:
+        heading = f"// ======== {file.name}\n" if len(files) > 1 else ""
+        click.echo((heading + file.text).encode(), nl=False)
+
+
+def _reflection_name(material: CompiledMaterial) -> str:
+    return f"{material.name}.json"
+
+
+def _reflection_text(material: CompiledMaterial) -> str:
+    import json  # noqa: PLC0415
+
+    return json.dumps(material.reflection, indent=2, ensure_ascii=False) + "\n"

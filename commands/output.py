@@ -1,0 +1,45 @@
+"""Puts files in place all together, or none of them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+from ..compiler.diagnostics import rules
+from ..compiler.diagnostics.diagnostic import CompileError, Report
+
+
+def write_all(folder: Path, texts: Mapping[str, str]) -> None:
+    """Write each text under its name; ``CompileError`` if that cannot be, and nothing is changed.
+
+    Everything is written to a folder beside its final place first, because a rename on one disk
+    neither runs out of space nor shows anybody half a file.
+    """
+    blocked = next((name for name in texts if (folder / name).is_dir()), None)
+    if blocked is not None:
+        raise _unwritable(folder / blocked, "it is a folder")
+    staging = folder / f".burnish-{os.getpid()}"
+    try:
+        staging.mkdir(parents=True, exist_ok=True)
+        _write_through(staging, folder, texts)
+    except OSError as error:
+        raise _unwritable(folder, error.strerror or str(error)) from error
+
+
+def _write_through(staging: Path, folder: Path, texts: Mapping[str, str]) -> None:
+    try:
+        for name, text in texts.items():
+            (staging / name).write_bytes(text.encode())
+        for name in texts:
+            (staging / name).replace(folder / name)
+    finally:
+        for name in texts:
+            (staging / name).unlink(missing_ok=True)
+        staging.rmdir()
+
+
+def _unwritable(path: Path, reason: str) -> CompileError:
+    report = Report()
+    report.add(rules.UNWRITABLE_OUTPUT, None, path=path, reason=reason)
+    return CompileError(report.diagnostics)

@@ -1,0 +1,71 @@
+"""What the downstream compilers say about emitted texts, told where the user can do something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ..api import OutputFile
+from ..compiler.diagnostics import rules
+from ..compiler.diagnostics.diagnostic import Diagnostic, Label, Report
+from ..compiler.diagnostics.source import Source, Span
+from ..targets.toolchain import Job, Message, Toolchain, Verdict
+
+_STAGES = {"vertex": "vert", "fragment": "frag"}
+
+
+def validate(files: Iterable[OutputFile]) -> tuple[Diagnostic, ...]:
+    """Everything that the compilers of the files' profiles object to; they run in parallel."""
+    asked = [(file, job) for file in files for job in _jobs(file)]
+    with Toolchain() as toolchain:
+        verdicts = toolchain.check([job for _, job in asked])
+    report = Report()
+    for (file, _), verdict in zip(asked, verdicts, strict=True):
+        _tell(file, verdict, report)
+    return report.diagnostics
+
+
+def _jobs(file: OutputFile) -> Iterator[Job]:
+    for checker in file.checkers:
+        for stage, entry in file.entry_points.items():
+            yield Job(checker, _STAGES[stage], file.text, entry, file.name)
+
+
+def _tell(file: OutputFile, verdict: Verdict, report: Report) -> None:
+    checker = verdict.job.checker
+    if verdict.status == "missing":
+        report.add(rules.TOOL_MISSING, None, checker=checker, problem=_line(verdict.log))
+    elif verdict.status in ("crashed", "timeout"):
+        reason = _line(verdict.log) or verdict.status
+        report.add(rules.TOOL_BROKE, None, checker=checker, file=file.name, reason=reason)
+    else:
+        for message in verdict.messages:
+            _relay(file, checker, message, report)
+
+
+def _relay(file: OutputFile, checker: str, message: Message, report: Report) -> None:
+    """Report a tool's message at the Burnish text that the line in question came from."""
+    rule = rules.REJECTED if message.severity == "error" else rules.DOUBTED
+    emitted = _emitted(file, message)
+    span = file.spans.get(message.line) if message.line else None
+    labels = [Label(emitted, "became this")] if span and emitted else []
+    report.add(
+        rule, span or emitted, labels=labels,
+        checker=checker, file=file.name, text=_line(message.text),
+    )  # fmt: skip
+
+
+def _emitted(file: OutputFile, message: Message) -> Span | None:
+    """The rest of the emitted line that a message is about; ``None`` if it names no line."""
+    if message.line is None:
+        return None
+    source = Source(file.name, file.text)
+    line = min(message.line, len(source.line_starts))
+    start = source.line_starts[line - 1]
+    text = source.line(line)
+    indent = len(text) - len(text.lstrip())
+    column = message.column - 1 if message.column else indent
+    return Span(source, start + min(column, len(text)), start + len(text))
+
+
+def _line(text: str) -> str:
+    return " ".join(text.split())

@@ -1,0 +1,22 @@
+"""Where passes hand over to each other: with ``BURNISH_VERIFY=1`` every graph is checked on the way."""
+
+from __future__ import annotations
+
+import os
+
+from ..ir.node import Node
+from ..ir.verify import Form, InvalidGraphError, verify
+
+VARIABLE = "BURNISH_VERIFY"
+"""Set to ``1`` in all tests; off for users, since verifying costs as much as a pass."""
+
+
+def passed(name: str, form: Form, roots: list[Node]) -> list[Node]:
+    """``roots`` as pass ``name`` made them, verified where that is wanted."""
+    if os.environ.get(VARIABLE) == "1":
+        try:
+            verify(roots, stage=form)
+        except InvalidGraphError as error:
+            error.add_note(f"after {name}")
+            raise
+    return roots

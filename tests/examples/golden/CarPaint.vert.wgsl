@@ -1,0 +1,45 @@
+// CarPaint: vertex shader, by Burnish.
+// Car paint: flakes scatter the light under a coat that is smooth, so one term is given another
+// normal than the rest.
+
+struct View {
+    view_projection: mat4x4f,  /// World to clip space
+    eye: vec3f,  /// Where the viewer stands
+    pad_0: f32,
+}
+
+struct Draw {
+    object_to_world: mat4x4f,
+}
+
+struct DrawDerived {
+    normal_matrix: array<vec4f, 3>,
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+@group(3) @binding(0) var<uniform> draw: Draw;
+@group(3) @binding(1) var<uniform> draw_derived: DrawDerived;
+
+struct VertexInput {
+    @location(0) vertex_position: vec3f,
+    @location(1) vertex_normal: vec3f,
+    @location(2) vertex_uv: vec2f,
+}
+
+struct VertexOutput {
+    @location(0) to_eye: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) normal_2: vec2f,
+    @builtin(position) clip_position: vec4f,
+}
+
+@vertex
+fn main(input: VertexInput) -> VertexOutput {
+    let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
+    var output: VertexOutput;
+    output.to_eye = view.eye - position;
+    output.normal = mat3x3f(draw_derived.normal_matrix[0].xyz, draw_derived.normal_matrix[1].xyz, draw_derived.normal_matrix[2].xyz) * input.vertex_normal;
+    output.normal_2 = input.vertex_uv * 40.0;
+    output.clip_position = view.view_projection * vec4f(position, 1.0);
+    return output;
+}

@@ -1,0 +1,65 @@
+// Marble: fragment shader, by Burnish.
+// Marble without a texture: veins where the noise is high. The functions come from a file beside
+// this one, and others can use them as well.
+
+cbuffer View : register(b0, space0) {
+    column_major float4x4 view_projection;  /// World to clip space
+    float3 eye;  /// Where the viewer stands
+    float pad_0;
+};
+
+cbuffer Rig : register(b0, space1) {
+    float3 ambient_light;  /// Light from everywhere
+    float pad_0_;
+    float3 sun_diffuse_color;
+    float pad_1;
+    float3 sun_specular_color;
+    float pad_2;
+    float3 sun_direction;  /// Where the light travels
+    float pad_3;
+};
+
+cbuffer RigDerived : register(b1, space1) {
+    float3 color_product;
+    float pad_0_2;
+};
+
+cbuffer Material : register(b0, space2) {
+    float3 stone;
+    float pad_0_3;
+    float3 veins;
+    float grain;  /// How many veins there are
+};
+
+cbuffer MaterialDerived : register(b1, space2) {
+    float3 kd_difference;
+    float pad_0_4;
+};
+
+struct FragmentInput {
+    [[vk::location(0)]] float3 position : TEXCOORD0;
+    [[vk::location(1)]] float3 normal : TEXCOORD1;
+};
+
+float4 main(FragmentInput input) : SV_Target0 {
+    float vein_turbulence = 0.0;
+    for (int i = 0; i < 4; i++) {
+        float vein_octave = exp2(float(i));
+        float3 vein_product = input.position * grain * vein_octave;
+        float vein_lanes = vein_product.x;
+        float vein_waves = 0.5 + 0.5 * sin(vein_lanes + 2.0 * sin(vein_product.y)) * sin(vein_product.z + 2.0 * sin(vein_lanes));
+        vein_turbulence += vein_waves / (2.0 * vein_octave);
+    }
+    float vein = vein_turbulence >= 1.1754944e-38 ? pow(vein_turbulence, 3.0) : 0.0;
+    float3 kd = stone + kd_difference * vein;
+    float3 normal = input.normal * rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
+    float normal_dot_sun_to_light = dot(normal, -sun_direction);
+    float3 phong = float3(0.0, 0.0, 0.0);
+    if (normal_dot_sun_to_light > 0.0) {
+        float3 to_eye_difference = eye - input.position;
+        float3 to_eye = to_eye_difference * rsqrt(max(dot(to_eye_difference, to_eye_difference), 1.1754944e-38));
+        phong = color_product * pow(saturate(dot(reflect(sun_direction, normal), to_eye)), 80.0);
+    }
+    float3 color = kd * ambient_light + (kd * sun_diffuse_color * saturate(normal_dot_sun_to_light) + phong);
+    return float4(color, 1.0);
+}

@@ -1,0 +1,37 @@
+// Marble: vertex shader, by Burnish.
+// Marble without a texture: veins where the noise is high. The functions come from a file beside
+// this one, and others can use them as well.
+
+cbuffer View : register(b0, space0) {
+    column_major float4x4 view_projection;  /// World to clip space
+    float3 eye;  /// Where the viewer stands
+    float pad_0;
+};
+
+cbuffer Draw : register(b0, space3) {
+    column_major float4x4 object_to_world;
+};
+
+cbuffer DrawDerived : register(b1, space3) {
+    float4 normal_matrix[3];
+};
+
+struct VertexInput {
+    [[vk::location(0)]] float3 vertex_position : VERTEX_POSITION;
+    [[vk::location(1)]] float3 vertex_normal : VERTEX_NORMAL;
+};
+
+struct VertexOutput {
+    [[vk::location(0)]] float3 position : TEXCOORD0;
+    [[vk::location(1)]] float3 normal : TEXCOORD1;
+    float4 clip_position : SV_Position;
+};
+
+VertexOutput main(VertexInput input) {
+    float3 position = mul(object_to_world, float4(input.vertex_position, 1.0)).xyz;
+    VertexOutput output;
+    output.position = position;
+    output.normal = mul(transpose(float3x3(normal_matrix[0].xyz, normal_matrix[1].xyz, normal_matrix[2].xyz)), input.vertex_normal);
+    output.clip_position = mul(view_projection, float4(position, 1.0));
+    return output;
+}

@@ -1,0 +1,44 @@
+// Plastic: vertex shader, by Burnish.
+// Plastic after the classic three-term model.
+
+struct View {
+    view_projection: mat4x4f,  /// World to clip space
+    eye: vec3f,  /// Where the viewer stands
+    pad_0: f32,
+}
+
+struct Draw {
+    object_to_world: mat4x4f,
+}
+
+struct DrawDerived {
+    normal_matrix: array<vec4f, 3>,
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+@group(3) @binding(0) var<uniform> draw: Draw;
+@group(3) @binding(1) var<uniform> draw_derived: DrawDerived;
+
+struct VertexInput {
+    @location(0) vertex_position: vec3f,
+    @location(1) vertex_normal: vec3f,
+    @location(2) vertex_uv: vec2f,
+}
+
+struct VertexOutput {
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+    @builtin(position) clip_position: vec4f,
+}
+
+@vertex
+fn main(input: VertexInput) -> VertexOutput {
+    let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
+    var output: VertexOutput;
+    output.position = position;
+    output.normal = mat3x3f(draw_derived.normal_matrix[0].xyz, draw_derived.normal_matrix[1].xyz, draw_derived.normal_matrix[2].xyz) * input.vertex_normal;
+    output.uv = input.vertex_uv;
+    output.clip_position = view.view_projection * vec4f(position, 1.0);
+    return output;
+}

@@ -1,0 +1,98 @@
+"""Whether two graphs mean the same, up to rounding, and how much rounding their value can bear.
+
+Passes reassociate sums, so values may differ by rounding; where a comparison or a floor is decided by
+such a difference, they may differ by more. That is measured: the original graph is evaluated again
+with every operation off by a little, and the spread of the results widens the tolerance.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from burnish.compiler.ir.leaves import Parameter
+from burnish.compiler.ir.node import Graph, Node
+from burnish.compiler.ir.types import FLOAT, Matrix, Scalar, Vector, scalar_kind
+from burnish.compiler.passes.pipeline import Options
+from burnish.compiler.passes.rewrite import rewrite
+from burnish.compiler.reference.evaluate import Evaluator
+from burnish.compiler.semantics.shader import Shader
+
+from .kit import World, history
+
+TOLERANCE = 1e-9
+NOISE = 1e-13
+REPEATS = 3
+AMPLIFIED = 1e3
+"""How much further than the noise's spread a value may be off."""
+
+EXACT = frozenset(
+    {"neg", "abs", "min", "max", "clamp", "saturate", "sign", "floor", "ceil", "trunc", "round",
+     "step", "to_float", "transpose"}
+)  # fmt: skip
+"""Operations that round nothing."""
+
+
+def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
+    """The roots with every rounding operation multiplied by a parameter near one."""
+
+    def rule(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        if node.op != "call" or scalar_kind(node.type) != "float" or node.data in EXACT:
+            return None
+        assert isinstance(node.type, Scalar | Vector | Matrix)
+        result = graph.node(node.op, node.type, operands, node.data)
+        leaf = Parameter(f"noise.{node.id}", FLOAT, "material")
+        factor = graph.node("parameter", FLOAT, (), leaf)
+        return graph.node("call", node.type, (result, factor), "mul")
+
+    return rewrite(graph, roots, rule)
+
+
+def flat(value: Any) -> Iterator[float]:
+    """All lanes of a value."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from flat(part)
+    else:
+        yield float(value)
+
+
+def lanes(roots: list[Node], world: World) -> list[float]:
+    """The lanes of all roots."""
+    evaluator = Evaluator(world)
+    return [lane for root in roots for lane in flat(evaluator.value(root))]
+
+
+def tolerances(shaken: list[Node], expected: list[float], world: World) -> list[float]:
+    """How far each lane may be off."""
+    repeats = [
+        lanes(shaken, World(world.seed, world.traps, noise=NOISE * (1 + i)))
+        for i in range(REPEATS)
+    ]
+    found = []
+    for value, *others in zip(expected, *repeats, strict=True):
+        spread = max(abs(other - value) for other in others)
+        found.append(TOLERANCE * abs(value) + AMPLIFIED * spread + 1e-30)
+    return found
+
+
+def disagreements(given: Shader, worlds: list[World], options: Options | None = None) -> list[str]:
+    """Where a pass changes a shader's value: none, one hopes."""
+    past = history(given, options)
+    original = past.roots["semantics"]
+    shaken = noisy(given.graph, original)
+    found = []
+    for world in worlds:
+        expected = lanes(original, world)
+        allowed = tolerances(shaken, expected, world)
+        informed = World(world.seed, world.traps, past.staged.derived)
+        for name, roots in past.roots.items():
+            for i, value in enumerate(lanes(roots, informed)):
+                if math.isfinite(expected[i]) and not abs(value - expected[i]) <= allowed[i]:
+                    found.append(
+                        f"{name}, lane {i}, seed {world.seed}: {value} instead of {expected[i]}"
+                    )
+            if found:
+                break
+    return found

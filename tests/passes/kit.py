@@ -1,0 +1,210 @@
+"""What the tests of the passes share: graphs after every pass, and the values of their leaves."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+from burnish.compiler.diagnostics.diagnostic import CompileError, Report
+from burnish.compiler.frontend import Frontend
+from burnish.compiler.ir.leaves import Attribute, Parameter
+from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.types import Array, Matrix, Scalar, Struct, Type, Vector
+from burnish.compiler.layout import elements_in_row, place, stored_type
+from burnish.compiler.passes import pipeline
+from burnish.compiler.passes.checkpoint import passed
+from burnish.compiler.passes.hoist import Derived
+from burnish.compiler.passes.pipeline import Options, Staged
+from burnish.compiler.reference.evaluate import Evaluator
+from burnish.compiler.reference.namespace import Lanes
+from burnish.compiler.semantics.shader import Shader
+from burnish.stdlib.builtins.facts import UNKNOWN, Fact
+
+TRAPS = (0.0, -0.0, 1.0, -1.0, 1e-40, -1e-30, 2.0, 0.5)
+INT_TRAPS = (0, 1, -1, 2, 31, -(2**31), 2**31 - 1)
+
+
+def shaders(source: str | Path, rig: str | None = None) -> list[Shader]:
+    """The shaders of a text or a file as semantics leaves them."""
+    report = Report()
+    frontend = Frontend(report)
+    if isinstance(source, Path):
+        module = frontend.open_file(source)
+        assert module is not None
+    else:
+        module = frontend.open_text(source, "<test>")
+    found = frontend.shaders(module, None, rig, None)
+    if report.failed:
+        raise CompileError(report.diagnostics)
+    return found
+
+
+def shader(source: str) -> Shader:
+    """The only shader of a text."""
+    (only,) = shaders(source)
+    return only
+
+
+@dataclass(frozen=True)
+class History:
+    """A shader's roots (position, targets, discard) after every pass, in order."""
+
+    roots: dict[str, list[Node]]
+    staged: Staged
+
+
+def history(given: Shader, options: Options | None = None) -> History:
+    """What every pass makes of a shader; each graph is verified."""
+    roots: dict[str, list[Node]] = {}
+
+    def record(name: str, form: Any, found: list[Node]) -> list[Node]:
+        roots[name] = list(found)
+        return passed(name, form, found)
+
+    with patch.object(pipeline, "passed", record):
+        staged = pipeline.stage(given, options or Options())
+    return History(roots, staged)
+
+
+# --- values of leaves ----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class World:
+    """A value for every leaf, drawn from a seed, within what is declared of it."""
+
+    seed: int
+    traps: bool = False
+    """Whether operations' traps (zeros, subnormals …) are likely values."""
+    derived: Sequence[Derived] = ()
+    noise: float = 0.0
+    """How far ``noise.*`` parameters may lie from 1."""
+
+    def __call__(self, node: Node) -> Lanes | None:
+        """The value of a leaf."""
+        leaf = node.data
+        if isinstance(leaf, Parameter):
+            value = self._parameter(leaf)
+            return value if node.type == leaf.type else stored(leaf.type, value)
+        if isinstance(leaf, Attribute):
+            return self._drawn(f"attribute {leaf.name}", leaf.type, UNKNOWN)
+        if node.op == "resource":
+            return (texture,)
+        return (True,) if node.op == "input" else None
+
+    def _parameter(self, leaf: Parameter) -> Lanes:
+        for value in self.derived:
+            if value.parameter == leaf:
+                return Evaluator(self).value(value.expression)
+        if leaf.name.startswith("noise."):
+            return (1.0 + self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
+        return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))
+
+    def _random(self, name: str) -> random.Random:
+        return random.Random(f"{self.seed} {name}")
+
+    def _drawn(
+        self, name: str, type_: Type, fact: Fact, members: dict[str, Fact] | None = None
+    ) -> Lanes:
+        return self._of(self._random(name), type_, fact, members or {})
+
+    def _of(
+        self, chance: random.Random, type_: Type, fact: Fact, members: dict[str, Fact]
+    ) -> Lanes:
+        match type_:
+            case Scalar(kind):
+                return (self._lane(chance, kind, fact),)
+            case Vector(kind, size):
+                lanes = tuple(self._lane(chance, kind, fact) for _ in range(size))
+                return unit(lanes) if fact.unit else lanes
+            case Matrix(size):
+                column = Vector("float", size)
+                return tuple(self._of(chance, column, UNKNOWN, {}) for _ in range(size))
+            case Array(element, count):
+                return tuple(self._of(chance, element, UNKNOWN, members) for _ in range(count))
+            case Struct():
+                return tuple(
+                    self._of(chance, inner, members.get(name, UNKNOWN), {})
+                    for name, inner in type_.members
+                )
+            case _:
+                raise TypeError(type_)
+
+    def _lane(self, chance: random.Random, kind: str, fact: Fact) -> Any:
+        if kind == "bool":
+            return chance.random() < 0.5
+        lo, hi = max(fact.lo, -4.0), min(fact.hi, 4.0)
+        if fact.lo > hi or fact.hi < lo:
+            lo, hi = fact.lo, fact.hi
+        if kind == "float":
+            allowed = [trap for trap in TRAPS if fact.lo <= trap <= fact.hi]
+            if self.traps and allowed and chance.random() < 0.6:
+                return chance.choice(allowed)
+            return float(chance.uniform(lo, hi))
+        integers = [n for n in INT_TRAPS if fact.lo <= n <= fact.hi and (kind == "int" or n >= 0)]
+        if self.traps and integers and chance.random() < 0.6:
+            return chance.choice(integers)
+        return chance.randint(max(math.ceil(lo), 0 if kind == "uint" else -4), math.floor(hi))
+
+
+def unit(lanes: Lanes) -> Lanes:
+    """A vector of length one."""
+    length = math.hypot(*lanes)
+    if length < 1e-3:
+        return (1.0, *[0.0] * (len(lanes) - 1))
+    return tuple(lane / length for lane in lanes)
+
+
+def texture(u: float, v: float) -> Lanes:
+    """A texture without edges."""
+    return tuple(0.5 + 0.5 * math.sin(i + (2.0 + i) * u - 3.0 * v) for i in range(4))
+
+
+def stored(type_: Type, value: Lanes) -> Lanes:
+    """A value in the form in which a block holds it, at full precision."""
+    match type_:
+        case Scalar("bool") | Vector("bool"):
+            return tuple(int(lane) for lane in value)
+        case Matrix(size) if size < 4:
+            return tuple((*column, *[0.0] * (4 - size)) for column in value)
+        case Array(Scalar() | Vector() as element, _):
+            lanes = [lane for part in value for lane in _row_part(element, stored(element, part))]
+            return tuple(tuple(lanes[at : at + 4]) for at in range(0, -(-len(lanes) // 4) * 4, 4))
+        case Array(Matrix() as element, _):
+            return tuple(column for part in value for column in stored(element, part))
+        case Array(element, _):
+            return tuple(stored(element, part) for part in value)
+        case Struct(members=members):
+            return _with_paddings(members, value)
+        case _:
+            return value
+
+
+def _row_part(element: Scalar | Vector, value: Lanes) -> Lanes:
+    """An element with what is unused behind it."""
+    room = 4 // elements_in_row(element)
+    return (*value, *[0] * (room - len(value)))
+
+
+def _with_paddings(members: tuple[tuple[str, Type], ...], value: Lanes) -> Lanes:
+    parts = {name: stored(type_, v) for (name, type_), v in zip(members, value, strict=True)}
+    rows = place((name, stored_type(type_)) for name, type_ in members)
+    return tuple((0.0,) if row.padding else parts[row.name] for row in rows)
+
+
+# --- looking at graphs ---------------------------------------------------------------------------
+
+
+def calls(roots: Iterable[Node], name: str) -> list[Node]:
+    """The operations called ``name`` that ``roots`` need."""
+    return [n for n in reachable(roots) if n.op in ("call", "native") and n.data == name]
+
+
+def ops(roots: Iterable[Node], op: str) -> list[Node]:
+    """The nodes of one kind that ``roots`` need."""
+    return [n for n in reachable(roots) if n.op == op]

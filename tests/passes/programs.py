@@ -1,0 +1,302 @@
+"""Random Burnish programs, as source text: well typed, small, and with a bit of everything."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+from itertools import product
+
+from burnish.compiler.ir.signatures import parsed, result_type
+from burnish.compiler.ir.types import BOOL, FLOAT, INT, UINT, VEC3, Matrix, Scalar, Type, Vector
+from burnish.compiler.ir.types import width as lanes_of
+from burnish.compiler.semantics.lower import OPERATORS
+from burnish.stdlib.builtins import BUILTINS
+from hypothesis import strategies as st
+
+VECTORS = tuple(Vector("float", n) for n in (2, 3, 4))
+TYPES: tuple[Type, ...] = (
+    FLOAT, INT, UINT, BOOL, *VECTORS, Vector("int", 2), *(Matrix(n) for n in (2, 3, 4)),
+)  # fmt: skip
+FUEL = 12
+"""About how many operations one expression has."""
+NUMBERS = ("0.0", "1.0", "0.5", "2.0", "0.25", "3.0", "1e-3", "7.5")
+INFIX = {builtin: symbol for symbol, builtin in OPERATORS.items()}
+CONVERSIONS = {"to_float": "float", "to_int": "int", "to_uint": "uint"}
+PREFIX = {"neg": "-", "not": "not "}
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A name that is in scope."""
+
+    text: str
+    type: Type
+    textured: bool = False
+    """Whether its value depends on a texture read, which may not happen everywhere."""
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What an expression may use."""
+
+    variables: tuple[Variable, ...] = ()
+    functions: tuple[tuple[str, tuple[Type, ...], Type], ...] = ()
+    terms: tuple[str, ...] = ()
+    maps: tuple[str, ...] = ()
+    surface: bool = False
+    """Whether there are stages to cross."""
+
+    def within(self, *variables: Variable) -> Scope:
+        """The scope with more variables and without implicit-level reads of its own."""
+        return replace(self, variables=self.variables + variables, maps=())
+
+    def at_vertex(self) -> Scope:
+        """What may stand under ``@vertex``."""
+        plain = tuple(v for v in self.variables if not v.textured)
+        return Scope(plain, self.functions)
+
+
+@cache
+def instances(result: Type) -> tuple[tuple[str, tuple[Type, ...]], ...]:
+    """Builtins with operand types that give ``result``."""
+    return tuple(
+        (name, operands)
+        for name in BUILTINS
+        if name != "sample"
+        for operands in _fitting(name)
+        if result_type(name, operands) == result
+    )
+
+
+@cache
+def _fitting(name: str) -> tuple[tuple[Type, ...], ...]:
+    counts = {len(parsed(signature)[0]) for signature in BUILTINS[name].signatures}
+    return tuple(
+        operands
+        for count in sorted(counts)
+        for operands in product(TYPES, repeat=count)
+        if result_type(name, operands) is not None
+    )
+
+
+@dataclass
+class Writer:
+    """Draws expressions."""
+
+    draw: st.DrawFn
+    textured: bool = field(default=False, init=False)
+    """Whether what was written since this was last cleared reads a texture."""
+
+    def expression(self, type_: Type, scope: Scope, fuel: int = FUEL) -> str:
+        """An expression of a type."""
+        if fuel <= 0:
+            return self._leaf(type_, scope)
+        ways: list[Callable[[Type, Scope, int], str]] = [self._builtin, self._builtin]
+        ways += [self._plain_leaf, self._conditional, self._constructed]
+        if any(result == type_ for _, _, result in scope.functions):
+            ways.append(self._function)
+        if type_ in (FLOAT, INT, *VECTORS):
+            ways.append(self._fold)
+        if type_ in (FLOAT, *VECTORS):
+            ways.append(self._swizzled)
+        if type_ == VEC3 and scope.terms:
+            ways += [self._term, self._term]
+        if scope.surface and isinstance(type_, Scalar | Vector):
+            ways.append(self._crossing)
+        if type_ == Vector("float", 4) and scope.maps:
+            ways.append(self._read)
+        return self.draw(st.sampled_from(ways))(type_, scope, fuel - 1)
+
+    def _leaf(self, type_: Type, scope: Scope) -> str:
+        known = [v for v in scope.variables if v.type == type_]
+        if known and self.draw(st.integers(0, 3)):
+            chosen = self.draw(st.sampled_from(known))
+            self.textured |= chosen.textured
+            return chosen.text
+        return self._literal(type_, scope)
+
+    def _plain_leaf(self, type_: Type, scope: Scope, _fuel: int) -> str:
+        return self._leaf(type_, scope)
+
+    def _literal(self, type_: Type, scope: Scope) -> str:
+        match type_:
+            case Scalar("float"):
+                return self.draw(st.sampled_from(NUMBERS))
+            case Scalar("int"):
+                return str(self.draw(st.sampled_from([0, 1, 2, 3, 7])))
+            case Scalar("uint"):
+                return f"{self.draw(st.sampled_from([0, 1, 2, 5]))}u"
+            case Scalar("bool"):
+                return self.draw(st.sampled_from(["true", "false"]))
+            case Vector(kind, size):
+                parts = (self._leaf(Scalar(kind), scope) for _ in range(size))
+                return f"{type_}({', '.join(parts)})"
+            case Matrix(size):
+                columns = (self._leaf(Vector("float", size), scope) for _ in range(size))
+                return f"{type_}({', '.join(columns)})"
+        raise TypeError(type_)
+
+    def _builtin(self, type_: Type, scope: Scope, fuel: int) -> str:
+        found = instances(type_)
+        names = sorted({name for name, _ in found})
+        name = self.draw(st.sampled_from(names))
+        operands = self.draw(st.sampled_from([o for n, o in found if n == name]))
+        share = fuel // len(operands)
+        texts = [self.expression(operand, scope, share) for operand in operands]
+        if name in INFIX:
+            return f"({texts[0]} {INFIX[name]} {texts[1]})"
+        if name in PREFIX:
+            return f"({PREFIX[name]}{texts[0]})"
+        return f"{CONVERSIONS.get(name, name)}({', '.join(texts)})"
+
+    def _conditional(self, type_: Type, scope: Scope, fuel: int) -> str:
+        condition = self.expression(BOOL, scope, fuel // 3)
+        then, otherwise = (self.expression(type_, scope, fuel // 3) for _ in range(2))
+        return f"(if {condition} then {then} else {otherwise})"
+
+    def _constructed(self, type_: Type, scope: Scope, fuel: int) -> str:
+        match type_:
+            case Vector(kind, size):
+                parts = (self.expression(Scalar(kind), scope, fuel // size) for _ in range(size))
+                return f"{type_}({', '.join(parts)})"
+            case Matrix(size) if self.draw(st.booleans()):
+                column = Vector("float", size)
+                columns = (self.expression(column, scope, fuel // size) for _ in range(size))
+                return f"{type_}({', '.join(columns)})"
+            case Matrix():
+                return f"{type_}({self.expression(FLOAT, scope, fuel)})"
+            case _:
+                return self._builtin(type_, scope, fuel)
+
+    def _swizzled(self, type_: Type, scope: Scope, fuel: int) -> str:
+        source = self.draw(st.sampled_from(VECTORS))
+        inner = self.expression(source, scope, fuel)
+        lanes = "xyzw"[: source.size]
+        if type_ == FLOAT and self.draw(st.booleans()):
+            position = self.expression(INT, scope, 0)
+            return f"({inner})[({position}) mod {source.size}]"
+        picked = (self.draw(st.sampled_from(lanes)) for _ in range(lanes_of(type_)))
+        return f"({inner}).{''.join(picked)}"
+
+    def _function(self, type_: Type, scope: Scope, fuel: int) -> str:
+        fitting = [f for f in scope.functions if f[2] == type_]
+        name, operands, _ = self.draw(st.sampled_from(fitting))
+        texts = (self.expression(operand, scope, fuel // len(operands)) for operand in operands)
+        return f"{name}({', '.join(texts)})"
+
+    def _fold(self, type_: Type, scope: Scope, fuel: int) -> str:
+        index = f"i{sum(v.text.startswith('i') for v in scope.variables)}"
+        end = self.draw(st.integers(0, 5))
+        start = self.draw(st.sampled_from([0, 0, 1, -1]))
+        word = self.draw(st.sampled_from(["sum", "product"]))
+        body = self.expression(type_, scope.within(Variable(index, INT)), fuel // 2)
+        return f"({word} {index} in {start}..{end} : {body})"
+
+    def _term(self, _type: Type, scope: Scope, fuel: int) -> str:
+        name = self.draw(st.sampled_from(scope.terms))
+        if name in ("phong", "blinn_phong"):
+            power = self.draw(st.sampled_from(["1.0", "4.0", "p_power"]))
+            return f"{name}({self.expression(VEC3, scope, fuel)}, {power})"
+        return f"{name}({self.expression(VEC3, scope, fuel)})"
+
+    def _crossing(self, type_: Type, scope: Scope, fuel: int) -> str:
+        return f"(@vertex {self.expression(type_, scope.at_vertex(), fuel)})"
+
+    def _read(self, _type: Type, scope: Scope, fuel: int) -> str:
+        name = self.draw(st.sampled_from(scope.maps))
+        coordinate = self.expression(VECTORS[0], scope, fuel)
+        self.textured = True
+        return f"{name}({coordinate})"
+
+
+SURFACE = (
+    Variable("uv", VECTORS[0]), Variable("position", VEC3), Variable("normal", VEC3),
+    Variable("to_eye", VEC3), Variable("vertex_normal", VEC3), Variable("p_power", FLOAT),
+)  # fmt: skip
+LIGHT = (
+    Variable("light.to_light", VEC3), Variable("light.diffuse", VEC3),
+    Variable("light.falloff", FLOAT),
+)  # fmt: skip
+RANGES: Mapping[Type, tuple[str, ...]] = {
+    FLOAT: ("", "in 0..1 ", "in 0.5..4 ", "in -1..1 "),
+    INT: ("", "in 0..7 ", "in 1..4 "),
+    UINT: ("", "in 1..9 "),
+    VEC3: ("", "in 0..1 "),
+}
+GROUPS = ("", "per frame ", "per view ", "per draw ")
+
+
+@st.composite
+def programs(draw: st.DrawFn) -> str:
+    """The text of a program with one material."""
+    writer = Writer(draw)
+    functions = tuple(_functions(writer))
+    scope = Scope(functions=tuple(row for row, _ in functions))
+    parameters = tuple(_parameters(draw))
+    shaded = replace(scope, variables=(*SURFACE, *(variable for variable, _ in parameters)))
+    lines = ["import std.lights", "import std.terms", *(text for _, text in functions)]
+    lines.append(_light(writer, scope))
+    lines.append(_term(writer, scope))
+    lines += ["material Random {", "    param p_power : float in 1..64 = 8.0", "    map m : texture2d"]
+    lines += [f"    {text}" for _, text in parameters]
+    terms = ("ambient", "lambert", "phong", "blinn_phong", "own")
+    shaded = replace(shaded, terms=terms, maps=("m",), surface=True)
+    lines += [f"    {text}" for text in _slots(writer, shaded)]
+    return "\n".join([*lines, "}", _rig(draw)]) + "\n"
+
+
+Row = tuple[str, tuple[Type, ...], Type]
+
+
+def _functions(writer: Writer) -> Iterator[tuple[Row, str]]:
+    for number in range(writer.draw(st.integers(0, 2))):
+        types = writer.draw(st.lists(st.sampled_from(TYPES), min_size=1, max_size=3))
+        result = writer.draw(st.sampled_from((FLOAT, VEC3, INT, VECTORS[1])))
+        formals = tuple(Variable(f"x{i}", type_) for i, type_ in enumerate(types))
+        body = writer.expression(result, Scope(formals), FUEL // 2)
+        shown = ", ".join(f"{formal.text}: {formal.type}" for formal in formals)
+        row = f"f{number}", tuple(types), result
+        yield row, f"fn f{number}({shown}) -> {result} = {body}"
+
+
+def _parameters(draw: st.DrawFn) -> Iterator[tuple[Variable, str]]:
+    for number, type_ in enumerate(draw(st.lists(st.sampled_from(TYPES), max_size=5))):
+        limits = draw(st.sampled_from(RANGES.get(type_, ("",))))
+        group = draw(st.sampled_from(GROUPS))
+        name = f"p{number}"
+        yield Variable(name, type_), f"param {name} : {type_} {limits}{group}"
+
+
+def _light(writer: Writer, scope: Scope) -> str:
+    own = replace(scope, variables=(*SURFACE[1:3], Variable("q", FLOAT), Variable("place", VEC3)))
+    falloff = writer.expression(FLOAT, own, FUEL // 2)
+    towards = writer.expression(VEC3, own, FUEL // 3)
+    return (
+        f"light Own : Point {{ param q : float in 0..2 = 1.0; falloff = {falloff}; "
+        f"to_light = normalize({towards}) }}"
+    )
+
+
+def _term(writer: Writer, scope: Scope) -> str:
+    own = replace(scope, variables=(Variable("k", VEC3), Variable("normal", VEC3), *LIGHT))
+    return f"term own(k: vec3) per light = {writer.expression(VEC3, own, FUEL // 2)}"
+
+
+def _slots(writer: Writer, scope: Scope) -> Iterator[str]:
+    for number in range(writer.draw(st.integers(0, 4))):
+        type_ = writer.draw(st.sampled_from(TYPES))
+        writer.textured = False
+        yield f"s{number} = {writer.expression(type_, scope)}"
+        slot = Variable(f"s{number}", type_, writer.textured)
+        scope = replace(scope, variables=(*scope.variables, slot))
+    yield f"color = {writer.expression(VEC3, scope)}"
+    yield f"alpha = {writer.expression(FLOAT, scope, FUEL // 2)}"
+
+
+def _rig(draw: st.DrawFn) -> str:
+    lights = st.sampled_from(["Directional", "Point", "Spot", "Own"])
+    counts = st.sampled_from(["", "", "[1]", "[2]", "[3]", "[<= 3]"])
+    entries = draw(st.lists(st.tuples(lights, counts), min_size=1, max_size=3))
+    shown = "; ".join(f"l{i} : {light}{count}" for i, (light, count) in enumerate(entries))
+    return f"rig Some {{ {shown} }}"

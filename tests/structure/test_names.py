@@ -1,0 +1,72 @@
+"""The library is made of files like any other: the compiler knows none of its names."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from codecs import encode
+from pathlib import Path
+
+import burnish
+import pytest
+from burnish.compiler import frontend
+from burnish.targets import registry
+
+from .kit import LIBRARY, ROOT, files, library_names
+
+NAMES = library_names()
+WORDS = re.compile(rf"\b({'|'.join(sorted(NAMES))})\b")
+EXAMPLE = ROOT / "examples" / "plastic.burnish"
+PROFILES = [f"{n}:{p.name}" for n in registry.names() for p in registry.load(n).profiles]
+
+
+def test_the_names_are_found() -> None:
+    assert {"Surface", "Light", "Forward", "Daylight", "Spot", "ambient", "lambert"} <= NAMES
+
+
+@pytest.mark.parametrize("folder", ["compiler", "targets"])
+def test_no_file_contains_a_name_of_the_library(folder: str) -> None:
+    """Nor do comments: an example in one would be the first step to a special case."""
+    found = [
+        f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
+        for path in files(ROOT / folder)
+        for number, line in enumerate(path.read_text("utf-8").splitlines(), 1)
+        if WORDS.search(line)
+    ]
+    assert not found, "\n".join(found)
+
+
+def other(name: str) -> str:
+    """Another name of the same length; nothing else in the library or the texts looks like it."""
+    return encode(name, "rot13")
+
+
+def renamed(text: str) -> str:
+    return WORDS.sub(lambda match: other(match.group()), text)
+
+
+def restored(text: str) -> str:
+    for name in sorted(NAMES, key=len, reverse=True):
+        text = text.replace(other(name), name)
+    return text
+
+
+def test_the_demo_compiles_with_everything_renamed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (expected,) = burnish.compile(EXAMPLE, PROFILES).materials
+    library = tmp_path / "library"
+    shutil.copytree(LIBRARY, library)
+    for path in library.glob("*.burnish"):
+        path.write_text(renamed(path.read_text("utf-8")), "utf-8")
+    example = tmp_path / EXAMPLE.name
+    example.write_text(renamed(EXAMPLE.read_text("utf-8")), "utf-8")
+    monkeypatch.setattr(frontend, "FOLDER", library)
+
+    (found,) = burnish.compile(example, PROFILES).materials
+    for before, after in zip(expected.files, found.files, strict=True):
+        assert WORDS.search(before.text) is None or after.text != before.text
+        assert restored(after.text) == before.text
+    assert json.loads(restored(json.dumps(found.reflection))) == expected.reflection
+    assert json.dumps(found.reflection) != json.dumps(expected.reflection)

@@ -1,0 +1,43 @@
+"""Every kind of diagnostic can happen, and can be shown."""
+
+from __future__ import annotations
+
+import re
+from string import Formatter
+
+import pytest
+from burnish.compiler.diagnostics import rules
+from burnish.compiler.diagnostics.diagnostic import Report, Rule
+from burnish.compiler.diagnostics.render import render
+from burnish.compiler.diagnostics.source import Source, Span
+
+from .kit import ROOT, files
+
+RULES = {name: rule for name, rule in vars(rules).items() if isinstance(rule, Rule)}
+
+
+def test_every_rule_is_reported_somewhere() -> None:
+    code = "\n".join(
+        path.read_text("utf-8")
+        for folder in ("compiler", "targets", "commands", "api.py", "cli.py")
+        for path in (files(ROOT / folder) if (ROOT / folder).is_dir() else [ROOT / folder])
+        if path.suffix == ".py"
+    )
+    reported = set(re.findall(r"\brules\.([A-Z_]+)\b", code))
+    assert RULES.keys() - reported == set()
+    assert reported - RULES.keys() == set()
+
+
+@pytest.mark.parametrize("rule", RULES.values(), ids=lambda rule: rule.code)
+def test_rule_renders(rule: Rule) -> None:
+    fields = {name for _, name, _, _ in Formatter().parse(rule.message) if name}
+    report = Report()
+    span = Span(Source("a.burnish", "color = vec3(1)\n"), 8, 12)
+    report.add(rule, span, hint="a hint", caption="here", **dict.fromkeys(fields, "x"))
+    text = render(report.diagnostics[0])
+    assert text.startswith(f"{rule.severity}[{rule.code}]")
+    assert "color = vec3(1)" in text
+    assert "a hint" in text
+    assert "{" not in report.diagnostics[0].message or "{" in rule.message.format(
+        **dict.fromkeys(fields, "")
+    )
