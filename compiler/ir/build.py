@@ -22,7 +22,7 @@ def vector(graph: Graph, operands: tuple[Node, ...]) -> Node:
     """The lanes of scalars and vectors of one kind, joined."""
     lanes = sum(width(operand.type) for operand in operands)
     kind = scalar_kind(operands[0].type)
-    assert kind is not None and 2 <= lanes <= 4
+    assert kind is not None and 1 <= lanes <= 4
     return operands[0] if len(operands) == 1 else graph.node(
         "vector", Vector(kind, lanes), operands
     )

@@ -118,7 +118,7 @@ class _Fusing:
         )
         body = self._simplifier.call("add", left.type, left.operands[0], other)
         names = [self._notes.functions.get(part.operands[0].id, "") for part in (left, right)]
-        self._notes.functions.setdefault(body.id, "_".join(filter(None, names)))
+        self._notes.functions.setdefault(body.id, "_".join(filter(None, names)) or "shade")
         return body, formals
 
 

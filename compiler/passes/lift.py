@@ -12,7 +12,9 @@ from ..ir.node import Formal, Formals, Graph, Node
 from ..semantics.shader import Notes
 from .naming import Naming
 from .rewrite import rewrite
-from .schedule import LEAVES, operands_of, visible
+from .schedule import free_formals, operands_of, visible
+
+GLOBALS = frozenset({"constant", "parameter", "resource"})
 
 
 def lift(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
@@ -55,19 +57,22 @@ class _Lifting:
 
 
 def _captured(body: Node) -> tuple[Node, ...]:
-    """The largest parts of a body that depend on no variable and are more than uniforms."""
+    """The largest parts of a body that depend on none of its variables and are not at hand."""
     nodes = visible((body,))
-    variable: dict[int, bool] = {}
-    uniform: dict[int, bool] = {}
-    for node in nodes:
-        operands = operands_of(node)
-        variable[node.id] = node.op == "formal" or any(variable[o.id] for o in operands)
-        leaf = node.op in LEAVES and node.op not in ("attribute", "input")
-        uniform[node.id] = leaf or (bool(operands) and all(uniform[o.id] for o in operands))
+    variables = free_formals(nodes)
     found: dict[int, Node] = {}
     for node in nodes:
-        if variable[node.id]:
+        if variables[node.id]:
             for operand in operands_of(node):
-                if not variable[operand.id] and not uniform[operand.id]:
+                if not variables[operand.id] and not _global(operand):
                     found[operand.id] = operand
     return tuple(found.values())
+
+
+def _global(node: Node) -> bool:
+    """Whether every function can read a value where it is: uniforms, their parts, constants."""
+    while node.op in ("swizzle", "member") or (
+        node.op == "index" and node.operands[1].op == "constant"
+    ):
+        node = node.operands[0]
+    return node.op in GLOBALS

@@ -61,6 +61,9 @@ class Naming:
                 return f"{left}_dot_{right}" if left != right else f"{left}_squared"
         if node.op in ("native", "call") and node.data == "sample":
             return self._short(node.operands[0])
+        if node.op == "swizzle":
+            (whole,) = node.operands
+            return self._notes.names.get(whole.id) or self._own(whole)
         return None
 
     def _role(self, node: Node) -> str:
@@ -68,6 +71,8 @@ class Naming:
         if role is not None:
             return role
         operation = str(node.data) if node.op in ("native", "call") else node.op
+        if operation == "dot" and node.operands[0] is node.operands[1]:
+            return "length_squared"
         return OPERATIONS.get(operation, operation)
 
     def _short(self, node: Node) -> str | None:

@@ -74,8 +74,7 @@ class Scheduler:
     def schedule(self) -> Region:
         """The statements that compute the roots."""
         self._results = self._region_results()
-        for node in self._order:
-            self._depends[node.id] = self._formals(node)
+        self._depends = free_formals(self._order)
         branching = self._branching()
         self._place(branching)
         for node in self._order:
@@ -83,19 +82,6 @@ class Scheduler:
         return self._emit(self._top)
 
     # --- placing ---------------------------------------------------------------------------------
-
-    def _formals(self, node: Node) -> frozenset[Formal]:
-        """The loop indices that a value depends on."""
-        if node.op == "formal":
-            assert isinstance(node.data, Formal)
-            return frozenset({node.data})
-        found: frozenset[Formal] = frozenset()
-        for operand in operands_of(node):
-            found |= self._depends[operand.id]
-        if node.op == "fold":
-            assert isinstance(node.data, Folding) and node.data.index is not None
-            found -= {node.data.index}
-        return found
 
     def _place(self, branching: set[int]) -> None:
         """Users first, give every node the region that encloses its uses."""
@@ -222,7 +208,7 @@ class Scheduler:
     def _bound(self, node: Node) -> bool:
         """Whether a node gets a statement of its own."""
         size, depth = self._measure(node)
-        if node.op in LEAVES or _is_access(node):
+        if node.op in LEAVES or is_access(node):
             return False
         if self._uses[node.id] > 1 or node.id in self._apart:
             return True
@@ -234,7 +220,7 @@ class Scheduler:
     def _measure(self, node: Node) -> tuple[int, int]:
         """Operations and nesting of a node printed in place."""
         parts = [self._size[operand.id] for operand in operands_of(node)]
-        own = 0 if node.op in LEAVES or _is_access(node) else 1
+        own = 0 if node.op in LEAVES or is_access(node) else 1
         size = own + sum(part for part, _ in parts)
         depth = own + max((deep for _, deep in parts), default=0)
         self._size[node.id] = (size, depth)
@@ -266,6 +252,21 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
     return [seen[id_] for id_ in sorted(seen)]
 
 
+def free_formals(nodes: Iterable[Node]) -> dict[int, frozenset[Formal]]:
+    """The variables that each node depends on; operands come before users."""
+    free: dict[int, frozenset[Formal]] = {}
+    for node in nodes:
+        found: frozenset[Formal] = frozenset()
+        if isinstance(node.data, Formal):
+            found = frozenset({node.data})
+        for operand in operands_of(node):
+            found |= free[operand.id]
+        if isinstance(node.data, Folding) and node.data.index is not None:
+            found -= {node.data.index}
+        free[node.id] = found
+    return free
+
+
 def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
     """The same nodes, each as late as its first use allows: how a person would write them down."""
     order: dict[int, Node] = {}
@@ -285,10 +286,10 @@ def _needs_uniform_flow(node: Node) -> bool:
     return node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
 
 
-def _is_access(node: Node) -> bool:
+def is_access(node: Node) -> bool:
     """Reads of parts of what is at hand anyway; naming them would only add lines."""
     if node.op in ("swizzle", "member", "index"):
-        return node.operands[0].op in LEAVES or _is_access(node.operands[0])
+        return node.operands[0].op in LEAVES or is_access(node.operands[0])
     return node.op in ("interpolate", "splat")
 
 

@@ -9,7 +9,7 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node
-from ..ir.types import VEC2, Matrix, Texture, Type
+from ..ir.types import VEC2, Matrix, Texture, Type, scalar_kind
 from ..syntax import ast
 from . import lights, lookup, overloads
 from .coerce import coerce
@@ -141,12 +141,19 @@ def no_signature(
         types = [str(operand.type) for operand in operands]
         low.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
-            operator=shown, left=types[0], right=types[-1],
+            operator=shown, left=types[0], right=types[-1], hint=_mixed_numbers(operands),
         )  # fmt: skip
         return FAILURE
     hint = f"candidates: {overloads.signatures(row)}"
     low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
     return FAILURE
+
+
+def _mixed_numbers(operands: tuple[Node, ...]) -> str:
+    """How to mend ``x * i`` between a float and an integer."""
+    kinds = {scalar_kind(operand.type) for operand in operands}
+    mixed = "float" in kinds and kinds & {"int", "uint"}
+    return "convert the integer with `float(…)`" if mixed else ""
 
 
 # --- functions and terms -------------------------------------------------------------------------

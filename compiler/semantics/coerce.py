@@ -19,12 +19,23 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
     if node.type == wanted:
         return node
     kind = scalar_kind(wanted)
+    if node.op == "select" and scalar_kind(node.type) != kind:
+        return _sides(graph, node, wanted, broadcast=broadcast)
     if not isinstance(node.type, Scalar) or not isinstance(wanted, Scalar | Vector):
         return None
     lane = _as_kind(graph, node, kind)
     if lane is None or not (is_constant(node) or broadcast or isinstance(wanted, Scalar)):
         return None
     return splat(graph, lane, width(wanted))
+
+
+def _sides(graph: Graph, node: Node, wanted: Type, *, broadcast: bool) -> Node | None:
+    """``if c then 1 else 0`` as a float: a choice between constants adapts as they do."""
+    condition, *sides = node.operands
+    then, otherwise = (coerce(graph, side, wanted, broadcast=broadcast) for side in sides)
+    if then is None or otherwise is None:
+        return None
+    return graph.node("select", wanted, (condition, then, otherwise))
 
 
 def is_constant(node: Node) -> bool:

@@ -33,8 +33,10 @@ def per_light(
     """The sum of a term over the rig."""
     surface = scope.surface
     if surface is None or not low.rig:
-        rule = rules.TERM_WITHOUT_SURFACE if surface is None else rules.EMPTY_RIG
-        low.report.add(rule, e.span, name=symbol.name)
+        if surface is None:
+            low.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name=symbol.name)
+        elif not low.report.failed:  # The rig may be empty because its entries were wrong.
+            low.report.add(rules.EMPTY_RIG, e.span, name=symbol.name)
         return FAILURE
     shared = yield _shared_body(low, symbol, arguments, surface)
     if isinstance(shared, Failure):

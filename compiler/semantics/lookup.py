@@ -74,6 +74,9 @@ def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
 
 
 def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
+    if name == "light":
+        low.report.add(rules.OUTSIDE_LIGHT, span, name=name)
+        return
     known = [*scope.locals, *scope.module.visible()]
     for instance in (scope.instance, scope.surface):
         if instance is not None:

@@ -62,6 +62,8 @@ class Stages:
             else:
                 new = self._graph.node(node.op, node.type, operands, node.data)
                 self._vertex[node.id] = new
+                if node.id in self._notes.spans:
+                    self._notes.spans.setdefault(new.id, self._notes.spans[node.id])
                 if node.id in self._notes.names:
                     self._notes.names.setdefault(new.id, self._notes.names[node.id])
         return self._vertex[root.id]

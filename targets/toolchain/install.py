@@ -35,7 +35,7 @@ APT_PACKAGES = {
     "node": ("nodejs", "npm"),
 }
 CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
-"""Debian's own ``cargo`` is too old for naga; this one follows the browsers that are built with it."""
+"""Debian's own ``cargo`` is too old for naga; this one keeps up with the browsers it builds."""
 APT_LOCK_SECONDS = 300
 
 
@@ -117,8 +117,8 @@ def _install(tool: Tool) -> None:
 def _apt(*names: str) -> None:
     if os.geteuid() != 0 or not shutil.which("apt-get"):
         raise InstallError(
-            f"this needs root and apt-get; install {' and '.join(names)} with your system's "
-            "package manager, or run this as root"
+            f"it needs {', '.join(names)}: install what your system's package manager calls so, "
+            "or run this as root where there is apt-get"
         )
     patience = ("-o", f"DPkg::Lock::Timeout={APT_LOCK_SECONDS}")
     packages = ("--no-install-recommends", *names)

@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import burnish
+from burnish.compiler.passes.guard import Guard
 from burnish.targets.toolchain import Job, Toolchain, count_instructions, optimise
 
 from .table import Row, Section
@@ -130,6 +131,6 @@ def _sizes(jobs: dict[Key, Job]) -> list[Row]:
     return rows
 
 
-def _source(guard: burnish.Guard) -> str:
+def _source(guard: Guard) -> str:
     span = guard.span
     return "" if span is None else span.source.text[span.start : span.end]
