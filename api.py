@@ -34,7 +34,7 @@ class OutputFile:
     target: str
     profile: str
     stage: StageName
-    entry_points: Mapping[str, str]
+    entry_points: Mapping[Literal["vertex", "fragment"], str]
     """Entry point of each stage in the text."""
     text: str
     checkers: tuple[str, ...] = ()

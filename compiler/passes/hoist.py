@@ -71,14 +71,13 @@ class _Hoisting:
                 needed.update(operand.id for operand in node.operands)
         self._chosen = {n.id for n in nodes if n.id in needed and self._worth_it(n)}
 
-    def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+    def rule(self, graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
         """Replace a chosen node by its parameter; inside hoisted values nothing changes."""
         if node.id not in self._chosen:
             return None
         if node.id not in self.derived:
             parameter = self._parameter(node)
             self.derived[node.id] = Derived(parameter, node)
-        del operands
         return graph.node("parameter", node.type, (), self.derived[node.id].parameter)
 
     def _groups_of(self, node: Node) -> frozenset[str] | None:

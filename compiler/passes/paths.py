@@ -52,7 +52,8 @@ class Paths:
     def known(self, user: Node, operand: Node) -> tuple[Fact, tuple[Node, ...]]:
         """What holds of ``operand`` where ``user`` is computed, and the selects that say so."""
         path = self._of.get(user.id)
-        fact, selects = UNKNOWN, []
+        fact = UNKNOWN
+        selects: list[Node] = []
         for step in path.outward() if path is not None else ():
             if len(selects) == FARTHEST:
                 break

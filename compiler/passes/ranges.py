@@ -87,7 +87,7 @@ def _constant(node: Node, _operands: list[Fact]) -> Fact:
     if isinstance(node.type, Matrix):
         return UNKNOWN
     lanes = node.data if isinstance(node.data, tuple) else (node.data,)
-    numbers = [float(lane) for lane in lanes]  # type: ignore[arg-type]
+    numbers = [float(lane) for lane in lanes]
     return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= 2.0**-126 for n in numbers))
 
 

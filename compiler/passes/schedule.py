@@ -68,6 +68,11 @@ class Scheduler:
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
         """Reads that are made outside of the branch that uses them, and so need a name."""
+        self._coordinates: set[int] = set()
+        """Where textures are read. One that chooses has a name: glslang's SPIR-V joins texture and
+        sampler before the coordinate is computed, and its ``?:`` would part the join from the read."""
+        self._choosing: set[int] = set()
+        """Expressions with a ``?:`` printed in them."""
         self._order = in_order_of_use(self._roots)
         self._naming.learn(reversed(self._order))
 
@@ -103,6 +108,8 @@ class Scheduler:
                     _Block(home, node, None, home.depth + 1),
                     _Block(home, node, None, home.depth + 1),
                 )
+            if _needs_uniform_flow(node):
+                self._coordinates.update(operand.id for operand in node.operands)
             for position, operand in enumerate(operands_of(node)):
                 region = self._region_of(node, position, home)
                 homes.setdefault(operand.id, []).append(region)
@@ -212,6 +219,8 @@ class Scheduler:
             return False
         if self._uses[node.id] > 1 or node.id in self._apart:
             return True
+        if node.id in self._coordinates and node.id in self._choosing:
+            return True
         if node.id in self._results:
             return False
         named = node.id in self._notes.names and size > 1
@@ -224,6 +233,11 @@ class Scheduler:
         size = own + sum(part for part, _ in parts)
         depth = own + max((deep for _, deep in parts), default=0)
         self._size[node.id] = (size, depth)
+        if node.op == "select" or any(
+            operand.id in self._choosing and self._size[operand.id] != BOUND
+            for operand in operands_of(node)
+        ):
+            self._choosing.add(node.id)
         return size, depth
 
 

@@ -14,7 +14,8 @@ from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node
 from ..ir.types import BOOL, INT, UINT, Array, Matrix, Scalar, Struct, Type, Vector, width
 from ..layout import elements_in_row, stored_type
-from .rewrite import Moved, rewrite
+from ..ir.binding import Moved
+from .rewrite import rewrite
 
 
 def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:

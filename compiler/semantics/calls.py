@@ -268,8 +268,8 @@ def _fit_arguments(
         if wanted is None:
             return None
         generic = formal.type.name.text in variables
-        node = coerce(low.graph, argument, wanted.type, broadcast=generic)
-        node = node or low.fit(argument, wanted.type, wanted.text, written.span)  # type: ignore[assignment]
+        broadcast = coerce(low.graph, argument, wanted.type, broadcast=generic)
+        node = broadcast or low.fit(argument, wanted.type, wanted.text, written.span)
         if isinstance(node, Failure):
             return None
         fitted.append(node)
@@ -303,7 +303,7 @@ def apply_body(
         for formal, argument in zip(function.arguments, arguments, strict=True)
     }
     scope = Scope(symbol.module, surface=surface, locals=locals_)
-    result = yield low.node(function.body, scope)
+    result: Node | Failure = yield low.node(function.body, scope)
     if function.result is not None:
         variables = bind_type_parameters(function, arguments)
         wanted = declared_type(low, function.result, symbol.module, variables)

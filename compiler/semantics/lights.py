@@ -79,7 +79,7 @@ def _shared_body(
         )
         return FAILURE
     if body.type == INT and body.op == "constant":
-        body = build.floating(low.graph, float(body.data))  # type: ignore[arg-type]
+        body = build.floating(low.graph, float(body.data))
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
     closed = close(low.graph, body, formals, low.notes.follow)
     low.notes.functions.setdefault(closed.id, symbol.name)

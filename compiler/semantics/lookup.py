@@ -63,7 +63,7 @@ def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
     if _is_cycle(low, key, symbol.name, span):
         return FAILURE
     scope = Scope(symbol.module)
-    result = yield low.node(declaration.value, scope)
+    result: Node | Failure = yield low.node(declaration.value, scope)
     if declaration.type is not None:
         wanted = declared_type(low, declaration.type, symbol.module)
         if wanted is not None:
@@ -125,7 +125,7 @@ def slot(
         return instance.values[key]
     if _is_cycle(low, (instance, *key), name, span):
         return FAILURE
-    result = yield _slot_value(low, instance, name, span, level)
+    result: Node | Failure = yield _slot_value(low, instance, name, span, level)
     low.active.pop((instance, *key))
     instance.values[key] = result
     if isinstance(result, Node) and result.operands:
@@ -138,7 +138,7 @@ def _slot_value(
 ) -> Step[Node | Failure]:
     replacement = instance.replaced.get(name) if level == OUTERMOST else None
     if replacement is not None:
-        given = yield _replacement_value(low, instance, replacement, name)
+        given: Node | Failure = yield _replacement_value(low, instance, replacement, name)
         return given
     definition = next(d for d in instance.record.definitions[name] if d.level >= level)
     member = definition.member
@@ -159,7 +159,7 @@ def _slot_value(
     scope = Scope(
         definition.owner.module, instance, definition.level, instance.surface or instance
     )
-    result = yield _defined(low, instance, name, member.value, scope)
+    result: Node | Failure = yield _defined(low, instance, name, member.value, scope)
     return result
 
 
@@ -173,7 +173,8 @@ def _replacement_value(
     assert isinstance(definition.member, ast.Slot) and definition.member.value is not None
     within = replacement.within or instance
     scope = Scope(definition.owner.module, within, definition.level, within.surface or within)
-    result = yield _defined(low, instance, name, definition.member.value, scope)
+    expression = definition.member.value
+    result: Node | Failure = yield _defined(low, instance, name, expression, scope)
     return result
 
 
@@ -182,7 +183,7 @@ def _defined(
 ) -> Step[Node | Failure]:
     """The value of an equation as the type that its slot was declared with."""
     locals_ = {"material": scope.surface} if scope.surface is not None else {}
-    result = yield low.node(expression, scope.binding(locals_))
+    result: Node | Failure = yield low.node(expression, scope.binding(locals_))
     written = instance.record.typed(name)
     if written is None:
         return result

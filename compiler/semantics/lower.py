@@ -223,7 +223,7 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
             low.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type)
             return FAILURE
     if position.op == "constant":
-        if not 0 <= int(position.data) < count:  # type: ignore[call-overload]
+        if not 0 <= int(position.data) < count:
             low.report.add(
                 rules.OUT_OF_BOUNDS, e.index.span, index=position.data, type=operand.type
             )

@@ -144,13 +144,15 @@ def _default(
         return None
     if declared.fact.unit:
         value = _unit(low, value, member.default)
-    lanes = value if isinstance(value, tuple) else (value,)
-    if limits is not None and not all(
-        not isinstance(lane, tuple) and limits[0] <= lane <= limits[1] for lane in lanes
-    ):
+    if limits is not None and not _within(value, *limits):
         shown = f"{limits[0]:g}..{limits[1]:g}"
         low.report.add(rules.OUT_OF_RANGE, member.default.span, value="this default", range=shown)
     return value
+
+
+def _within(value: Lanes | None, lo: float, hi: float) -> bool:
+    lanes = value if isinstance(value, tuple) else (value,)
+    return all(isinstance(lane, int | float) and lo <= lane <= hi for lane in lanes)
 
 
 def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:

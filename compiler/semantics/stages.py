@@ -62,10 +62,7 @@ class Stages:
             else:
                 new = self._graph.node(node.op, node.type, operands, node.data)
                 self._vertex[node.id] = new
-                if node.id in self._notes.spans:
-                    self._notes.spans.setdefault(new.id, self._notes.spans[node.id])
-                if node.id in self._notes.names:
-                    self._notes.names.setdefault(new.id, self._notes.names[node.id])
+                self._notes.follow(node, new)
         return self._vertex[root.id]
 
     def _crossing(self, inner: Node) -> Node:

@@ -22,6 +22,7 @@ from ..ir.types import (
     VEC4,
     Array,
     Matrix,
+    ScalarKind,
     Struct,
     Texture,
     Type,
@@ -29,6 +30,7 @@ from ..ir.types import (
 )
 from ..syntax import ast
 
+SCALAR_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 SPACES = frozenset({"object", "world", "view", "clip", "tangent", "light"})
 
 
@@ -47,9 +49,8 @@ NAMED: Mapping[str, Meaning] = {
     "uint": Meaning(UINT),
     "float": Meaning(FLOAT),
     **{
-        f"{prefix}vec{size}": Meaning(Vector(kind, size))
-        for prefix, kind in (("", "float"), ("i", "int"), ("u", "uint"), ("b", "bool"))
-        for size in (2, 3, 4)
+        str(vector): Meaning(vector)
+        for vector in (Vector(kind, size) for kind in SCALAR_KINDS for size in (2, 3, 4))
     },
     **{f"mat{size}": Meaning(Matrix(size)) for size in (2, 3, 4)},
     "rgb": Meaning(VEC3),

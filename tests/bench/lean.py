@@ -6,8 +6,8 @@
 * ``normalize`` of anything that is not known to have length one is ``v * inversesqrt(max(dot(v, v),
   2^-126))``, since the builtin is undefined for zero: the interpolated normal may vanish, the eye
   and the lamps may stand on the surface.
-* ``smoothstep`` is written out: with edges the wrong way round the builtin is undefined, and nothing
-  says that the inner cone is the narrower one. With equal edges it is ``step``.
+* ``smoothstep`` is written out: with edges the wrong way round the builtin is undefined, and
+  nothing says that the inner cone is the narrower one. With equal edges it is ``step``.
 * ``pow`` needs nothing: its base is clamped to 0..1, and the exponent is at least 1.
 * The directions need nothing: a host keeps them at length one.
 

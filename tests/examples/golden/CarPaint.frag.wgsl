@@ -4,18 +4,16 @@
 
 struct Rig {
     ambient_light: vec3f,  /// Light from everywhere
-    pad_0: f32,
+    rig_pad_0: f32,
     sun_diffuse_color: vec3f,
-    pad_1: f32,
+    rig_pad_1: f32,
     sun_specular_color: vec3f,
-    pad_2: f32,
+    rig_pad_2: f32,
     sun_direction: vec3f,  /// Where the light travels
-    pad_3: f32,
 }
 
 struct RigDerived {
     color_product: vec3f,
-    pad_0: f32,
 }
 
 struct Material {

@@ -5,7 +5,6 @@
 struct View {
     view_projection: mat4x4f,  /// World to clip space
     eye: vec3f,  /// Where the viewer stands
-    pad_0: f32,
 }
 
 struct Draw {

@@ -5,35 +5,31 @@
 cbuffer View : register(b0, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
-    float pad_0;
 };
 
 cbuffer Rig : register(b0, space1) {
     float3 ambient_light;  /// Light from everywhere
-    float pad_0_;
+    float rig_pad_0;
     float3 sun_diffuse_color;
-    float pad_1;
+    float rig_pad_1;
     float3 sun_specular_color;
-    float pad_2;
+    float rig_pad_2;
     float3 sun_direction;  /// Where the light travels
-    float pad_3;
 };
 
 cbuffer RigDerived : register(b1, space1) {
     float3 color_product;
-    float pad_0_2;
 };
 
 cbuffer Material : register(b0, space2) {
     float3 stone;
-    float pad_0_3;
+    float material_pad_0;
     float3 veins;
     float grain;  /// How many veins there are
 };
 
 cbuffer MaterialDerived : register(b1, space2) {
     float3 kd_difference;
-    float pad_0_4;
 };
 
 struct FragmentInput {

@@ -5,7 +5,6 @@
 cbuffer View : register(b0, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
-    float pad_0;
 };
 
 cbuffer Draw : register(b0, space3) {

@@ -4,23 +4,20 @@
 struct View {
     view_projection: mat4x4f,  /// World to clip space
     eye: vec3f,  /// Where the viewer stands
-    pad_0: f32,
 }
 
 struct Rig {
     ambient_light: vec3f,  /// Light from everywhere
-    pad_0: f32,
+    rig_pad_0: f32,
     sun_diffuse_color: vec3f,
-    pad_1: f32,
+    rig_pad_1: f32,
     sun_specular_color: vec3f,
-    pad_2: f32,
+    rig_pad_2: f32,
     sun_direction: vec3f,  /// Where the light travels
-    pad_3: f32,
 }
 
 struct RigDerived {
     color_product: vec3f,
-    pad_0: f32,
 }
 
 struct Material {
@@ -59,14 +56,14 @@ fn main(input: VertexInput) -> VertexOutput {
     let normal_product = mat3x3f(draw_derived.normal_matrix[0].xyz, draw_derived.normal_matrix[1].xyz, draw_derived.normal_matrix[2].xyz) * input.vertex_normal;
     let normal = normal_product * inverseSqrt(max(dot(normal_product, normal_product), 1.1754944e-38));
     let normal_dot_sun_to_light = dot(normal, -rig.sun_direction);
-    var color_chosen: vec3f = vec3f(0.0);
+    var phong: vec3f = vec3f(0.0);
     if (normal_dot_sun_to_light > 0.0) {
         let to_eye_difference = view.eye - position;
         let to_eye = to_eye_difference * inverseSqrt(max(dot(to_eye_difference, to_eye_difference), 1.1754944e-38));
-        color_chosen = rig_derived.color_product * pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p);
+        phong = rig_derived.color_product * pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p);
     }
     var output: VertexOutput;
-    output.color = material.kd * rig.ambient_light + (material.kd * rig.sun_diffuse_color * saturate(normal_dot_sun_to_light) + color_chosen);
+    output.color = material.kd * rig.ambient_light + (material.kd * rig.sun_diffuse_color * saturate(normal_dot_sun_to_light) + phong);
     output.clip_position = view.view_projection * vec4f(position, 1.0);
     return output;
 }

@@ -13,47 +13,42 @@ struct Point {
 cbuffer View : register(b0, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
-    float pad_0;
 };
 
 cbuffer Rig : register(b0, space1) {
     float3 ambient_light;  /// Light from everywhere
-    float pad_0_;
+    float rig_pad_0;
     float3 sun_diffuse_color;
-    float pad_1;
+    float rig_pad_1;
     float3 sun_specular_color;
-    float pad_2;
+    float rig_pad_2;
     float3 sun_direction;  /// Where the light travels
-    float pad_3;
+    float rig_pad_3;
     Point lamps[8];
     int lamps_count;  /// How many of `lamps` shine
-    float pad_4;
-    float pad_5;
-    float pad_6;
+    float rig_pad_4;
+    float rig_pad_5;
+    float rig_pad_6;
     float3 torch_diffuse_color;
-    float pad_7;
+    float rig_pad_7;
     float3 torch_specular_color;
-    float pad_8;
+    float rig_pad_8;
     float3 torch_place;
-    float pad_9;
+    float rig_pad_9;
     float3 torch_axis;  /// Where the light travels
     float torch_inner;
     float torch_outer;
-    float pad_10;
-    float pad_11;
-    float pad_12;
 };
 
 cbuffer RigDerived : register(b1, space1) {
     float torch_falloff_cos;
     uint torch_falloff_edges_meet;
     float torch_falloff_inverse_width;
-    float pad_0_2;
 };
 
 cbuffer Material : register(b0, space2) {
     float3 base;  /// Base colour
-    float pad_0_3;
+    float material_pad_0;
     float3 shine;  /// Highlight colour
     float power;  /// Specular exponent
 };

@@ -13,47 +13,42 @@ struct Point {
 struct View {
     view_projection: mat4x4f,  /// World to clip space
     eye: vec3f,  /// Where the viewer stands
-    pad_0: f32,
 }
 
 struct Rig {
     ambient_light: vec3f,  /// Light from everywhere
-    pad_0: f32,
+    rig_pad_0: f32,
     sun_diffuse_color: vec3f,
-    pad_1: f32,
+    rig_pad_1: f32,
     sun_specular_color: vec3f,
-    pad_2: f32,
+    rig_pad_2: f32,
     sun_direction: vec3f,  /// Where the light travels
-    pad_3: f32,
+    rig_pad_3: f32,
     lamps: array<Point, 8>,
     lamps_count: i32,  /// How many of `lamps` shine
-    pad_4: f32,
-    pad_5: f32,
-    pad_6: f32,
+    rig_pad_4: f32,
+    rig_pad_5: f32,
+    rig_pad_6: f32,
     torch_diffuse_color: vec3f,
-    pad_7: f32,
+    rig_pad_7: f32,
     torch_specular_color: vec3f,
-    pad_8: f32,
+    rig_pad_8: f32,
     torch_place: vec3f,
-    pad_9: f32,
+    rig_pad_9: f32,
     torch_axis: vec3f,  /// Where the light travels
     torch_inner: f32,
     torch_outer: f32,
-    pad_10: f32,
-    pad_11: f32,
-    pad_12: f32,
 }
 
 struct RigDerived {
     torch_falloff_cos: f32,
     torch_falloff_edges_meet: u32,
     torch_falloff_inverse_width: f32,
-    pad_0: f32,
 }
 
 struct Material {
     base: vec3f,  /// Base colour
-    pad_0: f32,
+    material_pad_0: f32,
     shine: vec3f,  /// Highlight colour
     power: f32,  /// Specular exponent
 }

@@ -5,7 +5,6 @@
 layout(std140) uniform View {
     mat4 view_projection;  /// World to clip space
     vec3 eye;  /// Where the viewer stands
-    float pad_0;
 };
 
 layout(std140) uniform Draw {

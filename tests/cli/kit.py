@@ -1,0 +1,30 @@
+"""How the tests call the command line: inside this process for speed, or as a user's shell does."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+from burnish.cli import main
+from click.testing import CliRunner, Result
+
+PLAIN = "material Plain { color = #ffffff }\n"
+
+
+def invoke(*arguments: object) -> Result:
+    """Run a command in this process; anything but a proper exit is raised."""
+    return CliRunner().invoke(main, list(map(str, arguments)), catch_exceptions=False)
+
+
+def shell(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run a command as a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-m", "burnish", *map(str, arguments)],
+        cwd=folder, capture_output=True, encoding="utf-8", timeout=60, check=False,
+    )  # fmt: skip
+
+
+def tree(folder: Path) -> set[str]:
+    """Everything below a folder, hidden or not."""
+    return {str(path.relative_to(folder)) for path in folder.rglob("*")}

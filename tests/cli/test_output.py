@@ -1,0 +1,158 @@
+"""Output is written whole or not at all, and under the names that are promised."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from burnish.commands import output
+from burnish.compiler.diagnostics.diagnostic import CompileError
+
+from .kit import PLAIN, invoke, shell, tree
+
+OLD = "what was there before"
+
+
+@pytest.fixture
+def material(tmp_path: Path) -> Path:
+    file = tmp_path / "m.burnish"
+    file.write_text(PLAIN)
+    return file
+
+
+def test_names_of_the_files(material: Path, tmp_path: Path) -> None:
+    result = invoke("compile", material, "-t", "hlsl,glsl:es300", "-t", "wgsl", "-o", tmp_path)
+    assert result.exit_code == 0, result.stderr
+    assert result.stderr == ""
+    assert tree(tmp_path) == {
+        "m.burnish", "Plain.json",
+        "Plain.vert.hlsl", "Plain.frag.hlsl", "Plain.vert.wgsl", "Plain.frag.wgsl",
+        "Plain.es300.vert.glsl", "Plain.es300.frag.glsl",
+    }  # fmt: skip
+    reflection = json.loads((tmp_path / "Plain.json").read_text("utf-8"))
+    assert reflection["material"] == "Plain"
+
+
+def test_by_default_all_targets(material: Path, tmp_path: Path) -> None:
+    result = invoke("compile", material, "-o", tmp_path / "a" / "b")
+    assert result.exit_code == 0
+    assert len(tree(tmp_path / "a" / "b")) == 7
+    assert result.stdout == f"Plain: 6 shaders and Plain.json in {tmp_path / 'a' / 'b'}\n"
+
+
+def test_single_file(material: Path, tmp_path: Path) -> None:
+    invoke("compile", material, "-t", "wgsl", "--single-file", "-o", tmp_path)
+    text = (tmp_path / "Plain.wgsl").read_text("utf-8")
+    assert "fn vs_main" in text
+    assert "fn fs_main" in text
+
+
+def test_one_material_of_several(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text("material A { }\nmaterial B { }\nabstract material C { }")
+    assert invoke("compile", file, "--material", "B", "-t", "wgsl", "-o", tmp_path / "b")
+    assert tree(tmp_path / "b") == {"B.vert.wgsl", "B.frag.wgsl", "B.json"}
+    invoke("compile", file, "-t", "wgsl", "-o", tmp_path / "all")
+    assert {name.partition(".")[0] for name in tree(tmp_path / "all")} == {"A", "B"}
+
+
+def test_one_shader_is_printed_bare(material: Path) -> None:
+    result = invoke("compile", material, "-t", "wgsl", "--single-file", "-o", "-")
+    assert result.stdout.startswith("// Plain: vertex and fragment shaders")
+    assert result.stdout.endswith("}\n")
+
+
+def test_several_shaders_are_printed_with_headings(material: Path) -> None:
+    printed = invoke("compile", material, "-t", "glsl", "-o", "-").stdout
+    headings = [line for line in printed.splitlines() if line.startswith("// ====")]
+    assert headings == ["// ======== Plain.vert.glsl", "// ======== Plain.frag.glsl"]
+
+
+def test_a_poor_terminal_gets_the_same_shader(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text("/// Größe → 大\nmaterial Plain { }\n", "utf-8")
+    command = [sys.executable, "-X", "utf8=0", "-m", "burnish", "compile", file, "-o", "-"]
+    run = subprocess.run(
+        command, env={"PYTHONIOENCODING": "ascii"}, capture_output=True, check=True, timeout=60
+    )
+    assert "// Größe → 大".encode() in run.stdout
+
+
+def test_a_file_in_the_way_of_the_folder(material: Path, tmp_path: Path) -> None:
+    taken = tmp_path / "taken"
+    taken.write_text(OLD)
+    for folder in (taken, taken / "below"):
+        result = invoke("compile", material, "-o", folder)
+        assert result.stderr.startswith(f"error[B0009]: cannot write to `{folder}`: ")
+        assert (result.exit_code, result.stdout) == (1, "")
+    assert taken.read_text() == OLD
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="a folder that even root cannot write to")
+def test_a_folder_that_refuses(material: Path) -> None:
+    result = invoke("compile", material, "-o", "/proc/burnish")
+    assert result.stderr.startswith("error[B0009]: cannot write to `/proc/burnish`: ")
+    assert result.exit_code == 1
+
+
+def test_a_folder_in_the_way_of_a_file(material: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    (out / "Plain.vert.wgsl").mkdir(parents=True)
+    (out / "Plain.frag.wgsl").write_text(OLD)
+    result = invoke("compile", material, "-o", out)
+    assert "error[B0009]: cannot write to" in result.stderr
+    assert "it is a folder" in result.stderr
+    assert tree(out) == {"Plain.vert.wgsl", "Plain.frag.wgsl"}
+    assert (out / "Plain.frag.wgsl").read_text() == OLD
+
+
+def test_errors_leave_the_old_output_alone(material: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    invoke("compile", material, "-o", out)
+    before = {path: path.read_bytes() for path in out.iterdir()}
+    material.write_text("material Plain { color = vec3(0) }\nmaterial Other { color = vec3(x) }")
+    assert invoke("compile", material, "-o", out).exit_code == 1
+    assert {path: path.read_bytes() for path in out.iterdir()} == before
+
+
+def test_a_full_disk_leaves_the_old_output_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a").write_text(OLD)
+    write = Path.write_bytes
+
+    def full(path: Path, data: bytes) -> int:
+        if path.name == "b":
+            write(path, data[:1])
+            raise OSError(28, "No space left on device")
+        return write(path, data)
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(CompileError, match="No space left on device"):
+        output.write_all(tmp_path, {"a": "new", "b": "new", "c": "new"})
+    assert tree(tmp_path) == {"a"}
+    assert (tmp_path / "a").read_text() == OLD
+
+
+def test_two_compiles_at_once(tmp_path: Path) -> None:
+    """Each file in the end is one of the two, and nothing else lies there."""
+    names = ("red", "blue")
+    for name in names:
+        (tmp_path / f"{name}.burnish").write_text(f"/// {name * 5000}\nmaterial Plain {{ }}")
+        assert shell("compile", f"{name}.burnish", "-o", name, folder=tmp_path).returncode == 0
+    command = [sys.executable, "-m", "burnish", "compile", "-o", "both"]
+    for _ in range(3):
+        running = [
+            subprocess.Popen([*command, f"{name}.burnish"], cwd=tmp_path, stdout=subprocess.PIPE)
+            for name in names
+        ]
+        for process in running:
+            process.communicate(timeout=60)
+        assert [process.returncode for process in running] == [0, 0]
+        assert tree(tmp_path / "both") == tree(tmp_path / "red")
+        for path in (tmp_path / "both").iterdir():
+            whole = [(tmp_path / name / path.name).read_bytes() for name in names]
+            assert path.read_bytes() in whole
