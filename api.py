@@ -19,6 +19,7 @@ from .compiler.semantics.shader import Shader
 from .targets import registry
 from .targets.emit.description import Profile, Target
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
+from .targets.emit.limits import excesses
 from .targets.emit.reflection import backend_table
 
 StageName = Literal["vertex", "fragment", "both"]
@@ -135,6 +136,10 @@ def compile(  # noqa: A001
         raise CompileError(report.diagnostics)
     options = EmitOptions(flip_y=flip_y, single_file=single_file)
     compiled = tuple(_compiled(shader, chosen, Options(hoist), options) for shader in shaders)
+    for material_ in compiled:
+        _check_limits(material_, report)
+    if report.failed:
+        raise CompileError(report.diagnostics)
     return CompileResult(compiled, report.diagnostics)
 
 
@@ -207,6 +212,15 @@ def _compiled(
     return CompiledMaterial(
         shader.name, files, staged.guards, shader, staged, emissions, emit_options.flip_y
     )
+
+
+def _check_limits(material: CompiledMaterial, report: Report) -> None:
+    for target, profile, _ in material._emissions:
+        for excess in excesses(material._staged.program, profile):
+            report.add(
+                rules.TOO_MANY, None, count=excess.count, what=f"{excess.what} of {material.name}",
+                target=f"{target.name}:{profile.name}", limit=excess.limit,
+            )  # fmt: skip
 
 
 def _output(

@@ -37,7 +37,7 @@ def check(
         burnish check plastic.burnish
         burnish check plastic.burnish --format json
     """
-    from .. import api  # noqa: PLC0415
+    from .. import api
 
     found = api.check(file, rig=rig, pass_=pass_, search_path=search_path)
     if form == "json":
@@ -49,8 +49,8 @@ def check(
 
 
 def _json(diagnostics: Sequence[Diagnostic]) -> str:
-    import json  # noqa: PLC0415
+    import json
 
-    from ..compiler.diagnostics.serialise import serialise  # noqa: PLC0415
+    from ..compiler.diagnostics.serialise import serialise
 
     return json.dumps([serialise(diagnostic) for diagnostic in diagnostics], indent=2)

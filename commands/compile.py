@@ -87,7 +87,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
     """
     request = Request(**chosen)
     if watch:
-        from .watch import watch as repeat  # noqa: PLC0415
+        from .watch import watch as repeat
 
         repeat(request.file, request.search_path, lambda: _succeeds(request))
     elif not _succeeds(request):
@@ -96,7 +96,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
 
 def _succeeds(request: Request) -> bool:
     """Do what is asked once, telling what there is to tell; whether it came to an output."""
-    from ..compiler.diagnostics.diagnostic import CompileError  # noqa: PLC0415
+    from ..compiler.diagnostics.diagnostic import CompileError
 
     try:
         result = _compiled(request)
@@ -109,8 +109,8 @@ def _succeeds(request: Request) -> bool:
 
 
 def _compiled(request: Request) -> CompileResult:
-    from .. import api  # noqa: PLC0415
-    from ..targets import registry  # noqa: PLC0415
+    from .. import api
+    from ..targets import registry
 
     return api.compile(
         request.file,
@@ -131,7 +131,7 @@ def _deliver(request: Request, result: CompileResult) -> None:
     if request.output == STDOUT:
         _print(result)
         return
-    from .output import write_all  # noqa: PLC0415
+    from .output import write_all
 
     texts: dict[str, str] = {}
     for material in result.materials:
@@ -147,8 +147,8 @@ def _deliver(request: Request, result: CompileResult) -> None:
 
 def _insist_on_acceptance(result: CompileResult) -> None:
     """Raise ``CompileError`` unless the downstream compilers accept every text."""
-    from ..compiler.diagnostics.diagnostic import CompileError  # noqa: PLC0415
-    from .validate import validate  # noqa: PLC0415
+    from ..compiler.diagnostics.diagnostic import CompileError
+    from .validate import validate
 
     found = validate(file for material in result.materials for file in material.files)
     if any(diagnostic.severity == "error" for diagnostic in found):
@@ -172,6 +172,6 @@ def _reflection_name(material: CompiledMaterial) -> str:
 
 
 def _reflection_text(material: CompiledMaterial) -> str:
-    import json  # noqa: PLC0415
+    import json
 
     return json.dumps(material.reflection, indent=2, ensure_ascii=False) + "\n"

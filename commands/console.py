@@ -26,7 +26,7 @@ def show(diagnostics: Sequence[Diagnostic]) -> None:
     """Print diagnostics to standard error, and how many there were."""
     if not diagnostics:
         return
-    from ..compiler.diagnostics.render import render_all  # noqa: PLC0415
+    from ..compiler.diagnostics.render import render_all
 
     text = render_all(diagnostics, color=wants_color(sys.stderr))
     click.echo(f"{text}\n\n{_counted(diagnostics)}", err=True, color=True)

@@ -25,9 +25,9 @@ def doctor() -> None:
         burnish doctor
         burnish compile plastic.burnish --validate -o build/
     """
-    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415
+    from concurrent.futures import ThreadPoolExecutor
 
-    from ..targets.toolchain.tools import TOOLS, inspect  # noqa: PLC0415
+    from ..targets.toolchain.tools import TOOLS, inspect
 
     with ThreadPoolExecutor() as threads:
         states = list(threads.map(inspect, TOOLS))

@@ -22,7 +22,7 @@ def explain(code: str) -> None:
     rules = _rules()
     rule = rules.get(code.upper())
     if rule is None:
-        from ..compiler.diagnostics.nearest import suggestion  # noqa: PLC0415
+        from ..compiler.diagnostics.nearest import suggestion
 
         hint = suggestion(code.upper(), rules) or f"they run from {min(rules)} to {max(rules)}"
         raise click.BadParameter(f"there is no code `{code}`; {hint}", param_hint="CODE")
@@ -31,7 +31,7 @@ def explain(code: str) -> None:
 
 
 def _rules() -> dict[str, Rule]:
-    from ..compiler.diagnostics import rules  # noqa: PLC0415
-    from ..compiler.diagnostics.diagnostic import Rule  # noqa: PLC0415
+    from ..compiler.diagnostics import rules
+    from ..compiler.diagnostics.diagnostic import Rule
 
     return {rule.code: rule for rule in vars(rules).values() if isinstance(rule, Rule)}

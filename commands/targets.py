@@ -27,11 +27,11 @@ def targets(form: str) -> None:
         burnish targets
         burnish compile plastic.burnish --target wgsl,glsl:es300 -o build/
     """
-    from ..targets import registry  # noqa: PLC0415
+    from ..targets import registry
 
     rows = [registry.load(name) for name in registry.names()]
     if form == "json":
-        import json  # noqa: PLC0415
+        import json
 
         click.echo(json.dumps([_data(target) for target in rows], indent=2))
         return

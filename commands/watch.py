@@ -22,7 +22,7 @@ def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) ->
     The folders are watched and not the files, as editors put a new file in the old one's place.
     """
     try:
-        from watchfiles import watch as changes  # noqa: PLC0415
+        from watchfiles import watch as changes
     except ImportError:
         raise click.UsageError("--watch needs one more package: pip install watchfiles") from None
     while True:

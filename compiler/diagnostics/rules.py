@@ -207,7 +207,7 @@ NO_MATERIAL = _error(
 AMBIGUOUS_NAME = _error(
     "B0207",
     "`{name}` is imported from several files",
-    "Import the one that is meant by name: `import std.terms.{name}`.",
+    "Import the one that is meant by name: `import std.lights.{Sun}` decides between two.",
 )
 
 WRONG_BASE = _error(

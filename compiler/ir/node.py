@@ -112,8 +112,8 @@ class Graph:
     ) -> Node:
         """The one node that is this operation of these operands."""
         # A constant's 0.0 and -0.0, 1 and 1.0 and True compare equal but are different values.
-        key_data = repr(data) if op == "constant" else data
-        key = (op, type_, key_data, *map(id, operands))
+        # Nodes hash and compare by identity, so operands go into the key as they are.
+        key = (op, type_, repr(data) if op == "constant" else data, operands)
         found = self._interned.get(key)
         if found is None:
             found = Node(op, type_, operands, data, len(self._interned), _free(op, operands, data))
@@ -125,11 +125,16 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
     if op == "bound":
         assert isinstance(data, int)
         return 1 << data
-    bound = _binders(op, operands, data)
-    body = 2 if op == "fold" else 0
     free = 0
+    for operand in operands:
+        free |= operand.free
+    if not free or op not in ("fold", "apply"):
+        return free
+    bound, body = _binders(op, operands, data), 2 if op == "fold" else 0
+    free = operands[body].free >> bound
     for i, operand in enumerate(operands):
-        free |= operand.free >> bound if i == body else operand.free
+        if i != body:
+            free |= operand.free
     return free
 
 
@@ -141,5 +146,6 @@ def reachable(roots: Iterable[Node]) -> list[Node]:
         node = pending.pop()
         if node.id not in seen:
             seen[node.id] = node
-            pending.extend(node.operands)
+            if node.operands:
+                pending += node.operands
     return [seen[id_] for id_ in sorted(seen)]

@@ -8,7 +8,7 @@ safe as dictionary keys.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import ClassVar, Literal
 
 ScalarKind = Literal["float", "int", "uint", "bool"]
 
@@ -40,6 +40,7 @@ class Matrix:
     """Square float matrix of ``size`` columns, each a ``Vector("float", size)``."""
 
     size: int
+    kind: ClassVar[ScalarKind] = "float"
 
     def __str__(self) -> str:
         return f"mat{self.size}"
@@ -107,17 +108,19 @@ def width(type_: Type) -> int:
             raise TypeError(f"{type_} has no width")
 
 
+_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
+_NUMERIC: dict[tuple[ScalarKind, int], Numeric] = {
+    (kind, lanes): Scalar(kind) if lanes == 1 else Vector(kind, lanes)
+    for kind in _KINDS
+    for lanes in (1, 2, 3, 4)
+}
+
+
 def with_width(kind: ScalarKind, lanes: int) -> Numeric:
     """The scalar or vector of ``lanes`` lanes."""
-    return Scalar(kind) if lanes == 1 else Vector(kind, lanes)
+    return _NUMERIC[kind, lanes]
 
 
 def scalar_kind(type_: Type) -> ScalarKind | None:
     """The kind of a type's lanes; ``None`` for aggregates and textures."""
-    match type_:
-        case Scalar(kind) | Vector(kind):
-            return kind
-        case Matrix():
-            return "float"
-        case _:
-            return None
+    return type_.kind if isinstance(type_, Scalar | Vector | Matrix) else None

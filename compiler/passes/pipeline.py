@@ -76,12 +76,14 @@ def stage(shader: Shader, options: Options) -> Staged:
     )
     roots = passed("semantics", "semantics", results.flat())
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
-    roots = _simplified(graph, roots, notes)
-    roots, guards = _guarded(graph, roots, notes)
+    # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
+    ranges = Ranges(roots)
+    roots = _simplified(graph, roots, notes, ranges)
+    roots, guards = _guarded(graph, roots, notes, ranges)
     roots = passed("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
-        roots, derived = hoist(graph, roots, notes, Ranges(roots))
+        roots, derived = hoist(graph, roots, notes, ranges)
         passed("hoist", "guarded", roots)
     roots = passed("lift", "guarded", lift(graph, roots, notes))
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
@@ -89,19 +91,17 @@ def stage(shader: Shader, options: Options) -> Staged:
     return Staged(program, derived, guards)
 
 
-def _simplified(graph: Graph, roots: list[Node], notes: Notes) -> list[Node]:
+def _simplified(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    simplifier = Simplifier(graph, Ranges(roots), notes)
+    simplifier = Simplifier(graph, ranges, notes)
     roots = passed("simplify", "opened", rewrite(graph, roots, simplifier.rule, notes.follow))
     roots = passed("fuse", "opened", fuse(graph, roots, notes, simplifier))
-    simplifier = Simplifier(graph, Ranges(roots), notes)
     return passed("inline", "opened", inline(graph, roots, notes, simplifier))
 
 
 def _guarded(
-    graph: Graph, roots: list[Node], notes: Notes
+    graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges
 ) -> tuple[list[Node], tuple[Guard, ...]]:
-    ranges = Ranges(roots)
     guarding = Guarding(graph, ranges, notes, Paths(roots, ranges))
     roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
     return roots, tuple(guarding.kept.values())

@@ -41,6 +41,8 @@ class Module:
     path: Path | None
     declared: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
     imported: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
+    chosen: set[tuple[Path | None, str]] = field(default_factory=set)
+    """Names that were imported one by one, with their files."""
     prelude: Module | None = None
 
     def find(self, name: str) -> tuple[Symbol, ...]:
@@ -112,11 +114,15 @@ class Loader:
         return module
 
     def _link(self, module: Module) -> None:
+        imports: list[ast.Import] = []
         for declaration in module.file.declarations:
             if isinstance(declaration, ast.Import):
-                self._import(module, declaration)
+                imports.append(declaration)
             else:
                 self._declare(module, declaration)
+        # Names that are asked for come first: they decide between files that are imported whole.
+        for wanted in sorted(imports, key=lambda wanted: wanted.names is None):
+            self._import(module, wanted)
 
     def _declare(self, module: Module, declaration: Named) -> None:
         name = declaration.name
@@ -139,7 +145,7 @@ class Loader:
             return
         names = wanted.names
         if names is None:
-            module.imported.update(found.declared)
+            self._import_whole(module, found, wanted.span)
             return
         for name in names:
             symbols = found.declared.get(name.text)
@@ -150,6 +156,20 @@ class Loader:
                 )  # fmt: skip
             else:
                 module.imported[name.text] = symbols
+                module.chosen.add((found.path, name.text))
+
+    def _import_whole(self, module: Module, found: Module, span: Span) -> None:
+        """Everything a file declares; of two files with the same name, one has to be chosen."""
+        for name, symbols in found.declared.items():
+            known = module.imported.setdefault(name, symbols)
+            other = known[0].module
+            if other is found or name in module.declared or (other.path, name) in module.chosen:
+                continue
+            labels = [Label(known[0].declaration.name.span, "the other one")]
+            self._report.add(
+                rules.AMBIGUOUS_NAME, span, name=name, labels=labels,
+                hint=f"ask for the one that is meant: `import ….{{{name}}}`",
+            )  # fmt: skip
 
     def _resolve(self, module: Module, wanted: ast.Import) -> Module | None:
         relative = wanted.path[0] if wanted.quoted else "/".join(wanted.path) + ".burnish"

@@ -45,6 +45,10 @@ def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
     found = rig.module.find(name.text)
     declaration = found[0].declaration if found else None
     if not isinstance(declaration, ast.Record) or declaration.kind != "light":
+        if declaration is not None:
+            labels = [Label(declaration.name.span, "declared here")]
+            low.report.add(rules.UNKNOWN_LIGHT, name.span, name=name.text, labels=labels)
+            return None
         lights = [
             visible
             for visible in rig.module.visible()

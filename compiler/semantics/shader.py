@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import Any
 
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
@@ -80,20 +80,12 @@ class Notes:
 
     def follow(self, old: Node, new: Node) -> None:
         """Hand what is noted of a node on to one that replaces it, which keeps what it has."""
-        _hand_on(self.names, old, new)
-        _hand_on(self.spans, old, new)
-        _hand_on(self.docs, old, new)
-        _hand_on(self.functions, old, new)
-        _hand_on(self.variables, old, new)
-        _hand_on(self.roles, old, new)
-
-
-T = TypeVar("T")
-
-
-def _hand_on(table: dict[int, T], old: Node, new: Node) -> None:
-    if old.id in table:
-        table.setdefault(new.id, table[old.id])
+        tables: tuple[dict[int, Any], ...] = (
+            self.names, self.spans, self.docs, self.functions, self.variables, self.roles
+        )  # fmt: skip
+        for table in tables:
+            if old.id in table:
+                table.setdefault(new.id, table[old.id])
 
 
 @dataclass(slots=True)

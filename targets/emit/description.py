@@ -151,6 +151,10 @@ class Profile:
     sets: Mapping[str, int] = field(default_factory=lambda: GROUP_SETS)
     default_set: int = 2
     """Where a user's own groups go."""
+    varyings: int = 16
+    """Vectors that cross between the stages: what every device of the profile has at least."""
+    textures: int = 16
+    """Textures with their samplers that one stage reads; likewise."""
     checkers: tuple[str, ...] = ()
     """Validators of ``targets.toolchain`` that have to accept the text."""
 

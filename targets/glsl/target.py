@@ -63,6 +63,7 @@ OPENGL = Profile(
     varyings_by_name=True,
     clip_depth="-1..1",
     rows_up=True,
+    varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
     checkers=("glslang-gl330",),
 )
@@ -81,6 +82,7 @@ ES = Profile(
     varyings_by_name=True,
     clip_depth="-1..1",
     rows_up=True,
+    varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
     checkers=("glslang-es300",),
 )

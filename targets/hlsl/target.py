@@ -71,6 +71,7 @@ SM6 = Profile(
     name="sm6",
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
+    varyings=31,
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 

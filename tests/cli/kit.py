@@ -6,8 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from burnish.cli import main
 from click.testing import CliRunner, Result
+
+from burnish.cli import main
 
 PLAIN = "material Plain { color = #ffffff }\n"
 

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from burnish.commands import output
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
@@ -53,7 +54,7 @@ def test_single_file(material: Path, tmp_path: Path) -> None:
 def test_one_material_of_several(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text("material A { }\nmaterial B { }\nabstract material C { }")
-    assert invoke("compile", file, "--material", "B", "-t", "wgsl", "-o", tmp_path / "b")
+    invoke("compile", file, "--material", "B", "-t", "wgsl", "-o", tmp_path / "b")
     assert tree(tmp_path / "b") == {"B.vert.wgsl", "B.frag.wgsl", "B.json"}
     invoke("compile", file, "-t", "wgsl", "-o", tmp_path / "all")
     assert {name.partition(".")[0] for name in tree(tmp_path / "all")} == {"A", "B"}
@@ -74,7 +75,7 @@ def test_several_shaders_are_printed_with_headings(material: Path) -> None:
 def test_a_poor_terminal_gets_the_same_shader(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text("/// Größe → 大\nmaterial Plain { }\n", "utf-8")
-    command = [sys.executable, "-X", "utf8=0", "-m", "burnish", "compile", file, "-o", "-"]
+    command = [sys.executable, "-X", "utf8=0", "-m", "burnish", "compile", str(file), "-o", "-"]
     run = subprocess.run(
         command, env={"PYTHONIOENCODING": "ascii"}, capture_output=True, check=True, timeout=60
     )

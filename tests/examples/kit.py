@@ -16,7 +16,9 @@ from burnish.targets import registry
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
 PROFILES = tuple(
-    f"{name}:{profile.name}" for name in registry.names() for profile in registry.load(name).profiles
+    f"{target.name}:{profile.name}"
+    for target in map(registry.load, registry.names())
+    for profile in target.profiles
 )
 
 

@@ -5,18 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+
 from burnish import CompileResult
 from burnish.targets.toolchain import Job, Toolchain
 
 from .kit import EXAMPLES, PROFILES, VARIANTS, Variant
 
 STAGES = {"vertex": "vert", "fragment": "frag"}
-
-
-@pytest.fixture(scope="module")
-def toolchain() -> Iterator[Toolchain]:
-    with Toolchain() as tools:
-        yield tools
 
 
 def jobs(result: CompileResult) -> Iterator[Job]:

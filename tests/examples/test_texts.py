@@ -9,8 +9,9 @@ import os
 from functools import cache
 from pathlib import Path
 
-import burnish
 import pytest
+
+import burnish
 
 from .kit import FOLDER, PROFILES
 

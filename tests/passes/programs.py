@@ -92,8 +92,8 @@ class Writer:
         """An expression of a type."""
         if fuel <= 0:
             return self._leaf(type_, scope)
-        ways: list[Callable[[Type, Scope, int], str]] = [self._builtin, self._builtin]
-        ways += [self._plain_leaf, self._conditional, self._constructed]
+        ways: list[Callable[[Type, Scope, int], str]] = [self._plain_leaf, self._builtin]
+        ways += [self._builtin, self._builtin, self._conditional, self._constructed]
         if any(result == type_ for _, _, result in scope.functions):
             ways.append(self._function)
         if type_ in (FLOAT, INT, *VECTORS):

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
 from burnish.targets import registry
 
 from .kit import ROOT, files

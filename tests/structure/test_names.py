@@ -8,8 +8,9 @@ import shutil
 from codecs import encode
 from pathlib import Path
 
-import burnish
 import pytest
+
+import burnish
 from burnish.compiler import frontend
 from burnish.targets import registry
 

@@ -6,6 +6,7 @@ import re
 from string import Formatter
 
 import pytest
+
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Report, Rule
 from burnish.compiler.diagnostics.render import render

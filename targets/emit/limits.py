@@ -1,0 +1,29 @@
+"""What a program may need of a profile's devices, as counts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...compiler.ir.program import Program
+from .description import Profile
+
+
+@dataclass(frozen=True, slots=True)
+class Excess:
+    """More of something than every device of the profile is guaranteed to have."""
+
+    what: str
+    count: int
+    limit: int
+
+
+def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
+    """The limits that a program does not keep."""
+    textures = max(len(stage.resources) for stage in (program.vertex, program.fragment))
+    for what, count, limit in (
+        ("varyings", len(program.varyings), profile.varyings),
+        ("textures", textures, profile.textures),
+    ):
+        if count > limit:
+            yield Excess(what, count, limit)

@@ -1,0 +1,215 @@
+"""The commands that only tell something, and how all of them behave as programs."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from burnish import __version__
+from burnish.cli import main
+from burnish.commands import console
+from burnish.compiler.diagnostics import rules
+from burnish.compiler.diagnostics.diagnostic import Rule
+from burnish.targets import registry
+from burnish.targets.toolchain import TOOLS, ToolState, tools
+
+from .kit import PLAIN, invoke
+
+RULES = [rule for rule in vars(rules).values() if isinstance(rule, Rule)]
+
+
+@pytest.mark.parametrize("command", main.commands)
+def test_help_teaches_by_example(command: str) -> None:
+    text = invoke(command, "--help").stdout
+    assert f"Example:\n      burnish {command}" in text
+
+
+def test_version() -> None:
+    assert invoke("--version").stdout == f"burnish, version {__version__}\n"
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
+def test_every_code_is_explained(rule: Rule) -> None:
+    text = invoke("explain", rule.code.lower()).stdout
+    assert text.startswith(f"{rule.severity}[{rule.code}]: {rule.message}\n")
+    assert " ".join(text.split()).endswith(" ".join(rule.help.split()))
+
+
+def test_unknown_code() -> None:
+    result = invoke("explain", "B9999")
+    assert result.exit_code == 2
+    assert "there is no code `B9999`" in result.stderr
+
+
+def test_check_is_silent_about_good_files(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text(PLAIN)
+    result = invoke("check", file)
+    assert (result.exit_code, result.output) == (0, "")
+    assert invoke("check", file, "--format", "json").stdout == "[]\n"
+
+
+def test_warnings_do_not_fail(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text(PLAIN + "/// of nothing\n")
+    for command in (("check", file), ("compile", file, "-o", tmp_path / "out")):
+        result = invoke(*command)
+        assert result.exit_code == 0
+        assert result.stderr.startswith("warning[B0113]")
+        assert result.stderr.endswith("\n1 warning\n")
+
+
+def test_check_for_programs(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text("material M { color = tnt }")
+    result = invoke("check", file, "--format", "json")
+    (found,) = json.loads(result.stdout)
+    assert (result.exit_code, result.stderr) == (1, "")
+    assert (found["code"], found["severity"]) == ("B0201", "error")
+    assert found["span"]["start"] == {"line": 1, "column": 22, "offset": 21}
+
+
+def test_targets() -> None:
+    text = invoke("targets").stdout
+    for name in registry.names():
+        for profile in registry.load(name).profiles:
+            assert f"  {name}:{profile.name}" in text
+            assert profile.doc in text
+
+
+def test_targets_for_programs() -> None:
+    rows = json.loads(invoke("targets", "--format", "json").stdout)
+    assert [row["name"] for row in rows] == list(registry.names())
+    es = next(p for row in rows for p in row["profiles"] if p["name"] == "es300")
+    assert es["clip_depth"] == "-1..1"
+    assert es["checkers"] == ["glslang-es300"]
+
+
+def test_doctor_finds_what_the_tests_need() -> None:
+    result = invoke("doctor")
+    assert result.exit_code == 0, result.stdout
+    assert [line.split()[:2] for line in result.stdout.splitlines()] == [
+        ["ok", tool.name] for tool in TOOLS
+    ]
+
+
+def test_doctor_says_how_to_install(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("BURNISH_TOOLS", str(tmp_path))
+    monkeypatch.setenv("PATH", "")
+    result = invoke("doctor")
+    assert result.exit_code == 1
+    for tool in TOOLS:
+        assert f"install it with: {tool.install}\n" in result.stdout
+
+
+def test_doctor_tells_old_from_missing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(tools, "inspect", lambda tool: ToolState(tool, (tmp_path,), "0", "old"))
+    assert invoke("doctor").stdout.startswith("unusable  glslang")
+
+
+@pytest.mark.parametrize(("no_color", "wanted"), [("", True), ("1", False)])
+def test_colours(no_color: str, wanted: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NO_COLOR", no_color)
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    assert console.wants_color(sys.stdout) is wanted
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: False)
+    assert not console.wants_color(sys.stdout)
+
+
+def test_a_reader_that_leaves(tmp_path: Path) -> None:
+    """As in ``burnish compile … -o - | head -1``."""
+    (tmp_path / "m.burnish").write_text(f"/// {'long ' * 50_000}\n{PLAIN}")
+    reading, writing = os.pipe()
+    os.close(reading)
+    command = [sys.executable, "-m", "burnish", "compile", "m.burnish", "-o", "-"]
+    run = subprocess.run(
+        command, cwd=tmp_path, stdout=writing, stderr=subprocess.PIPE, timeout=60, check=False
+    )
+    os.close(writing)
+    assert run.stderr == b""
+
+
+WATCH = ["compile", "m.burnish", "-t", "wgsl", "-o", "out", "--watch"]
+
+
+def test_watching(tmp_path: Path) -> None:
+    """Follows the file and its imports through errors, until it is interrupted."""
+    pytest.importorskip("watchfiles")
+    (tmp_path / "tones.burnish").write_text("tone = 0.5")
+    main_file = tmp_path / "m.burnish"
+    main_file.write_text('import "tones.burnish"\nmaterial M { color = vec3(tone) }')
+    with subprocess.Popen(
+        [sys.executable, "-m", "burnish", *WATCH],
+        cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    ) as process:  # fmt: skip
+        shader = tmp_path / "out" / "M.frag.wgsl"
+        await_text(shader, "0.5")
+        (tmp_path / "tones.burnish").write_text("tone = tnt")
+        time.sleep(2)
+        assert "0.5" in shader.read_text()
+        replacement = tmp_path / "new"
+        replacement.write_text("tone = 0.25")
+        replacement.rename(tmp_path / "tones.burnish")
+        await_text(shader, "0.25")
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert errors.decode().startswith("error[B0201]: unknown name `tnt`")
+    assert b"Traceback" not in errors
+
+
+def await_text(file: Path, text: str) -> None:
+    limit = time.monotonic() + 30
+    while not (file.is_file() and text in file.read_text()):
+        assert time.monotonic() < limit, f"{file.name} never held {text}"
+        time.sleep(0.05)
+
+
+def test_watching_without_its_package(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "watchfiles", None)
+    result = invoke(*WATCH)
+    assert result.exit_code == 2
+    assert "pip install watchfiles" in result.stderr
+
+
+LOADED = """
+import sys
+from burnish.cli import main
+try:
+    main(sys.argv[1:])
+finally:
+    print(*sys.modules, file=sys.stderr)
+"""
+NEVER = {"numpy", "jsonschema", "watchfiles", "hypothesis", "lark", "burnish.targets.toolchain"}
+COMPILER = {"burnish.api", "burnish.compiler", "burnish.targets", "jinja2"}
+
+
+def loaded(folder: Path, *arguments: str) -> set[str]:
+    """The modules that a command has loaded in the end."""
+    run = subprocess.run(
+        [sys.executable, "-c", LOADED, *arguments],
+        cwd=folder, capture_output=True, encoding="utf-8", timeout=60, check=True,
+    )  # fmt: skip
+    return set(run.stderr.split())
+
+
+def test_compiling_loads_no_more_than_it_needs(tmp_path: Path) -> None:
+    (tmp_path / "m.burnish").write_text(PLAIN)
+    command = ("compile", "m.burnish", "-t", "wgsl", "-o", "out")
+    loaded(tmp_path, *command)
+    modules = loaded(tmp_path, *command)
+    assert not modules & NEVER
+    assert "burnish.targets.wgsl.target" in modules
+    assert "burnish.targets.hlsl.target" not in modules
+
+
+@pytest.mark.parametrize("arguments", [("--help",), ("--version",), ("compile", "--help")])
+def test_help_loads_no_compiler(arguments: tuple[str, ...], tmp_path: Path) -> None:
+    assert not loaded(tmp_path, *arguments) & (NEVER | COMPILER)
