@@ -17,10 +17,10 @@ Rules for Constant Variables"; WGSL, "Memory Layout" and "Address Space Layout C
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 from itertools import count, filterfalse
 
+from ..frozen import frozen
 from .ir.leaves import Parameter
 from .ir.program import Block, StoredMember
 from .ir.types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector
@@ -35,7 +35,7 @@ LANE = 4
 """Bytes of a scalar."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Placed:
     """A stored member at its offset in bytes."""
 

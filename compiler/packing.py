@@ -7,13 +7,12 @@ four bytes times ``l`` after lane 0. All lanes are little-endian and 32 bits wid
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from ..frozen import frozen
 from .ir.types import Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector, width
 from .layout import ROW, byte_size, elements_in_row, place, stored_type
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Packing:
     """The bytes of a value of one declared type, counted from where the value starts."""
 
@@ -37,7 +36,7 @@ class Packing:
     """Of a struct, or of an array's elements; padding left out."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PackedMember:
     """A struct's member, ``offset`` bytes into the struct."""
 

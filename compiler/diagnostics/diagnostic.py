@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Literal
 
+from ...frozen import frozen
 from .source import Span
 
 Severity = Literal["error", "warning", "note"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rule:
     """One row of the table: everything about a kind of diagnostic but its place."""
 
@@ -23,7 +23,7 @@ class Rule:
     """What the rule means and how to satisfy it; shown by ``burnish explain``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Label:
     """A second place that the reader should see, with what it has to do with the first."""
 
@@ -31,7 +31,7 @@ class Label:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Diagnostic:
     """One finding at one place."""
 

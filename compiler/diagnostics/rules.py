@@ -396,11 +396,6 @@ UNKNOWN_LIGHT = _error(
     "`{name}` is not a light",
     "A rig entry names a light type: `sun : MyLight`.",
 )
-BAD_LIGHT_COUNT = _error(
-    "B0603",
-    "a rig entry cannot hold {count} lights",
-    "The count is a whole number of at least 1.",
-)
 NO_SUCH_RIG = _error(
     "B0604",
     "which rig is meant? {known}",

@@ -5,6 +5,8 @@ from __future__ import annotations
 from bisect import bisect_right
 from dataclasses import dataclass, field
 
+from ...frozen import frozen
+
 
 @dataclass(eq=False, slots=True)
 class Source:
@@ -38,7 +40,7 @@ class Source:
         return self.text[starts[number - 1] : end].rstrip("\r")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Span:
     """Characters ``start`` to ``end`` (exclusive) of ``source``."""
 

@@ -9,9 +9,9 @@ in the passes recurses over the graph.
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
-from dataclasses import dataclass
 from typing import Literal
 
+from ...frozen import frozen
 from .types import Type
 
 Op = Literal[
@@ -37,7 +37,7 @@ Op = Literal[
 ]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Formal:
     """The variable of an opened binder; every opening makes a new one (compared by identity)."""
 
@@ -47,7 +47,7 @@ class Formal:
 Formals = tuple[Formal, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Folding:
     """How a fold combines its terms, and how many there can be at most."""
 

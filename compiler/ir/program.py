@@ -8,9 +8,9 @@ All names here are suggestions in the user's spelling; a backend's ``Namer`` mak
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Literal
 
+from ...frozen import EMPTY, frozen
 from .leaves import InterpolationMode, Parameter, Resource
 from .node import Formal, Node
 from .types import Struct, Type
@@ -18,7 +18,7 @@ from .types import Struct, Type
 StageName = Literal["vertex", "fragment"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class StoredMember:
     """One member of a block in its stored form: the same bytes on every backend."""
 
@@ -35,7 +35,7 @@ class StoredMember:
     doc: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Block:
     """A uniform block: one group's parameters, or what was derived from them."""
 
@@ -50,7 +50,7 @@ class Block:
     """Stored struct types (padded) that members use, in order of definition."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Field:
     """A stage input or output: vertex attribute, varying slot, or render target."""
 
@@ -61,7 +61,7 @@ class Field:
     doc: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Varying:
     """Values that cross from the vertex to the fragment stage in one location."""
 
@@ -70,7 +70,7 @@ class Varying:
     """Vertex-domain values whose lanes, joined, fill the slot."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Let:
     """``name = value``, once."""
 
@@ -79,7 +79,7 @@ class Let:
     doc: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Branch:
     """``node`` (a select) computed by a branch, so that only one side is evaluated."""
 
@@ -90,7 +90,7 @@ class Branch:
     """The sides' values are ``node.operands[1]`` and ``[2]``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Loop:
     """``node`` (an opened fold) computed by a loop over ``0 <= index < min(count, bound)``."""
 
@@ -109,14 +109,14 @@ class Loop:
 Statement = Let | Branch | Loop
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Region:
     """Statements in order; each may use the names bound before it, here or further out."""
 
     statements: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Function:
     """A body used more than once, such as what one light contributes.
 
@@ -135,7 +135,7 @@ class Function:
     value: Node
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stage:
     """One shader stage."""
 
@@ -157,7 +157,7 @@ class Stage:
     """``frag_coord``, ``front_facing``, ``vertex_index``, ``instance_index`` when read."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Program:
     """One material under one pass and one rig."""
 
@@ -169,7 +169,7 @@ class Program:
     """All blocks of both stages, in group order."""
     resources: tuple[Resource, ...]
     varyings: tuple[Varying, ...]
-    docs: Mapping[str, str] = field(default_factory=dict)
+    docs: Mapping[str, str] = EMPTY
     """Doc comments by user's name."""
 
     @property

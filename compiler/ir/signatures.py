@@ -7,9 +7,9 @@ them. Here types match or they do not; that constants adapt is the business of `
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache, lru_cache
 
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from .types import (
     BOOL,
@@ -28,7 +28,7 @@ from .types import (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Family:
     """What a signature letter ranges over."""
 

@@ -7,13 +7,14 @@ safe as dictionary keys.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar, Literal
+
+from ...frozen import frozen
 
 ScalarKind = Literal["float", "int", "uint", "bool"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scalar:
     """One lane."""
 
@@ -23,7 +24,7 @@ class Scalar:
         return self.kind
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Vector:
     """Two to four lanes of one scalar kind; a column where matrices are concerned."""
 
@@ -35,7 +36,7 @@ class Vector:
         return f"{prefix}vec{self.size}"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Matrix:
     """Square float matrix of ``size`` columns, each a ``Vector("float", size)``."""
 
@@ -46,7 +47,7 @@ class Matrix:
         return f"mat{self.size}"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Array:
     """A fixed number of elements."""
 
@@ -57,7 +58,7 @@ class Array:
         return f"{self.element}[{self.count}]"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Struct:
     """Named members in declaration order."""
 
@@ -72,7 +73,7 @@ class Struct:
         return self.name
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Texture:
     """A sampled texture; dimension and sample type are part of the type (WebGPU layouts need both)."""
 

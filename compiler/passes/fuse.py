@@ -11,10 +11,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..ir.binding import substitute
-from ..ir.node import Folding, Formals, Graph, Node, reachable
+from ..ir.node import Folding, Formal, Formals, Graph, Node, reachable
 from ..semantics.shader import Notes
 from .rewrite import rewrite
 from .simplify import Simplifier
+
+
+SUMMED = frozenset({"fold", "apply"})
+"""What a light contributes, or many lights do."""
 
 
 def fuse(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
@@ -56,13 +60,20 @@ class _Fusing:
         return self._sum(graph.node(node.op, node.type, operands, node.data))
 
     def _sum(self, root: Node) -> Node:
+        terms = _terms(root)
+        if sum(term.op in SUMMED for term in terms) < 2:
+            return root
         groups: list[Node] = []
-        for term in _terms(root):
-            position = next((i for i, g in enumerate(groups) if _fusable(g, term)), None)
-            if position is None:
-                groups.append(term)
-            else:
+        # Where in `groups` the folds and applies are: nothing else can be fused.
+        summed: list[int] = []
+        for term in terms:
+            position = next((i for i in summed if _fusable(groups[i], term)), None)
+            if position is not None:
                 groups[position] = self._fused(groups[position], term)
+                continue
+            if term.op in SUMMED:
+                summed.append(len(groups))
+            groups.append(term)
         total = groups[0]
         for group in groups[1:]:
             total = self._simplifier.call("add", root.type, total, group)
@@ -107,12 +118,10 @@ class _Fusing:
         assert isinstance(formals, tuple) and isinstance(theirs, tuple)
         replacements = {}
         for formal, place, argument in zip(theirs, places, right.operands[1:], strict=True):
-            if place < len(formals):
-                replacements[formal] = self._graph.node(
-                    "formal", argument.type, (), formals[place]
-                )
-            else:
-                formals += (formal,)
+            if place == len(formals):
+                # The same body may be in the sum already, with this variable for another argument.
+                formals += (Formal(formal.name) if formal in formals else formal,)
+            replacements[formal] = self._graph.node("formal", argument.type, (), formals[place])
         other = substitute(
             self._graph, right.operands[0], replacements, self._notes.follow
         )

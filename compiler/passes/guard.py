@@ -21,7 +21,6 @@ from .paths import Paths
 from .ranges import Ranges
 from .simplify import Simplifier
 
-
 BRANCH = "branch"
 """Data of a select that has to become a branch: one of its sides is safe only behind it."""
 

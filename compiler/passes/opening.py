@@ -6,8 +6,8 @@ Applies of one body share the opened body and its formals: that is what becomes 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
+from ...frozen import changed
 from ..ir.binding import open_body
 from ..ir.node import Folding, Formal, Formals, Graph, Node, binders, body_of
 from ..ir.types import INT, Type
@@ -30,7 +30,7 @@ class _Opener:
         opened = (*operands[:position], body, *operands[position + 1 :])
         if node.op == "fold":
             assert isinstance(node.data, Folding)
-            return graph.node("fold", node.type, opened, replace(node.data, index=formals[0]))
+            return graph.node("fold", node.type, opened, changed(node.data, index=formals[0]))
         return graph.node("apply", node.type, opened, formals)
 
     def _open(

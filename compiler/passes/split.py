@@ -13,7 +13,7 @@ from itertools import count
 from ..ir.leaves import Attribute, InterpolationMode
 from ..ir.node import Node
 from ..ir.program import Field, Varying
-from ..ir.types import ScalarKind, Scalar, Vector, scalar_kind, width, with_width
+from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
 from ..semantics.shader import Notes
 
 SLOT_LANES = 4

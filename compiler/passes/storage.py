@@ -10,11 +10,11 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterable, Mapping
 
+from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node
 from ..ir.types import BOOL, INT, UINT, Array, Matrix, Scalar, Struct, Type, Vector, width
 from ..layout import elements_in_row, stored_type
-from ..ir.binding import Moved
 from .rewrite import rewrite
 
 

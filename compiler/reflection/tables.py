@@ -6,13 +6,13 @@ The compiler knows no backend; each hands in one ``BackendTable`` of plain data.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Literal
 
+from ...frozen import EMPTY, frozen
 from ..ir.program import StageName
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BindingPoint:
     """Where a host binds one block, texture or sampler."""
 
@@ -24,11 +24,11 @@ class BindingPoint:
     """Number within the group."""
     register: str = ""
     """HLSL's register, ``b0``; empty elsewhere."""
-    members: Mapping[str, str] = field(default_factory=dict)
+    members: Mapping[str, str] = EMPTY
     """For a block: final identifiers by the layout's member names."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VertexInputName:
     """How a vertex input is called in the text."""
 
@@ -37,7 +37,7 @@ class VertexInputName:
     """HLSL's semantic, ``TEXCOORD0``; empty elsewhere."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EmittedFile:
     """One file of text and the entry point in it."""
 
@@ -46,20 +46,20 @@ class EmittedFile:
     entry_point: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BackendTable:
     """One profile's side of the reflection."""
 
     language: str
     """``hlsl``, ``glsl`` or ``wgsl``."""
     files: tuple[EmittedFile, ...]
-    blocks: Mapping[str, BindingPoint] = field(default_factory=dict)
+    blocks: Mapping[str, BindingPoint] = EMPTY
     """By block name."""
-    textures: Mapping[str, BindingPoint] = field(default_factory=dict)
+    textures: Mapping[str, BindingPoint] = EMPTY
     """By texture name; where the profile combines texture and sampler, this is the pair."""
-    samplers: Mapping[str, BindingPoint] = field(default_factory=dict)
+    samplers: Mapping[str, BindingPoint] = EMPTY
     """By the name of the texture that they read; empty where the profile combines the two."""
-    vertex_inputs: Mapping[str, VertexInputName] = field(default_factory=dict)
+    vertex_inputs: Mapping[str, VertexInputName] = EMPTY
     """By vertex input name."""
     host_uniforms: tuple[str, ...] = ()
     """Loose float uniforms that the host sets besides the blocks."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import TYPE_CHECKING
 
-from ..diagnostics import rules
 from ...stdlib.builtins.facts import Fact
+from ..diagnostics import rules
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.types import INT, Array, Scalar, Struct, Texture, Type, Vector, scalar_kind
 from ..syntax import ast

@@ -14,7 +14,7 @@ from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.leaves import InterpolationMode
 from ..ir.node import Graph, Node, reachable
-from ..ir.types import UINT, Scalar, Vector, scalar_kind, with_width, width
+from ..ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
 from .shader import Notes
 

@@ -6,13 +6,13 @@ walks them must not recurse (see ``semantics``).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
+from ...frozen import frozen
 from ..diagnostics.source import Source, Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Name:
     """An identifier where it is written."""
 
@@ -23,7 +23,7 @@ class Name:
 # --- expressions ---------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Number:
     """``2``, ``0.5``, ``1e-3``, ``7u``; ``unit`` is ``deg`` or ``rad`` for an angle."""
 
@@ -34,7 +34,7 @@ class Number:
     unit: Literal["", "deg", "rad"] = ""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Color:
     """``#rgb``, ``#rrggbb`` or ``#rrggbbaa``: sRGB-encoded channels in 0..255, alpha linear."""
 
@@ -42,7 +42,7 @@ class Color:
     channels: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Boolean:
     """``true`` or ``false``."""
 
@@ -50,7 +50,7 @@ class Boolean:
     value: bool
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Reference:
     """A bare name used as a value."""
 
@@ -58,7 +58,7 @@ class Reference:
     name: str
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Unary:
     """``-x`` or ``not x``."""
 
@@ -67,7 +67,7 @@ class Unary:
     operand: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Binary:
     """``a + b`` and the like."""
 
@@ -77,7 +77,7 @@ class Binary:
     right: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Conditional:
     """``if c then a else b``."""
 
@@ -87,7 +87,7 @@ class Conditional:
     otherwise: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Call:
     """``f(a, b)``: a function, builtin, term, constructor, or a texture read at a coordinate."""
 
@@ -96,7 +96,7 @@ class Call:
     arguments: tuple[Expression, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Field:
     """``x.name``: a swizzle, a struct member, or a slot of ``light``, ``material``, ``inherited``."""
 
@@ -105,7 +105,7 @@ class Field:
     name: Name
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Index:
     """``x[i]``: lane of a vector, column of a matrix, element of an array."""
 
@@ -114,7 +114,7 @@ class Index:
     index: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class With:
     """``e with { slot = value … }``: a term evaluated with slots replaced."""
 
@@ -123,7 +123,7 @@ class With:
     replacements: tuple[tuple[Name, Expression], ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class AtRate:
     """``@vertex e``: ``e`` computed at the vertex and interpolated."""
 
@@ -132,7 +132,7 @@ class AtRate:
     operand: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Fold:
     """``sum i in a..b : e`` over ``a <= i < b``."""
 
@@ -153,7 +153,7 @@ Expression = (
 # --- types ---------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TypeName:
     """``float``, ``point<world>``, ``vec3[4]``: name, space arguments, array length if any."""
 
@@ -166,7 +166,7 @@ class TypeName:
 # --- members of materials, lights, passes and structs --------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Param:
     """``param x : T in a..b per group = default``."""
 
@@ -179,7 +179,7 @@ class Param:
     default: Expression | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Map:
     """``map albedo : texture2d = white with { filter = linear, wrap = repeat }``."""
 
@@ -192,7 +192,7 @@ class Map:
     state: tuple[tuple[Name, Name], ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Attribute:
     """``attribute uv0 : vec2``: a vertex input."""
 
@@ -202,7 +202,7 @@ class Attribute:
     type: TypeName
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Slot:
     """``name : T = e``, an equation; without ``e`` an abstract slot that a heir has to set."""
 
@@ -213,7 +213,7 @@ class Slot:
     value: Expression | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Target:
     """``target color : rgba8 = e blend alpha``: what a pass writes to one render target."""
 
@@ -225,7 +225,7 @@ class Target:
     blend: Name | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Discard:
     """``discard when c``: the pixel is not written where ``c`` holds."""
 
@@ -239,7 +239,7 @@ Member = Param | Map | Attribute | Slot | Target | Discard
 # --- declarations --------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Import:
     """``import std.lights.{Lamp, Beam}``, ``import std.lights`` or ``import "wood.burnish"``.
 
@@ -253,7 +253,7 @@ class Import:
     names: tuple[Name, ...] | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Record:
     """A ``material``, ``light`` or ``pass``: named members, one base, perhaps abstract."""
 
@@ -268,7 +268,7 @@ class Record:
     members: tuple[Member, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Argument:
     """A formal parameter of a function or term."""
 
@@ -277,7 +277,7 @@ class Argument:
     type: TypeName
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class TypeParameter:
     """``T: floats``: a type parameter and the family it ranges over."""
 
@@ -286,7 +286,7 @@ class TypeParameter:
     family: Name
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Function:
     """``fn f(a: float) -> float = e`` or ``term t(k: rgb) per light = e``.
 
@@ -305,7 +305,7 @@ class Function:
     body: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class RigEntry:
     """``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, with overrides."""
 
@@ -318,7 +318,7 @@ class RigEntry:
     overrides: tuple[Slot, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Rig:
     """Which lights shine."""
 
@@ -328,7 +328,7 @@ class Rig:
     entries: tuple[RigEntry, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class StructMember:
     """``name : T`` of a struct."""
 
@@ -338,7 +338,7 @@ class StructMember:
     type: TypeName
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class StructDeclaration:
     """``struct Layer { tint : rgb  weight : float }``."""
 
@@ -348,7 +348,7 @@ class StructDeclaration:
     members: tuple[StructMember, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Space:
     """``space bench``: a coordinate space of the user's own."""
 
@@ -357,7 +357,7 @@ class Space:
     name: Name
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Constant:
     """``golden = 1.618`` at file level."""
 
@@ -371,7 +371,7 @@ class Constant:
 Declaration = Import | Record | Function | Rig | StructDeclaration | Space | Constant
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class File:
     """One parsed file; declarations that failed to parse are missing and were reported."""
 

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import count
 
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Program
+from ...frozen import frozen
 from .description import Profile
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slot:
     """A place in the binding model."""
 
@@ -25,7 +25,7 @@ class Slot:
     binding: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bindings:
     """The slots of a program; keys are the program's own names."""
 

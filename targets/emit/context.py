@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from ...compiler.ir.program import Program
+from ...frozen import frozen
 from .description import PipelineInput, Profile, Spelling, Target
 from .names import Names
 from .spelling import TypeSpeller
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Context:
     """A program, the language to print it in, and what was decided for all of it."""
 

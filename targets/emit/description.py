@@ -19,18 +19,18 @@ Spellings of natives
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
 from ...compiler.ir.types import BOOL, UINT, VEC4, ScalarKind, Type
+from ...frozen import EMPTY, frozen
 from .reserved import Reserved
 
 FieldRole = Literal["attribute", "varying", "target"]
 """Vertex input, value between the stages, or render target."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Spelling:
     """How a native is spelled when that depends on the operands: empty means the usual way."""
 
@@ -40,7 +40,7 @@ class Spelling:
     """Some operand is a matrix."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TypeNames:
     """How types are written; ``{n}`` is a number of lanes or columns."""
 
@@ -54,7 +54,7 @@ class TypeNames:
     """A matrix as a block's member, where its order has to be said: ``column_major {type}``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Literals:
     """How constants are written."""
 
@@ -64,7 +64,7 @@ class Literals:
     uint_suffix: str = "u"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Forms:
     """Expressions and statements that are not calls, as templates.
 
@@ -94,7 +94,7 @@ class Forms:
     """A stage's input: a global variable, or ``input.{name}``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PipelineInput:
     """A value that the pipeline supplies."""
 
@@ -120,7 +120,7 @@ GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2,
 """Bind group of each parameter group: WebGPU guarantees four."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Profile:
     """One dialect of a target: what an API or a version of it takes."""
 
@@ -140,15 +140,15 @@ class Profile:
     """Both stages can stand in one text."""
     preamble: tuple[str, ...] = ()
     """Lines that open each file: version, extensions, default precisions."""
-    natives: Mapping[str, str | Spelling] = field(default_factory=dict)
+    natives: Mapping[str, str | Spelling] = EMPTY
     """Spellings that only this profile has."""
-    inputs: Mapping[str, PipelineInput] = field(default_factory=dict)
+    inputs: Mapping[str, PipelineInput] = EMPTY
     """Inputs that this profile has otherwise than its target."""
-    inputs_rows_up: Mapping[str, PipelineInput] = field(default_factory=dict)
+    inputs_rows_up: Mapping[str, PipelineInput] = EMPTY
     """Those that have to be turned upside down while rows count upwards."""
     texture: str = ""
     """Replaces ``Forms.texture``."""
-    sets: Mapping[str, int] = field(default_factory=lambda: GROUP_SETS)
+    sets: Mapping[str, int] = GROUP_SETS
     default_set: int = 2
     """Where a user's own groups go."""
     varyings: int = 16
@@ -164,7 +164,7 @@ def no_semantic(_role: FieldRole, _name: str, _location: int) -> str:
     return ""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Target:
     """One shading language."""
 
@@ -181,12 +181,12 @@ class Target:
     """The first is the default."""
     reserved: Callable[[], Reserved]
     """Loads the words that cannot be names; called on first use."""
-    literals: Literals = field(default_factory=Literals)
-    forms: Forms = field(default_factory=Forms)
-    natives: Mapping[str, str | Spelling] = field(default_factory=dict)
+    literals: Literals = Literals()
+    forms: Forms = Forms()
+    natives: Mapping[str, str | Spelling] = EMPTY
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
-    inputs: Mapping[str, PipelineInput] = field(default_factory=dict)
+    inputs: Mapping[str, PipelineInput] = EMPTY
     """How each of ``PIPELINE_TYPES`` is spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""

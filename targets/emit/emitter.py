@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Program, Stage, StageName, StoredMember
 from ...compiler.ir.types import Struct
+from ...frozen import frozen
 from . import templates
 from .bindings import Bindings, assign_bindings
 from .comments import comment_line, comment_lines
@@ -23,7 +23,7 @@ _SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
 _SINGLE_ENTRIES: Mapping[StageName, str] = {"vertex": "vs_main", "fragment": "fs_main"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EmitOptions:
     """What a caller may choose about the text."""
 
@@ -33,7 +33,7 @@ class EmitOptions:
     """One text with ``vs_main`` and ``fs_main``; see ``Profile.single_file``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EmittedFile:
     """A finished text."""
 
@@ -47,7 +47,7 @@ class EmittedFile:
     """By 1-based line of ``text``, the id of the node that the line computes."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Emission:
     """All texts of a program for one profile, and what a host needs to know of them."""
 

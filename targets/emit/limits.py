@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from ...compiler.ir.program import Program
+from ...frozen import frozen
 from .description import Profile
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Excess:
     """More of something than every device of the profile is guaranteed to have."""
 

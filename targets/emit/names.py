@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Block, Field, Function, Program, Stage, StageName
+from ...frozen import frozen
 from .description import Target
 from .namer import Namer
 from .reserved import Reserved
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Names:
     """Final names, by the program's own."""
 
@@ -36,7 +36,7 @@ class Names:
     """By stage and the id of the function's body."""
     common: frozenset[str]
     """Names that locals of either stage must not hide."""
-    reserved: Reserved = field(repr=False)
+    reserved: Reserved
 
     def member(self, block: str, member: str) -> str:
         """The identifier of a block's or struct's member."""
@@ -156,7 +156,7 @@ class _Naming:
         return found
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Fields:
     """The names of stage inputs and outputs."""
 

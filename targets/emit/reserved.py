@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from ...frozen import frozen
 
-@dataclass(frozen=True, slots=True)
+
+@frozen
 class Reserved:
     """Words, and patterns of words, that cannot be names."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from time import perf_counter
 
 import burnish
@@ -52,7 +53,7 @@ def _lengths(shape: Callable[[int], str]) -> Iterator[Row]:
     first: float | None = None
     for length in LENGTHS:
         text = shape(length)
-        best = min(seconds(lambda text=text: burnish.compile(text), 1 + NODES_A_RUN // length))
+        best = min(seconds(partial(burnish.compile, text), 1 + NODES_A_RUN // length))
         each = 1e6 * best / length
         first = first if length > 1000 else each
         yield {

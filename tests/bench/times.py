@@ -8,6 +8,7 @@ import pstats
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -132,7 +133,7 @@ def _cold() -> list[Row]:
     rows: list[Row] = []
     for what, command in commands.items():
         _run(command)
-        found = milliseconds(seconds(lambda command=command: _run(command), COLD_RUNS))
+        found = milliseconds(seconds(partial(_run, command), COLD_RUNS))
         within = found["median ms"] <= COLD_LIMIT
         rows.append({"what": what, **found, f"at most {COLD_LIMIT:g}": within})
     return rows

@@ -10,24 +10,19 @@ import pytest
 import burnish
 from burnish.commands.validate import validate
 from burnish.compiler.diagnostics.render import render_all
-from burnish.compiler.diagnostics.source import Source, Span
 
 from .kit import PLAIN, invoke, tree
 
-SOURCE = Source("m.burnish", "material M {\n    color = vec3(1)\n}\n")
-COLOR = Span(SOURCE, 17, 32)
+SOURCE = "material M { tint = sin(vec3(uv, 1))\n color = tint * tint.x }"
 
 
-def emitted() -> burnish.OutputFile:
-    (material,) = burnish.compile("material M { color = vec3(uv, 1) }", ["wgsl"]).materials
-    return next(file for file in material.files if file.stage == "fragment")
-
-
-def broken(file: burnish.OutputFile) -> tuple[burnish.OutputFile, int]:
-    """The file with its last statement spoilt, and that statement's line."""
+def broken() -> tuple[burnish.OutputFile, int]:
+    """A fragment shader with a line spoilt that computes ``tint``, and that line's number."""
+    (material,) = burnish.compile(SOURCE, ["wgsl"]).materials
+    file = next(file for file in material.files if file.stage == "fragment")
+    number = next(line for line, span in file.spans.items() if str(span).startswith("<text>:1:"))
     lines = file.text.splitlines()
-    number = max(n for n, line in enumerate(lines, 1) if line.strip().endswith(";"))
-    lines[number - 1] = "    nonsense(1.0);"
+    lines[number - 1] = "    let tint = nonsense(1.0);"
     return replace(file, text="\n".join(lines) + "\n"), number
 
 
@@ -41,20 +36,20 @@ def test_everything_is_accepted(tmp_path: Path) -> None:
 
 
 def test_a_refusal_is_told_at_the_material() -> None:
-    file, line = broken(emitted())
-    found = validate([replace(file, spans={line: COLOR})])
+    file, line = broken()
+    found = validate([file])
     assert {diagnostic.rule.code for diagnostic in found} == {"B0703"}
     assert {diagnostic.message.split()[0] for diagnostic in found} == {"naga", "tint"}
     shown = render_all(found)
-    assert " --> m.burnish:2:5\n" in shown
-    assert f"::: M.frag.wgsl:{line}:5\n" in shown
-    assert "nonsense(1.0);" in shown
+    assert " --> <text>:1:21\n" in shown
+    assert f"::: M.frag.wgsl:{line}:16\n" in shown
+    assert "let tint = nonsense(1.0);" in shown
 
 
 def test_without_a_source_map_the_emitted_line_is_shown() -> None:
-    file, line = broken(emitted())
+    file, line = broken()
     found = validate([replace(file, spans={})])
-    assert {str(diagnostic.span) for diagnostic in found} == {f"M.frag.wgsl:{line}:5"}
+    assert {str(diagnostic.span) for diagnostic in found} == {f"M.frag.wgsl:{line}:16"}
 
 
 def test_a_missing_tool_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -42,7 +42,7 @@ def variants() -> Iterator[Variant]:
     """Every example × rig × pass."""
     for path in EXAMPLES:
         declarations = parse(Source(path.name, path.read_text("utf-8")), Report()).declarations
-        rigs = [d.name.text for d in declarations if isinstance(d, ast.Rig)]
+        rigs: list[str | None] = [d.name.text for d in declarations if isinstance(d, ast.Rig)]
         passes = [
             d.name.text for d in declarations if isinstance(d, ast.Record) and d.kind == "pass"
         ]

@@ -8,8 +8,6 @@ with every operation off by a little, and the spread of the results widens the t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import Any
 
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
@@ -19,6 +17,7 @@ from burnish.compiler.passes.rewrite import rewrite
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.semantics.shader import Shader
 
+from .hardware import flat, hardware
 from .kit import World, history
 
 TOLERANCE = 1e-9
@@ -47,15 +46,6 @@ def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
         return graph.node("call", node.type, (result, factor), "mul")
 
     return rewrite(graph, roots, rule)
-
-
-def flat(value: Any) -> Iterator[float]:
-    """All lanes of a value."""
-    if isinstance(value, tuple):
-        for part in value:
-            yield from flat(part)
-    else:
-        yield float(value)
 
 
 def lanes(roots: list[Node], world: World) -> list[float]:
@@ -88,7 +78,9 @@ def disagreements(given: Shader, worlds: list[World], options: Options | None = 
         allowed = tolerances(shaken, expected, world)
         informed = World(world.seed, world.traps, past.staged.derived)
         for name, roots in past.roots.items():
-            for i, value in enumerate(lanes(roots, informed)):
+            with hardware():
+                values = lanes(roots, informed)
+            for i, value in enumerate(values):
                 if math.isfinite(expected[i]) and not abs(value - expected[i]) <= allowed[i]:
                     found.append(
                         f"{name}, lane {i}, seed {world.seed}: {value} instead of {expected[i]}"

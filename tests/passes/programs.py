@@ -22,7 +22,7 @@ FUEL = 12
 """About how many operations one expression has."""
 NUMBERS = ("0.0", "1.0", "0.5", "2.0", "0.25", "3.0", "1e-3", "7.5")
 INFIX = {builtin: symbol for symbol, builtin in OPERATORS.items()}
-CONVERSIONS = {"to_float": "float", "to_int": "int", "to_uint": "uint"}
+CONVERSIONS = ("to_float", "to_int", "to_uint")
 PREFIX = {"neg": "-", "not": "not "}
 
 
@@ -64,13 +64,14 @@ def instances(result: Type) -> tuple[tuple[str, tuple[Type, ...]], ...]:
         (name, operands)
         for name in BUILTINS
         if name != "sample"
-        for operands in _fitting(name)
+        for operands in fitting(name)
         if result_type(name, operands) == result
     )
 
 
 @cache
-def _fitting(name: str) -> tuple[tuple[Type, ...], ...]:
+def fitting(name: str) -> tuple[tuple[Type, ...], ...]:
+    """Operand types that builtin ``name`` takes."""
     counts = {len(parsed(signature)[0]) for signature in BUILTINS[name].signatures}
     return tuple(
         operands
@@ -148,7 +149,8 @@ class Writer:
             return f"({texts[0]} {INFIX[name]} {texts[1]})"
         if name in PREFIX:
             return f"({PREFIX[name]}{texts[0]})"
-        return f"{CONVERSIONS.get(name, name)}({', '.join(texts)})"
+        shown = str(type_) if name in CONVERSIONS else name
+        return f"{shown}({', '.join(texts)})"
 
     def _conditional(self, type_: Type, scope: Scope, fuel: int) -> str:
         condition = self.expression(BOOL, scope, fuel // 3)
@@ -191,6 +193,8 @@ class Writer:
         start = self.draw(st.sampled_from([0, 0, 1, -1]))
         word = self.draw(st.sampled_from(["sum", "product"]))
         body = self.expression(type_, scope.within(Variable(index, INT)), fuel // 2)
+        if type_ == INT:
+            body = f"{index} + {body}"  # a literal by itself would be a float
         return f"({word} {index} in {start}..{end} : {body})"
 
     def _term(self, _type: Type, scope: Scope, fuel: int) -> str:

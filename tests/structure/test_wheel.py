@@ -27,9 +27,9 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
         copy = folder / "tree" / path.relative_to(ROOT)
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(path, copy)
-    build = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder]
+    build = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder)]
     built = subprocess.run(
-        [*build, folder / "tree"], check=False, capture_output=True, text=True, timeout=120
+        [*build, str(folder / "tree")], check=False, capture_output=True, text=True, timeout=120
     )
     assert built.returncode == 0, built.stdout + built.stderr
     (wheel,) = folder.glob("*.whl")
@@ -45,8 +45,9 @@ def test_content(wheel: Path) -> None:
         for path in files(ROOT / folder)
         if path.suffix == ".py" or path.suffix in DATA
     }
-    top = {"__init__.py", "__main__.py", "api.py", "cli.py", "py.typed"}
-    assert packed == wanted | {f"burnish/{name}" for name in top}
+    top = {f"burnish/{path.name}" for path in ROOT.glob("*.py")} - {"burnish/setup.py"}
+    assert {"burnish/__init__.py", "burnish/api.py", "burnish/cli.py"} <= top
+    assert packed == wanted | top | {"burnish/py.typed"}
 
 
 COMPILE = """
@@ -60,9 +61,10 @@ print(len(result["Plastic"].files), result["Plastic"].reflection["material"])
 
 def test_installed_elsewhere(wheel: Path, tmp_path: Path) -> None:
     """In an environment that has this one's other packages, but not this checkout."""
-    example = shutil.copyfile(ROOT / "examples" / "plastic.burnish", tmp_path / "plastic.burnish")
+    example = str(tmp_path / "plastic.burnish")
+    shutil.copyfile(ROOT / "examples" / "plastic.burnish", example)
     venv.create(tmp_path / "env", with_pip=False)
-    python = tmp_path / "env" / ("Scripts" if os.name == "nt" else "bin") / "python"
+    python = str(tmp_path / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
     (site,) = (tmp_path / "env").rglob("site-packages")
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(site)

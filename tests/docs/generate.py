@@ -1,0 +1,199 @@
+"""``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from itertools import groupby
+from pathlib import Path
+
+from burnish.compiler.diagnostics import rules
+from burnish.compiler.diagnostics.diagnostic import Rule
+from burnish.stdlib.builtins import BUILTINS, Builtin
+from burnish.stdlib.builtins import (
+    arithmetic,
+    common,
+    comparison,
+    conversion,
+    exponential,
+    geometry,
+    matrix,
+    texture,
+    trigonometry,
+)
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+GRAMMAR = ROOT / "compiler" / "syntax" / "burnish.lark"
+
+NOTE = "<!-- Made by `python -m tests.docs.generate`; do not edit. -->"
+
+BUILTINS_HEAD = f"""{NOTE}
+
+# Builtin functions and operators
+
+One table in `stdlib/builtins` declares all of them, and this page is made from it.
+
+A builtin has **one meaning on every backend**. Where backends differ or leave something open, the
+entry says under *Outside* what Burnish means there; the compiler adds what is needed to get it, and
+leaves it away where it can prove that the operands never go there. See
+[guards](language.md#guards-and-unguarded) in the language reference.
+
+**Signatures.** A letter stands for one type throughout a signature:
+
+| letter | types |
+|---|---|
+| `T` | `float`, `vec2`, `vec3`, `vec4` |
+| `V` | `vec2`, `vec3`, `vec4` |
+| `S` | `float` |
+| `N` | `T`, and `int`, `uint`, `ivec2` … `ivec4`, `uvec2` … `uvec4` |
+| `L` | one lane of `N` |
+| `M`, `C` | `mat2`, `mat3`, `mat4`; the vector that is a column of `M` |
+
+Where a letter allows vectors, a scalar may stand beside a vector and counts as that scalar in every
+lane: `max(v, 0)`, `mix(0, v, t)`.
+
+**Accuracy** is the error bound of the float32 operation and where it is promised. Where a backend's
+specification says nothing, as OpenGL's and OpenGL ES's do, the same bound is assumed. *Correct* means
+correctly rounded, *ulp* is a unit in the last place of the result, *inherited* is what follows from
+writing the function out by its definition.
+"""
+
+THEMES = (
+    ("Arithmetic", arithmetic.ROWS),
+    ("Comparison and logic", comparison.ROWS),
+    ("Rounding, limits and blending", common.ROWS),
+    ("Powers, roots and logarithms", exponential.ROWS),
+    ("Angles", trigonometry.ROWS),
+    ("Geometry", geometry.ROWS),
+    ("Matrices", matrix.ROWS),
+    ("Conversion", conversion.ROWS),
+    ("Textures", texture.ROWS),
+)
+
+WORDS: Mapping[str, str] = {"and": "and", "or": "or", "not": "not", "mod": "mod"}
+"""Operators that Burnish writes as words."""
+
+CONSTRUCTORS = {"to_float": "float", "to_int": "int", "to_uint": "uint"}
+
+
+def builtins_page() -> str:
+    """The manual of the builtins."""
+    assert [row for _, rows in THEMES for row in rows] == list(BUILTINS.values())
+    lines = [BUILTINS_HEAD]
+    for title, rows in THEMES:
+        lines.append(f"## {title}\n")
+        for row in rows:
+            lines += _builtin(row)
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def _builtin(row: Builtin) -> Iterator[str]:
+    yield f"### {_written(row)}\n"
+    yield f"{row.doc}\n"
+    yield from (f"- `{text}`" for text in _signatures(row))
+    if row.outside:
+        yield f"- *Outside:* {row.outside}"
+    if row.uniform_control_flow:
+        yield "- Compares neighbouring pixels, so it is not available under `@vertex`."
+    yield f"- *Accuracy:* {row.accuracy.bound} ({row.accuracy.source})\n"
+
+
+def _written(row: Builtin) -> str:
+    if row.name in CONSTRUCTORS:
+        return f"`{CONSTRUCTORS[row.name]}(x)`"
+    if row.name == "sample":
+        return "Reading a texture"
+    if row.operator:
+        sign = WORDS.get(row.name, row.operator)
+        return f"`{sign}`" if row.name != "neg" else "`-x`"
+    return f"`{row.name}`"
+
+
+def _signatures(row: Builtin) -> Iterator[str]:
+    for signature in row.signatures:
+        operands, result = signature.split(" -> ")
+        if row.name in CONSTRUCTORS:
+            yield f"{result}({operands}) -> {result}"
+        elif row.name == "sample":
+            yield "albedo(uv), albedo being a texture2d and uv a vec2 -> vec4"
+        elif row.operator:
+            sign, parts = WORDS.get(row.name, row.operator), operands.split(", ")
+            gap = " " if sign.isalpha() else ""
+            left = f"{parts[0]} {sign} {parts[1]}" if len(parts) == 2 else f"{sign}{gap}{parts[0]}"
+            yield f"{left} -> {result}"
+        else:
+            yield f"{row.name}({operands}) -> {result}"
+
+
+DIAGNOSTICS_HEAD = f"""{NOTE}
+
+# Diagnostics
+
+Every error and warning has a code. The code stays what it is from one version to the next, and a
+retired one is not used again. `burnish explain B0203` shows an entry on the command line,
+`burnish check FILE --format json` gives what was found to programs. Words in braces are filled in.
+
+Errors end a compile: nothing is written, the exit code is 1, and the library raises `CompileError`.
+Warnings do not.
+"""
+
+SECTIONS = {
+    "B00": "Files and the command line",
+    "B01": "Syntax",
+    "B02": "Names",
+    "B03": "Types",
+    "B04": "Values and meaning",
+    "B05": "Stages and rates",
+    "B06": "Rigs and lights",
+    "B07": "Targets",
+}
+
+
+def diagnostics_page() -> str:
+    """The index of all diagnostics."""
+    found = [rule for rule in vars(rules).values() if isinstance(rule, Rule)]
+    lines = [DIAGNOSTICS_HEAD]
+    ordered = sorted(found, key=lambda rule: rule.code)
+    for section, members in groupby(ordered, key=lambda rule: rule.code[:3]):
+        lines.append(f"## {section}: {SECTIONS[section]}\n")
+        for rule in members:
+            lines += [f"### {rule.code}\n", f"{rule.severity}: {_code(rule.message)}\n"]
+            lines.append(f"{rule.help}\n")
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def _code(message: str) -> str:
+    """A message template as inline code, whatever back quotes it has itself."""
+    return f"`` {message} ``"
+
+
+def language_page() -> str:
+    """The language reference as it is, with the grammar as it is today."""
+    page = (DOCS / "language.md").read_text(encoding="utf-8")
+    return re.sub(r"(?<=^```lark\n).*?(?=^```$)", lambda _: _grammar(), page, flags=_LINES)
+
+
+_LINES = re.MULTILINE | re.DOTALL
+_REMARK = re.compile(r"(?:^|\s+)// .*$")
+_IGNORED = re.compile(r"%ignore|(?:DOC|FILE_DOC|COMMENT|BLANK):")
+
+
+def _grammar() -> str:
+    """The grammar without remarks and blanks."""
+    lines = GRAMMAR.read_text(encoding="utf-8").splitlines()
+    kept = [_REMARK.sub("", line).rstrip() for line in lines if not _IGNORED.match(line)]
+    return re.sub(r"\n{3,}", "\n\n", "\n".join(kept)).strip() + "\n"
+
+
+PAGES: Mapping[str, Callable[[], str]] = {
+    "language.md": language_page,
+    "builtins.md": builtins_page,
+    "diagnostics.md": diagnostics_page,
+}
+
+
+if __name__ == "__main__":
+    for name, page in PAGES.items():
+        (DOCS / name).write_text(page(), encoding="utf-8")
+        print(f"docs/{name}")

@@ -1,0 +1,112 @@
+"""Every snippet in the documentation does what the page says; ``kit`` tells how they are marked."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import re
+import shlex
+import shutil
+from itertools import pairwise
+from pathlib import Path
+
+import burnish
+import pytest
+from burnish.cli import main
+from burnish.compiler.diagnostics.diagnostic import Diagnostic
+from burnish.compiler.diagnostics.render import render_all
+from click.testing import CliRunner
+
+from .kit import PAGES, ROOT, Block, all_blocks, blocks
+
+EXAMPLES = ROOT / "examples"
+HEAD = "import std.lights\nimport std.terms\nmaterial Sample {\n"
+MATERIAL = re.compile(r"^material ", re.MULTILINE)
+ERRORS = [block for block in all_blocks("burnish") if block.value("error")]
+
+
+def whole(block: Block) -> str:
+    """The file that a block stands for."""
+    if "in-material" in block.marks:
+        return f"{HEAD}{block.text}}}\n"
+    if MATERIAL.search(block.text) or block.value("file") or block.value("error"):
+        return block.text
+    return f"{block.text}\nmaterial Sample {{}}\n"
+
+
+def outcome(block: Block, folder: Path) -> tuple[Diagnostic, ...]:
+    """What there is to say about a block, beside the files that its page declares before it."""
+    for other in blocks(block.page, "burnish"):
+        if (name := other.value("file")) and other.line < block.line:
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(whole(other), encoding="utf-8")
+    path = folder / "sample.burnish"
+    path.write_text(whole(block), encoding="utf-8")
+    rig, pass_ = block.value("rig"), block.value("pass")
+    try:
+        result = burnish.compile(path, search_path=[EXAMPLES], rig=rig, pass_=pass_)
+    except burnish.CompileError as error:
+        return error.diagnostics
+    assert result.materials or block.value("file")
+    return result.diagnostics
+
+
+@pytest.mark.parametrize("block", all_blocks("burnish"), ids=str)
+def test_burnish(block: Block, tmp_path: Path) -> None:
+    found = outcome(block, tmp_path)
+    codes = {diagnostic.rule.code for diagnostic in found}
+    expected = {"B0206"} if block.value("file") and "material " not in block.text else set()
+    if code := block.value("error"):
+        expected = {code}
+    assert codes == expected, render_all(found)
+
+
+@pytest.mark.parametrize("block", all_blocks("text"), ids=str)
+def test_text(block: Block, tmp_path: Path) -> None:
+    code = block.value("from")
+    if code is None:
+        return
+    source = [b for b in ERRORS if b.page == block.page and b.line < block.line][-1]
+    assert source.value("error") == code
+    shown = render_all(outcome(source, tmp_path)).replace(f"{tmp_path}/sample", "plastic")
+    assert block.text.rstrip("\n") == shown
+
+
+@pytest.mark.parametrize("block", [*all_blocks("wgsl"), *all_blocks("hlsl")], ids=str)
+def test_excerpt(block: Block) -> None:
+    example, stage = (block.value("from") or ":").split(":")
+    (material,) = burnish.compile(EXAMPLES / f"{example}.burnish", (block.language,)).materials
+    assert stage in ("vertex", "fragment")
+    text = material.text(block.language, "vertex" if stage == "vertex" else "fragment")
+    parts = [part.strip("\n") for part in re.split(r"^\s*…$", block.text, flags=re.MULTILINE)]
+    places = [text.find(part) for part in parts]
+    assert -1 not in places, parts[places.index(-1)]
+    assert all(before <= after for before, after in pairwise(places))
+
+
+@pytest.fixture
+def among_examples(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder like a reader's: the examples lie in it."""
+    shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)
+    shutil.copytree(EXAMPLES, tmp_path / "examples")
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.usefixtures("among_examples")
+@pytest.mark.parametrize("page", [p for p in PAGES if blocks(p, "python")], ids=lambda p: p.name)
+def test_python(page: Path) -> None:
+    names: dict[str, object] = {}
+    for block in blocks(page, "python"):
+        with contextlib.redirect_stdout(io.StringIO()):
+            exec(compile(block.text, str(block), "exec"), names)
+
+
+@pytest.mark.usefixtures("among_examples")
+@pytest.mark.parametrize("block", all_blocks("console"), ids=str)
+def test_console(block: Block) -> None:
+    for line in block.text.splitlines():
+        command = shlex.split(line.partition("#")[0])
+        if command[:2] == ["$", "burnish"] and "--watch" not in command:
+            result = CliRunner().invoke(main, command[2:])
+            assert result.exit_code == 0, result.output

@@ -1,0 +1,62 @@
+"""Hardware at its worst: a native operation outside its domain gives garbage.
+
+The evaluator gives natives the builtins' meaning everywhere, which would hide a guard that was removed
+where it is needed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import AbstractContextManager
+from typing import Any
+from unittest.mock import patch
+
+from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.types import Matrix, Scalar, Type, Vector, scalar_kind
+from burnish.compiler.reference import operations
+from burnish.compiler.reference.namespace import Lanes, Namespace
+from burnish.stdlib.builtins import BUILTINS
+from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT_SLACK, Fact
+
+GARBAGE = 0x5EED
+"""What an integer operation gives outside its domain; a float one gives NaN."""
+
+
+def hardware() -> AbstractContextManager[Any]:
+    """While this lasts, graphs are evaluated as by such hardware."""
+    return patch.dict(operations._STEPS, {"native": _native})  # type: ignore[arg-type]
+
+
+def flat(value: Any) -> Iterator[float]:
+    """All lanes of a value."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from flat(part)
+    else:
+        yield float(value)
+
+
+def _native(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
+    known = [fact(o.type, value) for o, value in zip(node.operands, operands, strict=True)]
+    if any(f is None for f in known) or _is_safe(node, [f for f in known if f is not None]):
+        return operations._call(node, operands, xp)
+    lanes = node.type.size if isinstance(node.type, Vector) else 1
+    return (math.nan if scalar_kind(node.type) == "float" else GARBAGE,) * lanes
+
+
+def _is_safe(node: Node, known: list[Fact]) -> bool:
+    return BUILTINS[str(node.data)].domain(tuple(known))
+
+
+def fact(type_: Type, value: Lanes) -> Fact | None:
+    """All there is to know of a value; ``None`` for what rows do not look at, and for garbage."""
+    if not isinstance(type_, Scalar | Vector | Matrix):
+        return None
+    lanes = list(flat(value))
+    if not all(map(math.isfinite, lanes)):
+        return None
+    kind = "matrix" if isinstance(type_, Matrix) else scalar_kind(type_) or "float"
+    nonzero = all(abs(lane) >= SMALLEST_NORMAL for lane in lanes)
+    unit = isinstance(type_, Vector) and abs(math.hypot(*lanes) - 1.0) <= UNIT_SLACK
+    return Fact(min(lanes), max(lanes), nonzero, unit, kind)

@@ -1,0 +1,59 @@
+"""Ranges remove guards where they prove that none is needed; what stays is told."""
+
+from __future__ import annotations
+
+import burnish
+import pytest
+
+
+def guards(text: str) -> list[str]:
+    """The builtins of a material's own text that keep a guard."""
+    text = f"material M {{ param x : float  {text} }}"
+    (material,) = burnish.compile(text, ["wgsl"]).materials
+    return [g.builtin for g in material.guards if g.span and g.span.source.name == "<text>"]
+
+
+SAFE = [
+    "param power : float in 1..512  color = vec3(pow(saturate(uv.x), power))",
+    "param size : float in 0.5..2  color = vec3(uv.x / size)",
+    "color = vec3(sqrt(uv.x * uv.x))",
+    "color = vec3(sqrt(dot(uv, uv)))",
+    "color = normalize(normal)",
+    "color = vec3(acos(clamp(uv.x, -1, 1)))",
+    "color = vec3(log(max(uv.x, 0.001)))",
+    "color = vec3(smoothstep(0.25, 0.75, uv.x))",
+    "color = vec3(if uv.x > 0.5 then 1.0 / uv.x else 0.0)",
+    "param n : int in 1..8  color = vec3(float(7 / n))",
+    "color = vec3(sum i in 0..4 : 1.0 / float(i + 1))",
+]
+
+
+@pytest.mark.parametrize("text", SAFE)
+def test_a_proven_operand_needs_no_guard(text: str) -> None:
+    assert guards(text) == []
+
+
+UNSAFE = [
+    ("color = vec3(1 / uv.x)", "div"),
+    ("color = vec3(pow(uv.x, 2.0))", "pow"),
+    ("color = vec3(pow(saturate(uv.x), x))", "pow"),
+    ("color = vec3(sqrt(uv.x))", "sqrt"),
+    ("color = vec3(acos(dot(normal, to_eye)))", "acos"),
+    ("color = normalize(vec3(uv, 0))", "normalize"),
+    ("color = vec3(if uv.x > 0.5 then 1.0 else 1.0 / uv.x)", "div"),
+    ("color = vec3(sum i in 0..4 : 1.0 / float(i))", "div"),
+]
+
+
+@pytest.mark.parametrize(("text", "builtin"), UNSAFE)
+def test_an_unproven_operand_keeps_its_guard(text: str, builtin: str) -> None:
+    assert builtin in guards(text)
+
+
+def test_a_guard_says_where_and_why() -> None:
+    text = "material M { color = vec3(1 / uv.x) }"
+    (material,) = burnish.compile(text, ["wgsl"]).materials
+    (guard,) = [g for g in material.guards if g.span and g.span.source.name == "<text>"]
+    assert guard.span is not None
+    assert text[guard.span.start : guard.span.end] == "1 / uv.x"
+    assert guard.reason.startswith("operands in [1, 1], ")

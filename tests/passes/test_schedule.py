@@ -1,0 +1,114 @@
+"""Every value is computed once, in the innermost region that encloses its uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.program import Branch, Let, Loop, Region, Statement
+
+from .kit import calls, history, shader
+
+
+def region(text: str) -> Region:
+    """The fragment stage of a material's text."""
+    return history(shader(f"material M {{ {text} }}")).staged.program.fragment.region
+
+
+def everywhere(region: Region) -> Iterator[Statement]:
+    """All statements, also those of inner regions."""
+    for statement in region.statements:
+        yield statement
+        if isinstance(statement, Branch):
+            yield from everywhere(statement.then)
+            yield from everywhere(statement.otherwise)
+        elif isinstance(statement, Loop):
+            yield from everywhere(statement.body)
+
+
+def only(region: Region, kind: type[Branch] | type[Loop]) -> Branch | Loop:
+    """The one statement of a kind at the top."""
+    (found,) = [s for s in region.statements if isinstance(s, kind)]
+    return found
+
+
+def bound(region: Region) -> set[Node]:
+    """The values that the statements of a region bind."""
+    return {statement.node for statement in region.statements}
+
+
+def named(region: Region, name: str) -> Let:
+    """The statement that binds a name."""
+    (found,) = [s for s in everywhere(region) if isinstance(s, Let) and s.name == name]
+    return found
+
+
+INVARIANT = "wave = sin(uv.x) * cos(uv.y)  color = vec3(sum i in 0..9 : wave * float(i) * uv.x)"
+
+
+def test_what_a_loop_does_not_change_is_computed_before_it() -> None:
+    top = region(INVARIANT)
+    loop = only(top, Loop)
+    assert isinstance(loop, Loop)
+    assert named(top, "wave").node in bound(top)
+    assert not calls([s.node for s in loop.body.statements if s.node not in bound(top)], "sin") or (
+        named(top, "wave").node not in bound(loop.body)
+    )
+    order = [statement.node for statement in top.statements]
+    assert order.index(named(top, "wave").node) < order.index(loop.node)
+
+
+def test_what_depends_on_the_index_is_computed_inside() -> None:
+    top = region("color = vec3(sum i in 0..9 : sin(float(i) * uv.x) * cos(float(i) * uv.x))")
+    loop = only(top, Loop)
+    assert isinstance(loop, Loop)
+    outside = [s.node for s in top.statements if isinstance(s, Let)]
+    inner = {loop.index}
+    assert not any(inner & {n.data for n in reachable([node])} for node in outside)
+
+
+DEAR = "dear = pow(sin(uv.x) + 2.0, cos(uv.y)) * pow(sin(uv.y) + 2.0, cos(uv.x))  "
+
+
+def test_what_only_one_side_needs_is_computed_there() -> None:
+    top = region(DEAR + "color = vec3(if uv.x > 0.5 then dear * dear else 0.0)")
+    branch = only(top, Branch)
+    assert isinstance(branch, Branch)
+    assert named(top, "dear").node in bound(branch.then)
+    assert named(top, "dear").node not in bound(top)
+
+
+def test_what_both_sides_need_is_computed_before() -> None:
+    text = DEAR + (
+        "color = vec3(if uv.x > 0.5 then dear * pow(uv.y + 2.0, sin(uv.x)) "
+        "else dear * pow(uv.x + 2.0, sin(uv.y)))"
+    )
+    top = region(text)
+    assert named(top, "dear").node in bound(top)
+
+
+def test_a_cheap_choice_is_no_branch() -> None:
+    top = region("color = vec3(if uv.x > 0.5 then uv.y else uv.x + 1.0)")
+    assert not any(isinstance(statement, Branch) for statement in everywhere(top))
+
+
+def test_reads_with_implicit_level_stay_in_uniform_control_flow() -> None:
+    text = "map m : texture2d  " + DEAR
+    top = region(text + "color = if uv.x > 0.5 then m(uv * 2.0).rgb * dear else m(uv).rgb * uv.x")
+    reads = calls([s.node for s in top.statements], "sample")
+    inside = [
+        statement
+        for branch in top.statements
+        if isinstance(branch, Branch)
+        for side in (branch.then, branch.otherwise)
+        for statement in everywhere(side)
+    ]
+    assert len(reads) == 2
+    assert not any(statement.node in reads for statement in inside)
+
+
+def test_a_shared_value_is_bound_once() -> None:
+    top = region("color = vec3(sin(uv.x) * sin(uv.x) + sin(uv.x), sin(uv.x), 0)")
+    nodes = [statement.node for statement in everywhere(top)]
+    assert len(nodes) == len(set(nodes))
+    assert len([node for node in nodes if node.data == "sin"]) == 1

@@ -1,0 +1,106 @@
+"""The verifier finds what is wrong with a graph and says so."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from burnish.compiler.ir import build
+from burnish.compiler.ir.leaves import Attribute, Parameter
+from burnish.compiler.ir.node import Folding, Formal, Graph, Node
+from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Matrix
+from burnish.compiler.ir.verify import Form, InvalidGraphError, verify
+from burnish.compiler.passes import checkpoint
+
+
+def one(graph: Graph) -> Node:
+    return build.floating(graph, 1.0)
+
+
+def attribute(graph: Graph) -> Node:
+    return graph.node("attribute", VEC3, (), Attribute("p", VEC3))
+
+
+def crossing(graph: Graph) -> Node:
+    return graph.node("interpolate", VEC3, (attribute(graph),), "perspective")
+
+
+def loop(graph: Graph, body: Node, index: Formal | None = None) -> Node:
+    operands = (build.constant(graph, INT, 3), one(graph), body)
+    return graph.node("fold", FLOAT, operands, Folding("add", 3, index))
+
+
+def variable(graph: Graph, number: int) -> Node:
+    bound = graph.node("bound", INT, (), number)
+    return graph.node("call", FLOAT, (bound,), "to_float")
+
+
+def free(graph: Graph) -> Node:
+    leaf = graph.node("formal", FLOAT, (), Formal("x"))
+    return graph.node("call", FLOAT, (leaf, leaf), "add")
+
+
+def flag(graph: Graph) -> Node:
+    return graph.node("parameter", BOOL, (), Parameter("flag", BOOL, "material"))
+
+
+WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
+    ("semantics", lambda g: g.node("call", VEC3, (one(g), one(g)), "add"), "instead of float"),
+    ("semantics", lambda g: g.node("call", FLOAT, (one(g), flag(g)), "add"), "does not take"),
+    ("semantics", lambda g: g.node("constant", FLOAT, (), 1), "does not take"),
+    ("semantics", lambda g: g.node("constant", VEC2, (), (1.0,)), "does not take"),
+    ("semantics", lambda g: g.node("swizzle", FLOAT, (attribute(g),), (3,)), "does not take"),
+    ("semantics", lambda g: g.node("matrix", Matrix(2), (one(g), one(g))), "does not take"),
+    ("semantics", lambda g: g.node("select", FLOAT, (one(g),) * 3), "does not take"),
+    ("semantics", lambda g: loop(g, variable(g, 1)), "0 is used outside its binder"),
+    ("semantics", free, "is used outside its binder"),
+    ("opened", lambda g: loop(g, variable(g, 0)), "has not been opened"),
+    ("guarded", lambda g: g.node("call", FLOAT, (one(g),), "sqrt"), "has not been guarded"),
+    ("stored", flag, "instead of uint"),
+    ("semantics", lambda g: g.node("interpolate", VEC3, (crossing(g),), "flat"), "behind a"),
+    ("semantics", lambda g: g.node("interpolate", BOOL, (flag(g),), "flat"), "does not take"),
+]
+
+
+@pytest.mark.parametrize(("form", "make", "reason"), WRONG)
+def test_what_is_wrong_is_found(form: Form, make: Callable[[Graph], Node], reason: str) -> None:
+    with pytest.raises(InvalidGraphError, match=reason):
+        verify([make(Graph())], stage=form)
+
+
+def test_a_formal_has_the_type_of_what_it_stands_for() -> None:
+    graph = Graph()
+    formal = Formal("i")
+    body = graph.node("formal", FLOAT, (), formal)
+    with pytest.raises(InvalidGraphError, match="used as a float"):
+        verify([loop(graph, body, formal)], stage="opened")
+
+
+def test_an_operand_is_older_than_its_user() -> None:
+    graph, other = Graph(), Graph()
+    for number in range(3):
+        build.constant(other, INT, number)
+    with pytest.raises(InvalidGraphError, match="not older"):
+        verify([graph.node("call", FLOAT, (one(other),), "sqrt")], stage="semantics")
+
+
+def test_nested_binders_are_well_formed() -> None:
+    graph = Graph()
+    both = graph.node("call", FLOAT, (variable(graph, 0), variable(graph, 1)), "add")
+    verify([loop(graph, loop(graph, both))], stage="semantics")
+
+
+def test_deep_graphs_are_verified_without_recursion() -> None:
+    graph = Graph()
+    node = one(graph)
+    for _ in range(50_000):
+        node = graph.node("native", FLOAT, (node, one(graph)), "add")
+    verify([node], stage="stored")
+
+
+def test_the_error_names_the_pass(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(InvalidGraphError) as caught:
+        checkpoint.passed("fuse", "opened", [free(Graph())])
+    assert caught.value.__notes__ == ["after fuse"]
+    monkeypatch.delenv(checkpoint.VARIABLE)
+    checkpoint.passed("fuse", "opened", [free(Graph())])
