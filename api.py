@@ -156,7 +156,7 @@ def check(
     path, text = _path_or_text(source)
     module = frontend.open_text(text, "<text>") if path is None else frontend.open_file(path)
     if module is not None:
-        frontend.shaders(module, None, rig, pass_)
+        frontend.check(module, rig, pass_)
     return report.diagnostics
 
 

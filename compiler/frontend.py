@@ -45,13 +45,27 @@ class Frontend:
         self, module: Module, material: str | None, rig: str | None, pass_: str | None
     ) -> list[Shader]:
         """The shaders of all concrete materials, or of the one named; errors are in the report."""
+        return self._elaborate(module, self._materials(module, material), rig, pass_)
+
+    def check(self, module: Module, rig: str | None, pass_: str | None) -> None:
+        """Report what is wrong with a file, which needs no materials: it may be for importing."""
+        materials = records_of(module, "material", abstract=False)
+        if not materials and module.declared:
+            root = sole(self._loader.prelude(), "material", abstract=True)
+            materials = [] if root is None else [root]
+        elif not materials:
+            materials = self._materials(module, None)
+        self._elaborate(module, materials, rig, pass_)
+
+    def _elaborate(
+        self, module: Module, materials: list[Symbol], rig: str | None, pass_: str | None
+    ) -> list[Shader]:
         rig_symbol = self._rig(module, rig)
         pass_symbol = self._pass(module, pass_)
-        materials = self._materials(module, material)
         if rig_symbol is None or pass_symbol is None:
             return []
         found = (
-            elaborate(Parts(symbol, rig_symbol, pass_symbol), self._report, self._records)
+            elaborate(Parts(symbol, rig_symbol, pass_symbol, module), self._report, self._records)
             for symbol in materials
         )
         return [shader for shader in found if shader is not None]

@@ -221,6 +221,12 @@ NOT_A_VALUE = _error(
     "Functions and terms are called; of `light`, `material` and `inherited` a slot is read.",
 )
 
+MISSPELT_SLOT = _warning(
+    "B0210",
+    "nothing reads `{name}`",
+    "A name that no base declares makes a slot of the material's own; nothing outside asks for it.",
+)
+
 # --- B03: types ----------------------------------------------------------------------------------
 
 WRONG_TYPE = _error(

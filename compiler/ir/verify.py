@@ -32,7 +32,7 @@ from .types import (
 
 Form = Literal["semantics", "opened", "guarded", "stored"]
 Variables = frozenset[tuple[Formal | int, Type]]
-"""Variables of binders further out, by formal or de Bruijn index, and the types they are used at."""
+"""Variables of binders further out, by formal or de Bruijn index, and the types of their uses."""
 
 _LANES: Mapping[ScalarKind, type] = {"float": float, "int": int, "uint": int, "bool": bool}
 

@@ -1,4 +1,4 @@
-"""Where passes hand over to each other: with ``BURNISH_VERIFY=1`` every graph is checked on the way."""
+"""Where passes hand over to each other: ``BURNISH_VERIFY=1`` has every graph checked on the way."""
 
 from __future__ import annotations
 

@@ -16,7 +16,6 @@ from ..semantics.shader import Notes
 from .rewrite import rewrite
 from .simplify import Simplifier
 
-
 SUMMED = frozenset({"fold", "apply"})
 """What a light contributes, or many lights do."""
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
 from ..ir.types import Matrix, Scalar, Vector, width
 from ..semantics.shader import Notes
@@ -30,11 +31,25 @@ def move_to_vertices(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[
             if crossing is None:
                 return None
             (inner,) = crossing.operands
+            _name_after(notes, node, crossing)
             operands = tuple(inner if o is crossing else o for o in node.operands)
             moved = graph.node(node.op, node.type, operands, node.data)
             return graph.node("interpolate", node.type, (moved,), crossing.data)
 
         wanted = rewrite(graph, wanted, rule, notes.follow)
+
+
+_CHANGES = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
+
+
+def _name_after(notes: Notes, node: Node, crossing: Node) -> None:
+    """A moved value without a name of its own is called after what crossed before."""
+    source = notes.names.get(crossing.id)
+    if source is None and isinstance(attribute := crossing.operands[0].data, Attribute):
+        source = attribute.name
+    if source is not None:
+        change = _CHANGES.get(str(node.data), "")
+        notes.names.setdefault(node.id, f"{source}_{change}" if change else source)
 
 
 def _moves(roots: list[Node]) -> dict[int, Node]:

@@ -67,7 +67,7 @@ class Scheduler:
         self._depends: dict[int, frozenset[Formal]] = {}
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
-        """Reads that are made outside of the branch that uses them, and so need a name."""
+        """Reads that are made before the branch or `?:` that uses them, and so need a name."""
         self._coordinates: set[int] = set()
         """Where textures are read. One that chooses has a name: glslang's SPIR-V joins texture and
         sampler before the coordinate is computed, and its ``?:`` would part the join from the read."""
@@ -93,10 +93,13 @@ class Scheduler:
         homes: dict[int, list[_Block]] = {root.id: [self._top] for root in self._roots}
         for root in self._roots:
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
+        # A `?:` evaluates one of its sides, so what stands in them is computed for some pixels only.
+        optional: set[int] = set()
         for node in reversed(self._order):
             home = _enclosing(homes[node.id])
             self._home[node.id] = self._lifted(node, home)
-            if self._home[node.id] is not home and _needs_uniform_flow(node):
+            elsewhere = self._home[node.id] is not home or node.id in optional
+            if elsewhere and _needs_uniform_flow(node):
                 self._apart.add(node.id)
             home = self._home[node.id]
             if node.op == "fold":
@@ -114,6 +117,8 @@ class Scheduler:
                 region = self._region_of(node, position, home)
                 homes.setdefault(operand.id, []).append(region)
                 self._uses[operand.id] = self._uses.get(operand.id, 0) + 1
+                if node.id in optional or (node.op == "select" and position > 0):
+                    optional.add(operand.id)
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
         if user.op == "fold" and position == 2:

@@ -76,6 +76,15 @@ _NOT_CALLED = frozenset({"sample", *(n for n, row in BUILTINS.items() if row.ope
 """Rows that are written in another way than as a call."""
 
 
+ELSEWHERE = {
+    "lerp": "mix", "frac": "fract", "rsqrt": "inversesqrt", "inverseSqrt": "inversesqrt",
+    "texture": "name(uv)", "texture2D": "name(uv)", "tex2D": "name(uv)",
+    "textureSample": "name(uv)", "atan2f": "atan2", "fmod": "x mod y", "roundEven": "round",
+    "vec3f": "vec3", "float2": "vec2", "float3": "vec3", "float4": "vec4",
+}  # fmt: skip
+"""What other shading languages call the same thing."""
+
+
 def _is_map(definitions: tuple[object, ...] | None) -> bool:
     return bool(definitions) and any(
         isinstance(getattr(d, "member", None), ast.Map) for d in definitions or ()
@@ -90,7 +99,11 @@ def _not_callable(low: Lowering, name: str, span: Span, scope: Scope) -> None:
     for instance in (scope.instance, scope.surface):
         if instance is not None:
             callables |= {n for n, d in instance.record.definitions.items() if _is_map(d)}
-    lookup.unknown(low, "function", name, span, sorted(callables))
+    if name in ELSEWHERE:
+        hint = f"it is `{ELSEWHERE[name]}` here"
+        low.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
+        return
+    lookup.unknown_here(low, "function", name, span, sorted(callables), scope.module)
 
 
 def _read(low: Lowering, texture: Value, arguments: tuple[Node, ...], e: ast.Call) -> Value:
@@ -231,7 +244,7 @@ def _apply(
     if fitted is None:
         return FAILURE
     if function.per is not None:
-        summed: Value = yield lights.per_light(low, symbol, fitted, e, scope)
+        summed: Value = yield lights.per_light(low, symbol, fitted, e.span, scope)
         return summed
     surface = scope.surface if function.kind == "term" else None
     if function.kind == "term" and surface is None:

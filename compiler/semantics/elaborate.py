@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 from ..diagnostics import rules
-from ..diagnostics.diagnostic import Label, Report
+from ..diagnostics.diagnostic import Report
 from ..ir.leaves import Parameter
-from ..ir.node import Formal, Node
+from ..ir.node import Node
 from ..ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ..syntax import ast
 from . import lookup
-from .calls import apply_body
-from .declared import declared_type
+from .checks import check_declarations, check_slots
 from .lower import Lowering
 from .modules import Module, Symbol
 from .parameters import Leaves, leaves_of
-from .records import Definition, Record, Records
+from .records import Record, Records
 from .rigs import Entry, rig_entries
 from .scope import Failure, Instance, Replacement, Scope
 from .shader import ParameterInfo, Shader, TargetInfo
@@ -46,6 +44,8 @@ class Parts:
     material: Symbol
     rig: Symbol
     pass_: Symbol
+    module: Module
+    """The file being compiled, all of which is checked."""
 
 
 def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
@@ -63,8 +63,8 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     clip = _clip_position(low, passing, surface)
     targets = _targets(low, drawn, passing)
     discard = _discard(low, drawn, passing)
-    _check_unused(low, surface, passing)
-    _check_functions(low, parts.material.module)
+    check_slots(low, surface, passing)
+    check_declarations(low, parts.module, surface)
     if report.failed or isinstance(clip, Failure):
         return None
     declaration = parts.material.declaration
@@ -81,7 +81,7 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),
         attributes=tuple(a for ls in leaves for a in ls.attributes),
-        clip_position=low.stages.at_vertex(clip),
+        clip_position=clip,
         targets=targets,
         discard=discard,
     )
@@ -148,8 +148,9 @@ def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Node 
     if not holder.has(CLIP_POSITION):
         low.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
         return Failure()
-    node = run(lookup.slot(low, holder, CLIP_POSITION, declared))
-    return low.fit(node, VEC4, "vec4", declared)
+    span = holder.record.definitions[CLIP_POSITION][0].member.name.span
+    node = low.fit(run(lookup.slot(low, holder, CLIP_POSITION, declared)), VEC4, "vec4", span)
+    return node if isinstance(node, Failure) else low.stages.checked_at_vertex(node, span)
 
 
 def _targets(low: Lowering, drawn: Record, passing: Instance) -> tuple[TargetInfo, ...]:
@@ -200,56 +201,3 @@ def _discard(low: Lowering, drawn: Record, passing: Instance) -> Node | None:
             "call", BOOL, (combined, condition), "or"
         )  # fmt: skip
     return combined
-
-
-def _check_functions(low: Lowering, module: Module) -> None:
-    """Lower the file's constants and functions for their own sake; generic ones wait for a use."""
-    for symbols in module.declared.values():
-        for symbol in symbols:
-            declaration = symbol.declaration
-            span = declaration.name.span
-            if isinstance(declaration, ast.Constant):
-                run(lookup.value(low, symbol.name, span, Scope(module)))
-            elif isinstance(declaration, ast.Function) and declaration.kind == "fn":
-                _check_function(low, symbol, declaration)
-
-
-def _check_function(low: Lowering, symbol: Symbol, function: ast.Function) -> None:
-    if function.type_parameters:
-        return
-    types = [declared_type(low, argument.type, symbol.module) for argument in function.arguments]
-    arguments = tuple(
-        low.graph.node("formal", type_.type, (), Formal(argument.name.text))
-        for type_, argument in zip(types, function.arguments, strict=True)
-        if type_ is not None
-    )
-    if len(arguments) == len(types):
-        run(apply_body(low, symbol, arguments, function.name.span))
-
-
-def _check_unused(low: Lowering, surface: Instance, passing: Instance) -> None:
-    """Lower what the pass does not read, so that every mistake in a file is found at once."""
-    for instance in (surface, passing):
-        for name, definitions in instance.record.definitions.items():
-            if isinstance(definitions[0].member, ast.Slot):
-                run(lookup.slot(low, instance, name, definitions[0].member.name.span))
-            _check_override(low, definitions)
-
-
-def _check_override(low: Lowering, definitions: tuple[Definition, ...]) -> None:
-    """A heir may write a slot's type again, but not another one."""
-    typed = [d for d in definitions if d.member.type is not None]
-    for heir, base in pairwise(typed):
-        types = []
-        for definition in (heir, base):
-            assert definition.member.type is not None
-            types.append(declared_type(low, definition.member.type, definition.owner.module))
-        own, inherited = types
-        if own is None or inherited is None or own.type == inherited.type:
-            continue
-        low.report.add(
-            rules.OVERRIDE_CHANGES_TYPE, heir.member.name.span,
-            name=heir.member.name.text, base=base.owner.name,
-            expected=inherited.text, found=own.text,
-            labels=[Label(base.member.name.span, "declared here")],
-        )  # fmt: skip

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
+from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.binding import close
 from ..ir.leaves import Parameter
@@ -28,15 +29,15 @@ if TYPE_CHECKING:
 
 
 def per_light(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span, scope: Scope
 ) -> Step[Value]:
     """The sum of a term over the rig."""
     surface = scope.surface
     if surface is None or not low.rig:
         if surface is None:
-            low.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name=symbol.name)
+            low.report.add(rules.TERM_WITHOUT_SURFACE, span, name=symbol.name)
         elif not low.report.failed:  # The rig may be empty because its entries were wrong.
-            low.report.add(rules.EMPTY_RIG, e.span, name=symbol.name)
+            low.report.add(rules.EMPTY_RIG, span, name=symbol.name)
         return FAILURE
     shared = yield _shared_body(low, symbol, arguments, surface)
     if isinstance(shared, Failure):
@@ -45,13 +46,13 @@ def per_light(
     total: Node | None = None
     for entry in low.rig:
         instance, formal = light_instance(low, entry, surface)
-        contribution = yield _contribution(low, body, names, instance, e)
+        contribution = yield _contribution(low, body, names, instance, span)
         if isinstance(contribution, Failure):
             return FAILURE
         if formal is not None:
             count = None if entry.count is None else _parameter(low, entry.count)
             contribution = fold(low.graph, "add", entry.bound, contribution, formal, low.notes.follow, count)
-        low.notes.spans.setdefault(contribution.id, e.span)
+        low.notes.spans.setdefault(contribution.id, span)
         total = contribution if total is None else low.graph.node(
             "call", total.type, (total, contribution), "add"
         )  # fmt: skip
@@ -88,7 +89,7 @@ def _shared_body(
 
 
 def _contribution(
-    low: Lowering, body: Node, slots: dict[str, Node], instance: Instance, e: ast.Call
+    low: Lowering, body: Node, slots: dict[str, Node], instance: Instance, span: Span
 ) -> Step[Node | Failure]:
     """The body applied to one light."""
     if not slots:
@@ -96,14 +97,14 @@ def _contribution(
     given = []
     for name, variable in slots.items():
         if not instance.has(name):
-            declared = instance.record.symbol.declaration.name.span
+            declared = instance.record.symbol.declaration.namspan
             low.report.add(
-                rules.LIGHT_LACKS_SLOT, e.span, light=instance.record.name, slot=name,
+                rules.LIGHT_LACKS_SLOT, span, light=instance.record.name, slot=name,
                 labels=[Label(declared, "this light")],
             )  # fmt: skip
             return FAILURE
-        node = yield lookup.slot(low, instance, name, e.span)
-        fitted = low.fit(node, variable.type, str(variable.type), e.span)
+        node = yield lookup.slot(low, instance, name, span)
+        fitted = low.fit(node, variable.type, str(variable.type), span)
         if isinstance(fitted, Failure):
             return FAILURE
         given.append(fitted)

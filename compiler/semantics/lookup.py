@@ -6,7 +6,7 @@ those of a surface that happens to define the same name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
@@ -14,15 +14,20 @@ from ..diagnostics.diagnostic import Label
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Span
 from ..ir.node import Formal, Node
+from ..ir.types import BOOL, VEC4, Type
 from ..syntax import ast
 from .declared import declared_type
-from .modules import Symbol
+from .modules import Module, Symbol
 from .records import Definition
 from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
 from .trampoline import Step
 
 if TYPE_CHECKING:
     from .lower import Lowering
+
+INPUTS: Mapping[str, Type] = {"frag_coord": VEC4, "front_facing": BOOL}
+"""What the pipeline supplies to the fragment stage: pixel centres at .5, y down, w = 1 / clip w;
+and whether the counter-clockwise side is seen."""
 
 OUTERMOST = -1
 """The level at which a name means what was given from outside, if anything was."""
@@ -44,6 +49,8 @@ def value(low: Lowering, name: str, span: Span, scope: Scope) -> Step[Value]:
     if scope.surface is not None and scope.surface.has(name):
         outer: Value = yield slot(low, scope.surface, name, span)
         return outer
+    if name in INPUTS and scope.surface is not None:
+        return low.graph.node("input", INPUTS[name], (), name)
     _unknown_name(low, name, span, scope)
     return FAILURE
 
@@ -77,17 +84,26 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
     if name == "light":
         low.report.add(rules.OUTSIDE_LIGHT, span, name=name)
         return
-    known = [*scope.locals, *scope.module.visible()]
+    known = [*scope.locals, *scope.module.visible(), *INPUTS]
     for instance in (scope.instance, scope.surface):
         if instance is not None:
             known += instance.record.definitions
-    unknown(low, "name", name, span, known)
+    unknown_here(low, "name", name, span, known, scope.module)
 
 
 def unknown(low: Lowering, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
     """Report a name that nothing declares, with the nearest one that something does."""
     hint = suggestion(name, known)
     low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
+
+
+def unknown_here(
+    low: Lowering, kind: str, name: str, span: Span, known: Iterable[str], module: Module
+) -> None:
+    """The same for a name that an import could bring, or should have brought."""
+    if name not in module.missing:
+        hint = module.hint(name, known)
+        low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 
 
 # --- slots ---------------------------------------------------------------------------------------

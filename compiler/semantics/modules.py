@@ -7,7 +7,7 @@ lead out of the folder they start from.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
@@ -43,7 +43,11 @@ class Module:
     imported: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
     chosen: set[tuple[Path | None, str]] = field(default_factory=set)
     """Names that were imported one by one, with their files."""
+    missing: set[str] = field(default_factory=set)
+    """Names whose import failed, about which enough has been said."""
     prelude: Module | None = None
+    offered: Callable[[str], str] = str
+    """The library file that declares a name, as an import path; empty if none does."""
 
     def find(self, name: str) -> tuple[Symbol, ...]:
         """The declarations that ``name`` stands for here; empty if there are none."""
@@ -52,6 +56,11 @@ class Module:
             found = self.prelude.declared.get(name)
         return found or ()
 
+    def hint(self, name: str, known: Iterable[str]) -> str:
+        """What to do about an unknown name: import it, or write the nearest known one."""
+        path = self.offered(name)
+        return f"add `import {path}.{{{name}}}`" if path else suggestion(name, known)
+
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
         yield from self.declared
@@ -59,6 +68,9 @@ class Module:
         if self.prelude is not None:
             yield from self.prelude.declared
 
+
+_NOT_IMPORTED = frozenset({"prelude", "meaning"})
+"""Library files that every file sees, or none."""
 
 Read = Callable[[Path, Report, str], Source | None]
 """Reads a file; the text is what messages call it."""
@@ -109,7 +121,9 @@ class Loader:
         prelude = self.prelude()
         if path is not None:
             self._loading.append((path.resolve(), Span(source, 0, 0)))
-        module = Module(self._parse(source, self._report), path, prelude=prelude)
+        module = Module(
+            self._parse(source, self._report), path, prelude=prelude, offered=self._offering
+        )
         self._link(module)
         return module
 
@@ -141,15 +155,17 @@ class Loader:
 
     def _import(self, module: Module, wanted: ast.Import) -> None:
         found = self._resolve(module, wanted)
-        if found is None:
-            return
         names = wanted.names
+        if found is None:
+            module.missing.update(name.text for name in names or ())
+            return
         if names is None:
             self._import_whole(module, found, wanted.span)
             return
         for name in names:
             symbols = found.declared.get(name.text)
             if symbols is None:
+                module.missing.add(name.text)
                 self._report.add(
                     rules.UNKNOWN_EXPORT, name.span, name=name.text, path=found.file.source.name,
                     hint=suggestion(name.text, found.declared),
@@ -200,10 +216,22 @@ class Loader:
         for root in self._search_path:
             yield root, relative
 
+    def _offering(self, name: str) -> str:
+        for path in sorted(self._library.glob("*.burnish")):
+            if path.stem in _NOT_IMPORTED:
+                continue
+            source = self._read(path, self._report, _library_name(path))
+            tree = None if source is None else self._parse_library(source, self._report)
+            for declaration in () if tree is None else tree.declarations:
+                if not isinstance(declaration, ast.Import) and declaration.name.text == name:
+                    return f"std.{path.stem}"
+        return ""
+
     def _suggest(self, wanted: ast.Import) -> str:
         if wanted.quoted or wanted.path[0] != "std":
             return ""
-        modules = (f"std.{path.stem}" for path in self._library.glob("*.burnish"))
+        stems = {path.stem for path in self._library.glob("*.burnish")} - _NOT_IMPORTED
+        modules = (f"std.{stem}" for stem in stems)
         return suggestion(".".join(wanted.path), sorted(modules))
 
     def _load(self, found: Path, path: Path, span: Span) -> Module | None:

@@ -125,11 +125,13 @@ class Records:
         if declaration.base is None:
             return self._implied_base(symbol, declaration)
         found = symbol.module.find(declaration.base.text)
+        if not found and declaration.base.text in symbol.module.missing:
+            return self._implied_base(symbol, declaration)
         if not found:
             self._report.add(
                 rules.UNKNOWN_NAME, declaration.base.span,
                 kind=declaration.kind, name=declaration.base.text,
-                hint=suggestion(declaration.base.text, symbol.module.visible()),
+                hint=symbol.module.hint(declaration.base.text, symbol.module.visible()),
             )  # fmt: skip
             return self._implied_base(symbol, declaration)
         base = found[0].declaration

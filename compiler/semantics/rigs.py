@@ -55,9 +55,11 @@ def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
             if isinstance(d := rig.module.find(visible)[0].declaration, ast.Record)
             and d.kind == "light"
         ]
+        if name.text in rig.module.missing:
+            return None
         low.report.add(
             rules.UNKNOWN_NAME, name.span, kind="light", name=name.text,
-            hint=suggestion(name.text, lights),
+            hint=rig.module.hint(name.text, lights),
         )  # fmt: skip
         return None
     if declaration.abstract:
@@ -67,6 +69,14 @@ def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
         )  # fmt: skip
         return None
     return low.records.of(found[0])
+
+
+def light_entry(low: Lowering, light: Symbol) -> RigEntry | None:
+    """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
+    name = light.declaration.name
+    written = ast.RigEntry(name.span, "", name, name, None, at_most=False, overrides=())
+    entry = _entry(low, light, written, low.records.of(light))
+    return None if entry is None else entry[0]
 
 
 def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:

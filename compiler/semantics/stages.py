@@ -35,12 +35,8 @@ class Stages:
 
     def interpolated(self, node: Node, span: Span) -> Node | Failure:
         """``@vertex node``; the node itself where it is the same at every vertex."""
-        inner = self.at_vertex(node)
-        if (read := self._implicit_level(inner)) is not None:
-            place = self._notes.spans.get(read.id, span)
-            what = "a texture read without a level"
-            labels = [Label(place, "read here")]
-            self._report.add(rules.NOT_AT_VERTEX, span, what=what, labels=labels)
+        inner = self.checked_at_vertex(node, span)
+        if isinstance(inner, Failure):
             return FAILURE
         if not self._varying(inner):
             return node
@@ -48,6 +44,17 @@ class Stages:
             self._report.add(rules.CANNOT_CROSS, span, type=inner.type)
             return FAILURE
         return self._crossing(inner)
+
+    def checked_at_vertex(self, root: Node, span: Span) -> Node | Failure:
+        """``root`` as the vertex stage computes it, or a report of what it cannot compute."""
+        inner = self.at_vertex(root)
+        found = next(filter(_fragment_only, reachable((inner,))), None)
+        if found is None:
+            return inner
+        what = f"`{found.data}`" if found.op == "input" else "a texture read without a level"
+        labels = [Label(self._notes.spans.get(found.id, span), "read here")]
+        self._report.add(rules.NOT_AT_VERTEX, span, what=what, labels=labels)
+        return FAILURE
 
     def at_vertex(self, root: Node) -> Node:
         """``root`` as the vertex stage computes it."""
@@ -92,8 +99,9 @@ class Stages:
                 )
         return self._varies[root.id]
 
-    def _implicit_level(self, root: Node) -> Node | None:
-        for node in reachable((root,)):
-            if node.op == "call" and BUILTINS[str(node.data)].uniform_control_flow:
-                return node
-        return None
+
+def _fragment_only(node: Node) -> bool:
+    """Whether a value exists in the fragment stage alone."""
+    if node.op == "call":
+        return BUILTINS[str(node.data)].uniform_control_flow
+    return node.op == "input"

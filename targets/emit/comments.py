@@ -28,10 +28,15 @@ def comment_line(text: str, mark: str = "///") -> str:
 
 
 def _clean(line: str) -> str:
-    visible = "".join(
+    closed = _visible(line).replace("*/", "* /").replace("/*", "/ *").replace("??/", "?? /")
+    return _OPEN_END.sub("", closed).strip()
+
+
+def _visible(line: str) -> str:
+    if line.isprintable():
+        return line
+    return "".join(
         " " if char == "\t" else char
         for char in line
         if char == "\t" or unicodedata.category(char) not in _INVISIBLE
     )
-    closed = visible.replace("*/", "* /").replace("/*", "/ *").replace("??/", "?? /")
-    return _OPEN_END.sub("", closed).strip()

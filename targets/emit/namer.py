@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 
 from .reserved import Reserved
 
+_UNUSUAL = re.compile(r"[^A-Za-z0-9_]")
+_UNDERSCORES = re.compile(r"_{2,}")
 _LONGEST = 128
 """Longer names are cut: WebGL refuses those beyond 1024 characters, and readers much earlier."""
 
@@ -46,8 +49,7 @@ class Namer:
         return name not in self._taken and not self._reserved.refuses(name)
 
     def _candidates(self, wanted: str) -> Iterable[str]:
-        """Never two underscores in a row, which GLSL and WGSL keep for themselves."""
-        base = re.sub(r"_{2,}", "_", re.sub(r"[^A-Za-z0-9_]", "_", wanted))[:_LONGEST]
+        base = _base(wanted)
         if not base[:1].isdigit():
             yield base
         stem = base.rstrip("_") or "user"
@@ -59,3 +61,9 @@ class Namer:
         while True:
             number = self._numbers[stem] = self._numbers.get(stem, 1) + 1
             yield f"{stem}_{number}"
+
+
+@lru_cache(maxsize=1024)
+def _base(wanted: str) -> str:
+    """Never two underscores in a row, which GLSL and WGSL keep for themselves."""
+    return _UNDERSCORES.sub("_", _UNUSUAL.sub("_", wanted))[:_LONGEST]

@@ -9,8 +9,9 @@ from pathlib import Path
 
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
-from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins import (
+    BUILTINS,
+    Builtin,
     arithmetic,
     common,
     comparison,
@@ -53,10 +54,10 @@ leaves it away where it can prove that the operands never go there. See
 Where a letter allows vectors, a scalar may stand beside a vector and counts as that scalar in every
 lane: `max(v, 0)`, `mix(0, v, t)`.
 
-**Accuracy** is the error bound of the float32 operation and where it is promised. Where a backend's
-specification says nothing, as OpenGL's and OpenGL ES's do, the same bound is assumed. *Correct* means
-correctly rounded, *ulp* is a unit in the last place of the result, *inherited* is what follows from
-writing the function out by its definition.
+**Accuracy** is the error bound of the float32 operation and where it is promised. Where the
+specification of a backend says nothing, as those of OpenGL and OpenGL ES do, the same bound is
+assumed. *Correct* means correctly rounded, *ulp* is a unit in the last place of the result,
+*inherited* is what follows from writing the function out by its definition.
 """
 
 THEMES = (

@@ -4,24 +4,27 @@ from __future__ import annotations
 
 import contextlib
 import io
+import json
 import re
 import shlex
 import shutil
 from itertools import pairwise
 from pathlib import Path
 
-import burnish
 import pytest
+from click.testing import CliRunner
+
+import burnish
 from burnish.cli import main
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.diagnostics.render import render_all
-from click.testing import CliRunner
 
 from .kit import PAGES, ROOT, Block, all_blocks, blocks
 
 EXAMPLES = ROOT / "examples"
 HEAD = "import std.lights\nimport std.terms\nmaterial Sample {\n"
 MATERIAL = re.compile(r"^material ", re.MULTILINE)
+(PLASTIC,) = burnish.compile(EXAMPLES / "plastic.burnish").materials
 ERRORS = [block for block in all_blocks("burnish") if block.value("error")]
 
 
@@ -83,6 +86,30 @@ def test_excerpt(block: Block) -> None:
     places = [text.find(part) for part in parts]
     assert -1 not in places, parts[places.index(-1)]
     assert all(before <= after for before, after in pairwise(places))
+
+
+@pytest.mark.parametrize("block", all_blocks("json"), ids=str)
+def test_json(block: Block) -> None:
+    """A quoted row stands in the example's reflection, where it may have more keys."""
+    quoted = json.loads(block.text)
+    reflection = PLASTIC.reflection
+    rows = [row for key in ("parameters", "derived", "blocks") for row in reflection[key]]
+    assert any(quoted.items() <= row.items() for row in rows)
+
+
+def test_the_table_of_buffers() -> None:
+    text = (ROOT / "docs" / "reflection.md").read_text(encoding="utf-8")
+    table = re.findall(
+        r"^\| `(\w+)` \| (\d+) \| (\d), (\d) \| `(\w\d), space(\d)`", text, re.MULTILINE
+    )
+    sizes = {block["name"]: block["size"] for block in PLASTIC.reflection["blocks"]}
+    assert {name: int(size) for name, size, *_ in table} == sizes
+    for backend in PLASTIC.reflection["backends"].values():
+        for name, _, set_, binding, register, space in table:
+            point = backend["blocks"][name]
+            assert (point["group"], point["binding"]) == (int(set_), int(binding))
+            assert set_ == space
+            assert point["register"] in (None, register)
 
 
 @pytest.fixture

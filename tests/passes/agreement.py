@@ -1,8 +1,8 @@
 """Whether two graphs mean the same, up to rounding, and how much rounding their value can bear.
 
-Passes reassociate sums, so values may differ by rounding; where a comparison or a floor is decided by
-such a difference, they may differ by more. That is measured: the original graph is evaluated again
-with every operation off by a little, and the spread of the results widens the tolerance.
+Passes reassociate sums, so values may differ by rounding; where a comparison or a floor is decided
+by such a difference, they may differ by more. That is measured: the original graph is evaluated
+again with every operation off by a little, and the spread of the results widens the tolerance.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Hardware at its worst: a native operation outside its domain gives garbage.
 
-The evaluator gives natives the builtins' meaning everywhere, which would hide a guard that was removed
-where it is needed.
+The evaluator gives natives the builtins' meaning everywhere, which would hide a guard that was
+removed where it is needed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ GARBAGE = 0x5EED
 
 def hardware() -> AbstractContextManager[Any]:
     """While this lasts, graphs are evaluated as by such hardware."""
-    return patch.dict(operations._STEPS, {"native": _native})  # type: ignore[arg-type]
+    return patch.dict(operations._STEPS, {"native": _native})
 
 
 def flat(value: Any) -> Iterator[float]:

@@ -7,12 +7,13 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import product
 
+from hypothesis import strategies as st
+
 from burnish.compiler.ir.signatures import parsed, result_type
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, UINT, VEC3, Matrix, Scalar, Type, Vector
 from burnish.compiler.ir.types import width as lanes_of
 from burnish.compiler.semantics.lower import OPERATORS
 from burnish.stdlib.builtins import BUILTINS
-from hypothesis import strategies as st
 
 VECTORS = tuple(Vector("float", n) for n in (2, 3, 4))
 TYPES: tuple[Type, ...] = (
@@ -111,7 +112,7 @@ class Writer:
 
     def _leaf(self, type_: Type, scope: Scope) -> str:
         known = [v for v in scope.variables if v.type == type_]
-        if known and self.draw(st.integers(0, 3)):
+        if known and self.draw(st.sampled_from([True, True, True, False])):
             chosen = self.draw(st.sampled_from(known))
             self.textured |= chosen.textured
             return chosen.text
@@ -242,7 +243,8 @@ def programs(draw: st.DrawFn) -> str:
     lines = ["import std.lights", "import std.terms", *(text for _, text in functions)]
     lines.append(_light(writer, scope))
     lines.append(_term(writer, scope))
-    lines += ["material Random {", "    param p_power : float in 1..64 = 8.0", "    map m : texture2d"]
+    lines += ["material Random {", "    param p_power : float in 1..64 = 8.0"]
+    lines.append("    map m : texture2d")
     lines += [f"    {text}" for _, text in parameters]
     terms = ("ambient", "lambert", "phong", "blinn_phong", "own")
     shaded = replace(shaded, terms=terms, maps=("m",), surface=True)
@@ -250,13 +252,16 @@ def programs(draw: st.DrawFn) -> str:
     return "\n".join([*lines, "}", _rig(draw)]) + "\n"
 
 
+RESULTS: tuple[Type, ...] = (FLOAT, VEC3, INT, VECTORS[0])
+"""What functions return."""
+
 Row = tuple[str, tuple[Type, ...], Type]
 
 
 def _functions(writer: Writer) -> Iterator[tuple[Row, str]]:
     for number in range(writer.draw(st.integers(0, 2))):
         types = writer.draw(st.lists(st.sampled_from(TYPES), min_size=1, max_size=3))
-        result = writer.draw(st.sampled_from((FLOAT, VEC3, INT, VECTORS[1])))
+        result = writer.draw(st.sampled_from(RESULTS))
         formals = tuple(Variable(f"x{i}", type_) for i, type_ in enumerate(types))
         body = writer.expression(result, Scope(formals), FUEL // 2)
         shown = ", ".join(f"{formal.text}: {formal.type}" for formal in formals)

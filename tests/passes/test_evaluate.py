@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 import pytest
+
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
@@ -116,7 +120,8 @@ class Many:
         if node.op == "resource":
             return (lambda u, v: tuple(0.5 + 0.5 * np.sin(i + u - v) for i in range(4)),)
         values = [world(node) for world in self._worlds]
-        return None if values[0] is None else stacked(values)
+        together: Lanes | None = None if values[0] is None else stacked(values)
+        return together
 
 
 class One(Many):
@@ -126,11 +131,11 @@ class One(Many):
         return super().__call__(node) if node.op == "resource" else self._worlds[0](node)
 
 
-def stacked(values: list[object]) -> Lanes:
+def stacked(values: Sequence[Any]) -> Any:
     """Values of one type as one value of arrays."""
     if isinstance(values[0], tuple):
-        return tuple(stacked(list(parts)) for parts in zip(*values, strict=True))
-    return np.array(values)  # type: ignore[return-value]
+        return tuple(stacked(parts) for parts in zip(*values, strict=True))
+    return np.array(values)
 
 
 def test_arrays_have_the_values_that_numbers_have() -> None:
@@ -145,6 +150,8 @@ def test_arrays_have_the_values_that_numbers_have() -> None:
                 assert [column[i] for column in columns] == pytest.approx(alone, rel=1e-9)
 
 
-def arrays(value: Lanes) -> list[object]:
+def arrays(value: Any) -> list[Any]:
     """All lanes of a value of arrays."""
-    return [lane for part in value for lane in (arrays(part) if isinstance(part, tuple) else [part])]
+    if not isinstance(value, tuple):
+        return [value]
+    return [lane for part in value for lane in arrays(part)]

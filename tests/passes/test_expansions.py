@@ -6,6 +6,9 @@ import math
 from typing import Any
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.signatures import result_type
@@ -21,8 +24,6 @@ from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.semantics.shader import Notes
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from .hardware import flat, hardware
 from .kit import INT_TRAPS
@@ -71,7 +72,11 @@ def expanded(name: str, types: tuple[Type, ...]) -> tuple[Node, list[Node]]:
     return guarding.make("call", result, tuple(leaves), name), leaves
 
 
-@pytest.mark.parametrize(("name", "types"), CASES, ids=lambda case: _shown(case))
+def _shown(case: str | tuple[Type, ...]) -> str:
+    return case if isinstance(case, str) else "-".join(map(str, case))
+
+
+@pytest.mark.parametrize(("name", "types"), CASES, ids=_shown)
 @settings(max_examples=15, deadline=None)
 @given(data=st.data())
 def test_an_expansion_is_the_builtin(
@@ -86,10 +91,6 @@ def test_an_expansion_is_the_builtin(
     expected = meaning(name, operands, kind=scalar_kind(types[0]) or "float")
     assert list(flat(found)) == pytest.approx(list(flat(expected)), rel=1e-9, abs=1e-300)
     assert not any(map(math.isnan, flat(found)))
-
-
-def _shown(case: str | tuple[Type, ...]) -> str:
-    return case if isinstance(case, str) else "-".join(map(str, case))
 
 
 def test_a_scalar_expansion_is_applied_to_each_lane() -> None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import burnish
 import pytest
+
+import burnish
 
 
 def guards(text: str) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+
 from burnish.compiler.passes.pipeline import Options
 
 from .kit import calls, history, ops, shader

@@ -1,4 +1,4 @@
-"""Sums over lights: one pass over the rig for all terms, one function for what several lights share."""
+"""Sums over lights: one pass over the rig for all terms, one function for what lights share."""
 
 from __future__ import annotations
 

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import burnish
 import pytest
+from hypothesis import HealthCheck, given, note, reject, settings
+from hypothesis import strategies as st
+
+import burnish
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.passes.pipeline import Options
 from burnish.targets import registry
 from burnish.targets.toolchain import Job, Toolchain
-from hypothesis import HealthCheck, given, note, reject, settings
-from hypothesis import strategies as st
 
 from .agreement import disagreements
 from .kit import World, shader
@@ -59,10 +60,10 @@ def toolchain() -> Iterator[Toolchain]:
         yield tools
 
 
-@settings(max_examples=4, deadline=None, suppress_health_check=[*SLOW, *HealthCheck])
+@settings(max_examples=2, deadline=None, suppress_health_check=list(HealthCheck))
 @given(texts=st.lists(programs(), min_size=3, max_size=3))
 def test_random_programs_are_accepted(texts: list[str], toolchain: Toolchain) -> None:
-    jobs = []
+    jobs: list[Job] = []
     for text in texts:
         try:
             jobs += _jobs(text)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node

@@ -28,19 +28,20 @@ struct Material {
 @group(2) @binding(2) var grain_sampler: sampler;
 
 struct FragmentInput {
-    @location(0) to_eye: vec3f,
+    @location(0) position_shifted: vec3f,
     @location(1) normal: vec3f,
-    @location(2) normal_2: vec2f,
+    @location(2) uv_scaled: vec2f,
 }
 
 @fragment
 fn main(input: FragmentInput) -> @location(0) vec4f {
     let normal = input.normal * inverseSqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
-    let normal_sum = normal + material.flakes * (2.0 * textureSample(grain, grain_sampler, input.normal_2).xyz - 1.0);
+    let grain_ = textureSample(grain, grain_sampler, input.uv_scaled);
+    let normal_sum = normal + material.flakes * (2.0 * grain_.xyz - 1.0);
     let normal_ = normal_sum * inverseSqrt(max(dot(normal_sum, normal_sum), 1.1754944e-38));
     let sun_to_light = -rig.sun_direction;
     let normal_dot_sun_to_light = dot(normal_, sun_to_light);
-    let to_eye = input.to_eye * inverseSqrt(max(dot(input.to_eye, input.to_eye), 1.1754944e-38));
+    let to_eye = input.position_shifted * inverseSqrt(max(dot(input.position_shifted, input.position_shifted), 1.1754944e-38));
     var phong: vec3f = vec3f(0.0);
     if (normal_dot_sun_to_light > 0.0) {
         phong = material.paint * rig.sun_specular_color * pow(saturate(dot(reflect(rig.sun_direction, normal_), to_eye)), 12.0);

@@ -26,9 +26,9 @@ struct VertexInput {
 }
 
 struct VertexOutput {
-    @location(0) to_eye: vec3f,
+    @location(0) position_shifted: vec3f,
     @location(1) normal: vec3f,
-    @location(2) normal_2: vec2f,
+    @location(2) uv_scaled: vec2f,
     @builtin(position) clip_position: vec4f,
 }
 
@@ -36,9 +36,9 @@ struct VertexOutput {
 fn main(input: VertexInput) -> VertexOutput {
     let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
     var output: VertexOutput;
-    output.to_eye = view.eye - position;
+    output.position_shifted = view.eye - position;
     output.normal = mat3x3f(draw_derived.normal_matrix[0].xyz, draw_derived.normal_matrix[1].xyz, draw_derived.normal_matrix[2].xyz) * input.vertex_normal;
-    output.normal_2 = input.vertex_uv * 40.0;
+    output.uv_scaled = input.vertex_uv * 40.0;
     output.clip_position = view.view_projection * vec4f(position, 1.0);
     return output;
 }

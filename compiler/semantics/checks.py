@@ -1,0 +1,117 @@
+"""Checks of what a shader does not read, so that every mistake in a file is found at once."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label
+from ..diagnostics.nearest import suggestion
+from ..ir.node import Formal, Node
+from ..syntax import ast
+from . import lookup
+from .calls import apply_body
+from .declared import declared_type
+from .lights import light_instance, per_light
+from .modules import Module, Symbol
+from .records import Definition, records_of
+from .rigs import light_entry
+from .scope import Instance, Scope
+from .trampoline import run
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+
+def check_slots(low: Lowering, surface: Instance, passing: Instance) -> None:
+    """Lower every slot of a material and its pass; warn of those that look misspelt."""
+    read = {name for name, _ in surface.values}
+    for instance in (surface, passing):
+        _check_instance(low, instance)
+    for name, definitions in surface.record.definitions.items():
+        if name not in read:
+            _check_spelling(low, surface, name, definitions)
+
+
+def check_declarations(low: Lowering, module: Module, surface: Instance) -> None:
+    """Lower a file's constants, functions and lights; generic functions wait for a use.
+
+    The terms of a file with materials are checked where these use them, since they may read slots
+    that only some material has.
+    """
+    with_terms = not records_of(module, "material", abstract=False)
+    for symbols in module.declared.values():
+        for symbol in symbols:
+            declaration = symbol.declaration
+            if isinstance(declaration, ast.Constant):
+                run(lookup.value(low, symbol.name, declaration.name.span, Scope(module)))
+            elif isinstance(declaration, ast.Function):
+                if declaration.kind == "fn" or with_terms:
+                    _check_function(low, symbol, declaration, surface)
+    for symbol in records_of(module, "light", abstract=False):
+        entry = light_entry(low, symbol)
+        if entry is not None:
+            _check_instance(low, light_instance(low, entry, surface)[0])
+
+
+def _check_instance(low: Lowering, instance: Instance) -> None:
+    for name, definitions in instance.record.definitions.items():
+        if isinstance(definitions[0].member, ast.Slot):
+            run(lookup.slot(low, instance, name, definitions[0].member.name.span))
+        _check_override(low, definitions)
+
+
+def _check_function(
+    low: Lowering, symbol: Symbol, function: ast.Function, surface: Instance
+) -> None:
+    """Lower a body for arguments of the declared types."""
+    if function.type_parameters:
+        return
+    types = [declared_type(low, argument.type, symbol.module) for argument in function.arguments]
+    arguments: tuple[Node, ...] = tuple(
+        low.graph.node("formal", type_.type, (), Formal(argument.name.text))
+        for type_, argument in zip(types, function.arguments, strict=True)
+        if type_ is not None
+    )
+    if len(arguments) < len(types):
+        return
+    span = function.name.span
+    if function.per is not None:
+        run(per_light(low, symbol, arguments, span, Scope(symbol.module, surface=surface)))
+    else:
+        within = surface if function.kind == "term" else None
+        run(apply_body(low, symbol, arguments, span, within))
+
+
+def _check_spelling(
+    low: Lowering, surface: Instance, name: str, definitions: tuple[Definition, ...]
+) -> None:
+    """Warn of an own slot that nothing reads and that is nearly called like an inherited one."""
+    root = surface.record.root
+    member = definitions[0].member
+    if not isinstance(member, ast.Slot) or definitions[-1].owner is root:
+        return
+    inherited = [n for n, ds in surface.record.definitions.items() if ds[-1].owner is root]
+    hint = suggestion(name, inherited)
+    if hint:
+        low.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)
+
+
+def _check_override(low: Lowering, definitions: tuple[Definition, ...]) -> None:
+    """A heir may write a slot's type again, but not another one."""
+    typed = [d for d in definitions if d.member.type is not None]
+    for heir, base in pairwise(typed):
+        types = []
+        for definition in (heir, base):
+            assert definition.member.type is not None
+            types.append(declared_type(low, definition.member.type, definition.owner.module))
+        own, inherited = types
+        if own is None or inherited is None or own.type == inherited.type:
+            continue
+        low.report.add(
+            rules.OVERRIDE_CHANGES_TYPE, heir.member.name.span,
+            name=heir.member.name.text, base=base.owner.name,
+            expected=inherited.text, found=own.text,
+            labels=[Label(base.member.name.span, "declared here")],
+        )  # fmt: skip
