@@ -227,6 +227,24 @@ MISSPELT_SLOT = _warning(
     "A name that no base declares makes a slot of the material's own; nothing outside asks for it.",
 )
 
+REPLACED_PARAMETER = _error(
+    "B0211",
+    "`{name}` has been replaced by an equation, so there is no value to inherit",
+    "An equation in place of a `param` takes it off the host's hands. Declare the parameter again "
+    "with another default, or compute under another name.",
+)
+UNUSUAL_GROUP = _warning(
+    "B0212",
+    "`{name}` is a group of its own",
+    "Parameters belong to frame, view, rig, material, draw, or to a group that you name.",
+)
+MISPLACED_MEMBER = _error(
+    "B0213",
+    "`{member}` does not belong into {record}",
+    "What is written to which target, how it blends and what is left out is said by a pass; what a "
+    "vertex brings along by a material or a pass.",
+)
+
 # --- B03: types ----------------------------------------------------------------------------------
 
 WRONG_TYPE = _error(

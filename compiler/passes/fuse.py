@@ -152,6 +152,8 @@ def _fusable(left: Node, right: Node) -> bool:
         return _same_turns(left, right)
     if left.op != "apply":
         return False
+    if left.operands[0] is right.operands[0]:
+        return False
     varying = {arg for arg in left.operands[1:] if arg.op != "constant"}
     return any(argument in varying for argument in right.operands[1:])
 

@@ -43,7 +43,8 @@ def hoist(
     hoisting = _Hoisting(notes, ranges)
     hoisting.choose(wanted)
     rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow)
-    return rewritten, tuple(hoisting.derived.values())
+    read = {node.data for node in reachable(rewritten) if node.op == "parameter"}
+    return rewritten, tuple(d for d in hoisting.derived.values() if d.parameter in read)
 
 
 class _Hoisting:
@@ -52,6 +53,8 @@ class _Hoisting:
         self._ranges = ranges
         self._groups: dict[int, frozenset[str] | None] = {}
         self._chosen: set[int] = set()
+        self._positions: set[int] = set()
+        """Indices: a shader clamps them itself, whatever a host has put into its memory."""
         self._taken: set[str] = set()
         self._naming = Naming(notes)
         self.derived: dict[int, Derived] = {}
@@ -65,6 +68,8 @@ class _Hoisting:
             if node.op == "parameter":
                 assert isinstance(node.data, Parameter)
                 self._taken.add(node.data.name)
+            elif node.op == "index":
+                self._positions.add(node.operands[1].id)
         needed = {root.id for root in roots}
         for node in nodes:
             if not self._hoistable(node):
@@ -107,7 +112,9 @@ class _Hoisting:
         return next(iter(narrow)) if narrow else COMMON_GROUP
 
     def _hoistable(self, node: Node) -> bool:
-        return self._owner(node) is not None and isinstance(node.type, Scalar | Vector | Matrix)
+        if node.id in self._positions or self._owner(node) is None:
+            return False
+        return isinstance(node.type, Scalar | Vector | Matrix)
 
     def _worth_it(self, node: Node) -> bool:
         """Whether a stored value saves an operation."""

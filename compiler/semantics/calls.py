@@ -333,6 +333,13 @@ def apply_body(
 # --- with ----------------------------------------------------------------------------------------
 
 
+def _names_term(callee: ast.Expression, scope: Scope) -> bool:
+    symbols = scope.module.find(callee.name) if isinstance(callee, ast.Reference) else ()
+    return any(
+        isinstance(s.declaration, ast.Function) and s.declaration.kind == "term" for s in symbols
+    )
+
+
 def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
     """``term(…) with { normal = coat }``: the surface's slots replaced while the term is shaded."""
     surface = scope.surface
@@ -353,7 +360,7 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
             if wanted is not None:
                 node = low.fit(node, wanted.type, wanted.text, expression.span)
         given[name.text] = Replacement(value=node)
-    if not isinstance(e.operand, ast.Call):
+    if not isinstance(e.operand, ast.Call) or not _names_term(e.operand.callee, scope):
         low.report.add(rules.WITH_NEEDS_TERM, e.operand.span)
         return FAILURE
     shaded = Scope(

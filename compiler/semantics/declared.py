@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
-from ..ir.types import INT, Struct, Type
+from ..ir.types import INT, Struct, Texture, Type
 from ..syntax import ast
 from .modules import Module, Symbol
 from .scope import Failure, Scope
@@ -68,7 +68,12 @@ def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
     members = []
     for member in declaration.members:
         type_ = declared_type(low, member.type, symbol.module)
-        if type_ is not None:
+        if type_ is not None and isinstance(type_.type, Texture):
+            low.report.add(
+                rules.WRONG_TYPE, member.type.span, expected="a value", found=type_.text,
+                hint="textures are declared with `map`, in a material, light or pass",
+            )  # fmt: skip
+        elif type_ is not None:
             members.append((member.name.text, type_.type))
     low.active.pop(symbol)
     if len(members) < len(declaration.members):

@@ -18,7 +18,7 @@ from ..ir.types import BOOL, VEC4, Type
 from ..syntax import ast
 from .declared import declared_type
 from .modules import Module, Symbol
-from .records import Definition
+from .records import Definition, NamedMember
 from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
 from .trampoline import Step
 
@@ -158,13 +158,8 @@ def _slot_value(
         return given
     definition = next(d for d in instance.record.definitions[name] if d.level >= level)
     member = definition.member
-    if isinstance(member, ast.Param):
-        return instance.parameters.get(name, FAILURE)
-    if isinstance(member, ast.Map):
-        return instance.resources.get(name, FAILURE)
-    if isinstance(member, ast.Attribute):
-        leaf = instance.parameters.get(name)
-        return FAILURE if leaf is None else low.stages.attribute(leaf)
+    if not isinstance(member, ast.Slot):
+        return _leaf(low, instance, member, span, replaced=level != OUTERMOST)
     if member.value is None:
         low.report.add(
             rules.ABSTRACT_SLOT, instance.record.symbol.declaration.name.span,
@@ -177,6 +172,21 @@ def _slot_value(
     )
     result: Node | Failure = yield _defined(low, instance, name, member.value, scope)
     return result
+
+
+def _leaf(
+    low: Lowering, instance: Instance, member: NamedMember, span: Span, *, replaced: bool
+) -> Node | Failure:
+    """What a parameter, map or attribute reads; an equation in its place leaves nothing to read."""
+    name = member.name.text
+    kept = instance.resources if isinstance(member, ast.Map) else instance.parameters
+    leaf = kept.get(name)
+    if leaf is None and replaced:
+        labels = [Label(member.name.span, "declared here")]
+        low.report.add(rules.REPLACED_PARAMETER, span, name=name, labels=labels)
+    if leaf is None:
+        return FAILURE
+    return low.stages.attribute(leaf) if isinstance(member, ast.Attribute) else leaf
 
 
 def _replacement_value(
@@ -246,6 +256,13 @@ def light_slot(low: Lowering, light: LightVariable, name: ast.Name) -> Step[Valu
         return light.variables[name.text]
     if not light.instance.has(name.text):
         definitions = light.record.definitions
+        if any(name.text in entry.record.definitions for entry in low.rig):
+            label = Label(light.record.symbol.declaration.name.span, "this light")
+            low.report.add(
+                rules.LIGHT_LACKS_SLOT, name.span, light=light.record.name, slot=name.text,
+                labels=[label],
+            )  # fmt: skip
+            return FAILURE
         unknown(low, f"slot of light `{light.record.name}`", name.text, name.span, definitions)
         return FAILURE
     sample = yield slot(low, light.instance, name.text, name.span)

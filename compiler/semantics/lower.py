@@ -16,7 +16,7 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.node import Formal, Graph, Node
-from ..ir.types import BOOL, FLOAT, INT, UINT, Array, Matrix, Scalar, Struct, Type, Vector, width
+from ..ir.types import BOOL, Texture, FLOAT, INT, UINT, Array, Matrix, Scalar, Struct, Type, Vector, width
 from ..syntax import ast
 from . import calls, lookup, overloads
 from .coerce import coerce
@@ -48,6 +48,8 @@ SWIZZLES: Mapping[str, Mapping[str, int]] = {
     letters: {letter: i for i, letter in enumerate(letters)} for letters in ("xyzw", "rgba")
 }
 LARGEST_FOLD = 4096
+LOWEST = str(2**31)
+"""An `int` only with a minus in front."""
 
 
 class Lowering:
@@ -238,6 +240,8 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
 
 
 def _unary(low: Lowering, e: ast.Unary, scope: Scope) -> Step[Value]:
+    if e.operator == "-" and isinstance(e.operand, ast.Number) and e.operand.text == LOWEST:
+        return build.constant(low.graph, INT, -int(LOWEST))
     operand = yield low.node(e.operand, scope)
     if isinstance(operand, Failure):
         return FAILURE
@@ -261,6 +265,12 @@ def _conditional(low: Lowering, e: ast.Conditional, scope: Scope) -> Step[Value]
     then = yield low.node(e.then, scope)
     otherwise = yield low.node(e.otherwise, scope)
     if any(isinstance(part, Failure) for part in (condition, then, otherwise)):
+        return FAILURE
+    if isinstance(then.type, Texture):
+        low.report.add(
+            rules.WRONG_TYPE, e.then.span, expected="a value", found=then.type,
+            hint="choose between what is read, not between textures",
+        )  # fmt: skip
         return FAILURE
     common = coerce(low.graph, then, otherwise.type)
     if common is not None:
@@ -307,7 +317,6 @@ def _fold(low: Lowering, e: ast.Fold, scope: Scope) -> Step[Value]:
     if not isinstance(body.type, Scalar | Vector) or body.type.kind == "bool":
         low.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
         return FAILURE
-    body = coerce(low.graph, body, FLOAT) or body
     return fold(low.graph, "add" if e.operator == "sum" else "mul", count, body, formal, low.notes.follow)
 
 

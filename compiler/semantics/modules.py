@@ -16,6 +16,7 @@ from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Source, Span
 from ..syntax import ast
+from .typenames import described
 
 Named = ast.Record | ast.Function | ast.Rig | ast.StructDeclaration | ast.Space | ast.Constant
 
@@ -46,7 +47,7 @@ class Module:
     missing: set[str] = field(default_factory=set)
     """Names whose import failed, about which enough has been said."""
     prelude: Module | None = None
-    offered: Callable[[str], str] = str
+    offered: Callable[[str], str] = lambda _name: ""
     """The library file that declares a name, as an import path; empty if none does."""
 
     def find(self, name: str) -> tuple[Symbol, ...]:
@@ -71,6 +72,9 @@ class Module:
 
 _NOT_IMPORTED = frozenset({"prelude", "meaning"})
 """Library files that every file sees, or none."""
+
+FAMILIES = ("floats", "vectors", "numbers", "integers", "scalars", "matrices")
+"""What a type parameter may range over."""
 
 Read = Callable[[Path, Report, str], Source | None]
 """Reads a file; the text is what messages call it."""
@@ -151,7 +155,30 @@ class Loader:
                 labels=[Label(first, "first declared here")],
             )  # fmt: skip
             return
+        if isinstance(declaration, ast.Function):
+            self._check_function(declaration, others)
         module.declared[name.text] = (*others, Symbol(declaration, module))
+
+    def _check_function(self, function: ast.Function, others: tuple[Symbol, ...]) -> None:
+        """What is wrong with a function's head, whatever its types stand for."""
+        if function.per is not None and function.per.text != "light":
+            self._report.add(
+                rules.UNKNOWN_NAME, function.per.span, kind="summation", name=function.per.text,
+                hint="terms are summed `per light`",
+            )  # fmt: skip
+        for parameter in function.type_parameters:
+            if parameter.family.text not in FAMILIES:
+                known = ", ".join(f"`{family}`" for family in FAMILIES)
+                self._report.add(
+                    rules.UNKNOWN_NAME, parameter.family.span, kind="family of types",
+                    name=parameter.family.text, hint=f"one of {known}",
+                )  # fmt: skip
+        for other in others:
+            if _argument_types(other.declaration) == _argument_types(function):
+                self._report.add(
+                    rules.DUPLICATE_NAME, function.name.span, name=function.name.text,
+                    labels=[Label(other.declaration.name.span, "with the same arguments here")],
+                )  # fmt: skip
 
     def _import(self, module: Module, wanted: ast.Import) -> None:
         found = self._resolve(module, wanted)
@@ -261,3 +288,8 @@ class Loader:
 def _library_name(path: Path) -> str:
     """What messages call a library file, wherever it is installed."""
     return f"std/{path.name}"
+
+
+def _argument_types(declaration: Named) -> list[str]:
+    assert isinstance(declaration, ast.Function)
+    return [described(argument.type) for argument in declaration.arguments]

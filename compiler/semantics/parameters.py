@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics import rules
+from ..diagnostics.nearest import suggestion
 from ..ir.leaves import Attribute, Parameter, Resource
+from ..layout import STANDARD_GROUPS
 from ..ir.types import INT, Array, Scalar, Struct, Texture, Type, Vector, scalar_kind
 from ..syntax import ast
 from .declared import declared_type
@@ -74,10 +76,14 @@ def _effective(record: Record, without: frozenset[str]) -> Iterator[tuple[str, D
             yield name, definitions[0]
 
 
-def _group(record: Record, definition: Definition, named: ast.Name | None) -> str:
-    declaration = definition.owner.declaration
-    assert isinstance(declaration, ast.Record)
-    return named.text if named is not None else DEFAULT_GROUPS[declaration.kind]
+def _group(low: Lowering, definition: Definition, named: ast.Name | None) -> str:
+    if named is None:
+        declaration = definition.owner.declaration
+        assert isinstance(declaration, ast.Record)
+        return DEFAULT_GROUPS[declaration.kind]
+    if named.text not in STANDARD_GROUPS and (hint := suggestion(named.text, STANDARD_GROUPS)):
+        low.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
+    return named.text
 
 
 def _parameter(
@@ -96,7 +102,7 @@ def _parameter(
     limits = _range(low, member, definition, declared)
     fact = declared.fact if limits is None else Fact(*limits)
     default = _default(low, member, definition, declared, limits)
-    parameter = Parameter(name, declared.type, _group(record, definition, member.group), fact)
+    parameter = Parameter(name, declared.type, _group(low, definition, member.group), fact)
     return ParameterInfo(
         parameter, declared.text, limits, default, member.doc, member.name.span
     )
@@ -183,7 +189,7 @@ def _resource(
     default = member.default.text if member.default is not None else TEXTURE_DEFAULTS[0]
     if member.default is not None and default not in TEXTURE_DEFAULTS:
         _unknown_word(low, "texture default", member.default, TEXTURE_DEFAULTS)
-    group = _group(record, definition, member.group)
+    group = _group(low, definition, member.group)
     state = tuple(sorted(_sampler_state(low, member).items()))
     resource = Resource(name, declared.type, group, default, state)
     return ResourceInfo(resource, member.doc, member.name.span)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..diagnostics import rules
@@ -9,6 +10,21 @@ from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.nearest import suggestion
 from ..syntax import ast
 from .modules import Module, Symbol
+
+_WORDS: Mapping[type, str] = {
+    ast.Param: "param",
+    ast.Map: "map",
+    ast.Attribute: "attribute",
+    ast.Slot: "an equation",
+    ast.Target: "target",
+    ast.Discard: "discard",
+}
+_MISPLACED: Mapping[str, frozenset[str]] = {
+    "material": frozenset({"target", "discard"}),
+    "light": frozenset({"target", "discard", "attribute"}),
+    "pass": frozenset(),
+}
+"""What a kind of record cannot have: targets and what is not drawn are a pass's to say."""
 
 NamedMember = ast.Param | ast.Map | ast.Attribute | ast.Slot
 
@@ -80,7 +96,10 @@ class Records:
             declaration = owner.declaration
             assert isinstance(declaration, ast.Record)
             seen: dict[str, ast.Name] = {}
+            self._check_blend(declaration)
             for member in declaration.members:
+                if not self._in_place(declaration, member):
+                    continue
                 if isinstance(member, ast.Discard):
                     record.discards += ((member, owner, level),)
                 elif self._first(member.name, seen):
@@ -90,6 +109,23 @@ class Records:
                         self._define(record, Definition(member, owner, level))
         record.targets = tuple(targets.values())
         return record
+
+    def _in_place(self, declaration: ast.Record, member: ast.Member) -> bool:
+        """Whether a kind of member belongs into a kind of record."""
+        word = _WORDS[type(member)]
+        if word not in _MISPLACED[declaration.kind]:
+            return True
+        self._report.add(
+            rules.MISPLACED_MEMBER, member.span, member=word, record=f"a {declaration.kind}"
+        )
+        return False
+
+    def _check_blend(self, declaration: ast.Record) -> None:
+        if declaration.blend is not None and declaration.kind != "pass":
+            self._report.add(
+                rules.MISPLACED_MEMBER, declaration.blend.span,
+                member="blend", record=f"a {declaration.kind}",
+            )  # fmt: skip
 
     def _first(self, name: ast.Name, seen: dict[str, ast.Name]) -> bool:
         if name.text in seen:
@@ -115,7 +151,9 @@ class Records:
                 self._report.add(
                     rules.CYCLIC_INHERITANCE, declaration.name.span, name=base.name, cycle=cycle
                 )
-                break
+                assert isinstance(declaration, ast.Record)
+                root = self._implied_base(chain[-1], declaration)
+                return tuple(chain) if root is None else (*chain, root)
             chain.append(base)
         return tuple(chain)
 

@@ -81,7 +81,7 @@ class Outline:
                 header = self._header(index)
                 if self._open and not header and self._ends_parentheses(index):
                     self._abandon_open(index, down_to="{")
-                if header or (not self._open and self.begins_member(index)):
+                if header or (not self._open and self._begins_constant(index)):
                     self._begin(index)
                     named_until = index + max(header, 1)
             self.depths.append(len(self._open))
@@ -89,6 +89,10 @@ class Outline:
         for chunk in self.chunks:
             chunk.end = chunk.end or len(self.tokens)
             chunk.unclosed.sort()
+
+    def _begins_constant(self, index: int) -> bool:
+        """Whether an equation of the file begins here, and no further type parameter of a head."""
+        return self.begins_member(index) and (index == 0 or self._text_of(index - 1) != ",")
 
     def _header(self, index: int) -> int:
         """How many tokens a declaration's word and name take here; 0 where none begins."""

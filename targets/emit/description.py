@@ -155,6 +155,8 @@ class Profile:
     """Vectors that cross between the stages: what every device of the profile has at least."""
     textures: int = 16
     """Textures with their samplers that one stage reads; likewise."""
+    targets: int = 8
+    """Render targets that a pass writes; likewise."""
     checkers: tuple[str, ...] = ()
     """Validators of ``targets.toolchain`` that have to accept the text."""
 

@@ -24,6 +24,7 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     for what, count, limit in (
         ("varyings", len(program.varyings), profile.varyings),
         ("textures", textures, profile.textures),
+        ("render targets", len(program.fragment.outputs), profile.targets),
     ):
         if count > limit:
             yield Excess(what, count, limit)
