@@ -76,7 +76,34 @@ def _add(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node
         return _fits(s, left, type_)
     if _is_call(right, "neg") and right.type == type_:
         return s.call("sub", type_, left, right.operands[0])
-    return _scalar_form(s, "add", type_, operands) if op == "call" else None
+    if op != "call":
+        return None
+    return _factored(s, type_, left, right) or _scalar_form(s, "add", type_, operands)
+
+
+def _factored(s: Simplifier, type_: Type, left: Node, right: Node) -> Node | None:
+    """``a * x + b * x`` as ``(a + b) * x``: one product less, and what one light sends is one factor.
+
+    The factor has the type of the sum, so that no scalar part of a product is parted from it.
+    """
+    if not (_is_call(left, "mul") and _is_call(right, "mul")) or isinstance(type_, Matrix):
+        return None
+    common = [o for o in left.operands if o in right.operands and o.type == type_]
+    if not common or scalar_kind(type_) != "float" or _has_matrix(left) or _has_matrix(right):
+        return None
+    rests = [_other(product, common[0]) for product in (left, right)]
+    if not all(rest.type == type_ for rest in rests):
+        return None
+    return s.call("mul", type_, s.call("add", type_, *rests), common[0])
+
+
+def _other(product: Node, factor: Node) -> Node:
+    left, right = product.operands
+    return right if left is factor else left
+
+
+def _has_matrix(node: Node) -> bool:
+    return any(isinstance(operand.type, Matrix) for operand in node.operands)
 
 
 def _sub(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:

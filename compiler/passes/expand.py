@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from ...stdlib.builtins import BUILTINS
@@ -14,10 +14,12 @@ from ..ir.types import Scalar, Type, Vector
 from ..library import expansions
 from ..semantics.calls import accepts, apply_body
 from ..semantics.lower import Lowering
+from ..semantics.modules import Named
 from ..semantics.records import Records
 from ..semantics.scope import Failure
 from ..semantics.trampoline import run
 from ..semantics.typenames import TypeResolver
+from ..syntax import ast
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,13 +36,21 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Template:
-    """An expansion as steps; the first ones are its parameters, the last one its value."""
+    """An expansion as steps; the first ones are its parameters."""
 
-    parameters: int
+    name: str
+    doc: str
+    parameters: tuple[str, ...]
     steps: tuple[Step, ...]
     result: int
-    lanewise: bool
+    """The step that is the value."""
+    lanewise: bool = False
     """Declared on scalars: applies to each lane of vector operands."""
+
+    @property
+    def operations(self) -> tuple[Step, ...]:
+        """The steps that compute something."""
+        return self.steps[len(self.parameters) :]
 
 
 @lru_cache(maxsize=None)
@@ -52,7 +62,7 @@ def template(name: str, types: tuple[Type, ...]) -> Template:
     lanes = tuple(Scalar(t.kind) if isinstance(t, Vector) else t for t in types)
     scalar = _lowered(name, lanes)
     assert scalar is not None, f"no expansion of {name} takes {types}"
-    return Template(scalar.parameters, scalar.steps, scalar.result, lanewise=True)
+    return replace(scalar, lanewise=True)
 
 
 def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
@@ -67,11 +77,14 @@ def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
             source = symbol.module.file.source
             value = run(apply_body(low, symbol, arguments, Span(source, 0, 0)))
             assert not isinstance(value, Failure), report.diagnostics
-            return _steps(arguments, value, low.notes.roles)
+            return _template(symbol.declaration, arguments, value, low.notes.roles)
     return None
 
 
-def _steps(arguments: tuple[Node, ...], value: Node, roles: Mapping[int, str]) -> Template:
+def _template(
+    function: Named, arguments: tuple[Node, ...], value: Node, roles: Mapping[int, str]
+) -> Template:
+    assert isinstance(function, ast.Function)
     number = {argument.id: i for i, argument in enumerate(arguments)}
     steps = [Step(node.op, node.type, (), None) for node in arguments]
     for node in reachable((value,)):
@@ -81,4 +94,5 @@ def _steps(arguments: tuple[Node, ...], value: Node, roles: Mapping[int, str]) -
         operands = tuple(number[operand.id] for operand in node.operands)
         role = "" if node is value else roles.get(node.id, "")
         steps.append(Step(node.op, node.type, operands, node.data, role))
-    return Template(len(arguments), tuple(steps), number[value.id], lanewise=False)
+    names = tuple(argument.name.text for argument in function.arguments)
+    return Template(function.name.text, function.doc, names, tuple(steps), number[value.id])

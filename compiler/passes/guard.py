@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
-from ..ir.node import Graph, Node, Op
+from ..ir.node import Formal, Formals, Graph, Node, Op
 from ..ir.types import Scalar, Type, Vector, with_width
 from ..semantics.shader import Notes
 from .expand import Template, template
@@ -23,6 +23,10 @@ from .simplify import Simplifier
 
 BRANCH = "branch"
 """Data of a select that has to become a branch: one of its sides is safe only behind it."""
+
+
+OUTLINED = 3
+"""Expansions of at least so many operations become functions where they are used repeatedly."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +59,7 @@ class Guarding(Simplifier):
         """By the id of the ``call`` that was expanded."""
         self._at: Span | None = None
         self._expanded: dict[int, Node] = {}
+        self._functions: dict[tuple[Template, tuple[Type, ...]], tuple[Node, Formals]] = {}
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """As ``Simplifier.rule``, with what is known on the path to ``node``.
@@ -96,18 +101,53 @@ class Guarding(Simplifier):
             if row.outside:
                 self.kept[node.id] = Guard(row.name, facts, self._at)
             self._expanded[node.id] = self._expand(node)
+            self.ranges.assume(self._expanded[node.id], row.range(facts, False))
         return self._expanded[node.id]
 
     def _expand(self, node: Node) -> Node:
         found = template(str(node.data), tuple(operand.type for operand in node.operands))
         if not found.lanewise:
-            return self._instantiate(found, node.operands)
+            return self._applied(found, node.operands)
         assert isinstance(node.type, Vector)
         lanes = tuple(
-            self._instantiate(found, tuple(self._lane(operand, i) for operand in node.operands))
+            self._applied(found, tuple(self._lane(operand, i) for operand in node.operands))
             for i in range(node.type.size)
         )
         return self.make("vector", with_width(node.type.kind, len(lanes)), lanes)
+
+    def _applied(self, found: Template, operands: tuple[Node, ...]) -> Node:
+        """The expansion of one operation: a function's call, or written out.
+
+        Where an operand is constant over the draw, parts of the expansion are too and may leave the
+        shader, so it is written out. So are functions that turn out to be called once (``inline``).
+        """
+        if len(found.operations) < OUTLINED or not all(map(self._varies, operands)):
+            return self._instantiate(found, operands)
+        key = found, tuple(operand.type for operand in operands)
+        if key not in self._functions:
+            formals = tuple(Formal(name) for name in found.parameters)
+            leaves = tuple(
+                self.graph.node("formal", operand.type, (), formal)
+                for operand, formal in zip(operands, formals, strict=True)
+            )
+            body = self._instantiate(found, leaves)
+            self.notes.functions.setdefault(body.id, f"safe_{found.name}")
+            self.notes.docs.setdefault(body.id, found.doc)
+            self._functions[key] = body, formals
+        body, formals = self._functions[key]
+        return self.graph.node("apply", body.type, (body, *operands), formals)
+
+    def _varies(self, root: Node) -> bool:
+        """Whether a value may differ between vertices or pixels."""
+        pending, seen = [root], set()
+        while pending:
+            node = pending.pop()
+            if node.op in ("interpolate", "attribute", "formal", "input", "resource"):
+                return True
+            if node.id not in seen:
+                seen.add(node.id)
+                pending += node.operands
+        return False
 
     def _lane(self, operand: Node, lane: int) -> Node:
         if not isinstance(operand.type, Vector):
@@ -116,7 +156,7 @@ class Guarding(Simplifier):
 
     def _instantiate(self, found: Template, operands: tuple[Node, ...]) -> Node:
         values = list(operands)
-        for step in found.steps[found.parameters :]:
+        for step in found.operations:
             inner = tuple(values[i] for i in step.operands)
             values.append(self.make(step.op, step.type, inner, step.data))
             if self._at is not None:

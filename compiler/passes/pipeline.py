@@ -104,6 +104,7 @@ def _guarded(
 ) -> tuple[list[Node], tuple[Guard, ...]]:
     guarding = Guarding(graph, ranges, notes, Paths(roots, ranges))
     roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
+    roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))
     return roots, tuple(guarding.kept.values())
 
 
@@ -195,7 +196,7 @@ def _function(call: Node, notes: Notes, naming: Naming) -> Function:
     types = [argument.type for argument in call.operands[1:]]
     return Function(
         name=notes.functions.get(body.id, "shade"),
-        doc="",
+        doc=notes.docs.get(body.id, ""),
         parameters=tuple(zip(call.data, types, strict=True)),
         captured=(),
         body=body,

@@ -49,6 +49,11 @@ class Ranges:
             self._facts[top.id] = self._derive(top).as_kind(_kind(top))
         return self._facts[node.id]
 
+    def assume(self, node: Node, fact: Fact) -> None:
+        """Take over what is known of a node's value otherwise than through its operands."""
+        known = self._facts.get(node.id)
+        self._facts[node.id] = fact if known is None else known.meet(fact)
+
     def _needs(self, node: Node) -> tuple[Node, ...] | list[Node]:
         if node.op == "formal":
             assert isinstance(node.data, Formal)

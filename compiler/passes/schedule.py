@@ -19,7 +19,7 @@ from .guard import BRANCH
 from .naming import Naming
 
 LEAVES = frozenset({"constant", "parameter", "resource", "attribute", "formal", "input", "bound"})
-BRANCH_COST = 12
+BRANCH_COST = 32
 """A select whose sides cost less than this is cheaper than a branch."""
 INLINE_DEPTH = 7
 """Expressions nest at most so deeply before a part of them gets a name of its own."""

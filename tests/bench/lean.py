@@ -11,6 +11,9 @@
 * ``pow`` needs nothing: its base is clamped to 0..1, and the exponent is at least 1.
 * The directions need nothing: a host keeps them at length one.
 
+Each language has the highlight in the form that its compiler makes least of: a branch in GLSL, a
+choice of values in HLSL and WGSL.
+
 What depends on parameters alone comes from the host, for both: the normal matrix, the cosine of the
 outer cone, the reciprocal width of the falloff, and whether it is sharp.
 """

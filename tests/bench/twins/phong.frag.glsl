@@ -11,9 +11,9 @@ layout(std140,set=0,binding=0) uniform P {
 };
 vec3 unit(vec3 v){ return v*inversesqrt(max(dot(v,v),1.1754944e-38)); }
 vec3 shade(vec3 n, vec3 v, vec3 l, vec3 L){
-  float nl=clamp(dot(n,l),0.0,1.0);
-  float s=nl>0.0 ? pow(clamp(dot(reflect(-l,n),v),0.0,1.0),shin) : 0.0;
-  return (kd*nl+ks*s)*L;
+  float nl=dot(n,l), s=0.0;
+  if (nl>0.0) s=pow(clamp(dot(reflect(-l,n),v),0.0,1.0),shin);
+  return (kd*clamp(nl,0.0,1.0)+ks*s)*L;
 }
 void main(){
   vec3 n=unit(vNrm), v=unit(eye-vPos);

@@ -15,8 +15,7 @@ struct VO { @builtin(position) pos: vec4f, @location(0) wp: vec3f, @location(1) 
 fn unit(v: vec3f) -> vec3f { return v*inverseSqrt(max(dot(v,v),1.1754944e-38)); }
 fn shade(n: vec3f, v: vec3f, l: vec3f, L: vec3f) -> vec3f {
   let nl = saturate(dot(n,l));
-  var s = 0.0;
-  if (nl > 0.0) { s = pow(saturate(dot(reflect(-l,n),v)),u.shin); }
+  let s = select(0.0, pow(saturate(dot(reflect(-l,n),v)),u.shin), nl > 0.0);
   return (u.kd*nl+u.ks*s)*L;
 }
 @fragment fn fsmain(@location(0) wp: vec3f, @location(1) nrm: vec3f) -> @location(0) vec4f {
