@@ -2,7 +2,8 @@
 
 The three rule sets differ as soon as they have a choice, so the text leaves them none:
 
-- every gap is a scalar member of its own (D3D would move a ``vec2`` up into the gap before it);
+- a gap that some rule set would not leave is filled by scalar members of its own (D3D would move a
+  ``vec2`` up into it);
 - arrays are ``vec4[n]`` with the elements in the lanes (std140 and D3D pad elements to 16 bytes,
   WGSL refuses element strides that are not multiples of 16);
 - 2- and 3-row matrices are arrays of ``vec4`` columns (a ``mat2`` column takes 8 bytes in WGSL and
@@ -75,8 +76,8 @@ def _block(
 ) -> Block:
     name = block_name(group, derived)
     rows = [(suggested_name(p), stored_type(p.type)) for p in parameters]
-    placed = place(rows, f"{name.lower()}_pad")
-    size = sum(byte_size(row.type) for row in placed)
+    placed = place(rows, f"{name.lower()}_pad", gaps=True)
+    size = _rounded(placed[-1].offset + byte_size(placed[-1].type))
     # Every backend rounds a whole block up by itself; only gaps before a member have to be said.
     while placed[-1].padding:
         placed = placed[:-1]
@@ -105,10 +106,13 @@ def suggested_name(parameter: Parameter) -> str:
     return parameter.name.replace(".", "_")
 
 
-def place(members: Iterable[tuple[str, Type]], padding: str = "pad") -> tuple[Placed, ...]:
-    """Stored members in order with every gap filled, up to a whole number of rows.
+def place(
+    members: Iterable[tuple[str, Type]], padding: str = "pad", *, gaps: bool = False
+) -> tuple[Placed, ...]:
+    """Stored members in order, filled up to a whole number of rows.
 
-    ``padding`` is what the fillers are called, with a number.
+    ``padding`` is what fillers are called, with a number. With ``gaps`` there are none before a
+    vector that every rule set moves to the next row by itself.
     """
     members = tuple(members)
     taken = {name for name, _ in members}
@@ -123,6 +127,8 @@ def place(members: Iterable[tuple[str, Type]], padding: str = "pad") -> tuple[Pl
             end += LANE
 
     for name, type_ in members:
+        if gaps and _is_vector_in_new_row(type_, end):
+            end = _rounded(end)
         pad_to(_alignment(type_))
         placed.append(Placed(name, type_, end))
         end += byte_size(type_)
@@ -198,6 +204,18 @@ def byte_size(stored: Type) -> int:
             return sum(byte_size(type_) for _, type_ in members)
         case _:
             raise TypeError(f"{stored} is not a stored type")
+
+
+def _is_vector_in_new_row(stored: Type, end: int) -> bool:
+    """Whether a vector would cross the end of a row, so that every rule set moves it to the next.
+
+    D3D for that very reason; std140 and WGSL since vectors are aligned to their size, a vec3 to 16.
+    """
+    return isinstance(stored, Vector) and end % ROW + byte_size(stored) > ROW
+
+
+def _rounded(end: int) -> int:
+    return -(-end // ROW) * ROW
 
 
 def _alignment(stored: Type) -> int:

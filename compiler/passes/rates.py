@@ -11,83 +11,76 @@ from collections.abc import Iterable
 
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
-from ..ir.types import Matrix, Scalar, Vector, width
+from ..ir.types import Scalar, Vector, width
 from ..semantics.shader import Notes
 from .rewrite import rewrite
+
+AFFINE = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
+"""Operations that are affine in one operand, and what they make of it."""
 
 
 def move_to_vertices(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with affine values of single crossings computed before the crossing."""
     wanted = list(roots)
-    while True:
-        moves = _moves(wanted)
-        if not moves:
-            return wanted
-
-        def rule(
-            graph: Graph, node: Node, _operands: tuple[Node, ...], moves: dict[int, Node] = moves
-        ) -> Node | None:
-            crossing = moves.get(node.id)
-            if crossing is None:
-                return None
-            (inner,) = crossing.operands
-            _name_after(notes, node, crossing)
-            operands = tuple(inner if o is crossing else o for o in node.operands)
-            moved = graph.node(node.op, node.type, operands, node.data)
-            return graph.node("interpolate", node.type, (moved,), crossing.data)
-
-        wanted = rewrite(graph, wanted, rule, notes.follow)
+    return rewrite(graph, wanted, _Moving(wanted, notes).rule, notes.follow)
 
 
-_CHANGES = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
+class _Moving:
+    def __init__(self, roots: list[Node], notes: Notes) -> None:
+        self._notes = notes
+        self._users: dict[int, int] = {root.id: 1 for root in roots}
+        self._constant: dict[int, bool] = {}
+        """Which values are the same all over the draw."""
+        for node in reachable(roots):
+            for operand in set(node.operands):
+                self._users[operand.id] = self._users.get(operand.id, 0) + 1
+            self._constant[node.id] = node.op in ("constant", "parameter") or (
+                bool(node.operands)
+                and node.op not in ("interpolate", "apply", "fold")
+                and all(self._constant[operand.id] for operand in node.operands)
+            )
+
+    def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        """Compute ``node`` before the crossing that it is an affine map of."""
+        position = self._moved_operand(node, operands)
+        if position is None:
+            return None
+        crossing = operands[position]
+        self._name_after(node, crossing)
+        inner = tuple(crossing.operands[0] if o is crossing else o for o in operands)
+        moved = graph.node(node.op, node.type, inner, node.data)
+        return graph.node("interpolate", node.type, (moved,), crossing.data)
+
+    def _moved_operand(self, node: Node, operands: tuple[Node, ...]) -> int | None:
+        """Which operand is a crossing that nothing else needs, if ``node`` is affine in it."""
+        varying = [i for i, old in enumerate(node.operands) if not self._constant[old.id]]
+        if len(varying) != 1 or not _is_affine(node):
+            return None
+        (position,) = varying
+        crossing, old = operands[position], node.operands[position]
+        if crossing.op != "interpolate" or crossing.data != "perspective":
+            return None
+        # A value used twice crosses anyway, and a wider result would need another varying.
+        fits = width(node.type) <= width(crossing.type)
+        return position if fits and self._users[old.id] == 1 else None
+
+    def _name_after(self, node: Node, crossing: Node) -> None:
+        """A moved value without a name of its own is called after what crossed before."""
+        names = self._notes.names
+        source = names.get(crossing.id)
+        if source is None and isinstance(attribute := crossing.operands[0].data, Attribute):
+            source = attribute.name
+        if source is not None:
+            change = AFFINE.get(str(node.data), "")
+            unchanged = not change or source.endswith(change)
+            names.setdefault(node.id, source if unchanged else f"{source}_{change}")
 
 
-def _name_after(notes: Notes, node: Node, crossing: Node) -> None:
-    """A moved value without a name of its own is called after what crossed before."""
-    source = notes.names.get(crossing.id)
-    if source is None and isinstance(attribute := crossing.operands[0].data, Attribute):
-        source = attribute.name
-    if source is not None:
-        change = _CHANGES.get(str(node.data), "")
-        notes.names.setdefault(node.id, f"{source}_{change}" if change else source)
-
-
-def _moves(roots: list[Node]) -> dict[int, Node]:
-    """Affine nodes that are the only user of a crossing, with that crossing."""
-    nodes = reachable(roots)
-    users: dict[int, list[Node]] = {}
-    constant: dict[int, bool] = {}
-    for node in nodes:
-        constant[node.id] = node.op in ("constant", "parameter") or (
-            bool(node.operands)
-            and node.op not in ("interpolate", "apply", "fold")
-            and all(constant[operand.id] for operand in node.operands)
-        )
-        for operand in set(node.operands):
-            users.setdefault(operand.id, []).append(node)
-    kept = {root.id for root in roots}
-    moves = {}
-    for crossing in nodes:
-        using = users.get(crossing.id, [])
-        if crossing.op != "interpolate" or crossing.data != "perspective" or len(using) != 1:
-            continue
-        (user,) = using
-        if crossing.id not in kept and _affine(user, crossing, constant):
-            moves[user.id] = crossing
-    return moves
-
-
-def _affine(user: Node, crossing: Node, constant: dict[int, bool]) -> bool:
-    """Whether ``user`` is an affine map of ``crossing`` into no more lanes, constant over the draw."""
-    if user.op == "swizzle":
-        return len(set(user.data)) == len(user.data)  # type: ignore[arg-type, call-overload]
-    if user.op not in ("call", "native") or not isinstance(user.type, Scalar | Vector):
+def _is_affine(node: Node) -> bool:
+    """Whether an operation is affine in any operand while the others are constant."""
+    if not isinstance(node.type, Scalar | Vector):
         return False
-    if width(user.type) > width(crossing.type):
-        return False
-    others = [operand for operand in user.operands if operand is not crossing]
-    if len(others) != len(user.operands) - 1 or not all(constant[o.id] for o in others):
-        return False
-    if user.data in ("add", "sub", "neg", "mul"):
-        return not any(isinstance(other.type, Matrix) and user.data != "mul" for other in others)
-    return False
+    if node.op == "swizzle":
+        assert isinstance(node.data, tuple)
+        return len(set(node.data)) == len(node.data)
+    return node.op in ("call", "native") and node.data in AFFINE

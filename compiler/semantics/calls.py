@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...stdlib.builtins import BUILTINS
@@ -9,15 +10,17 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node
-from ..ir.types import VEC2, Matrix, Texture, Type, scalar_kind
+from ..ir.types import VEC2, Texture, scalar_kind
 from ..syntax import ast
 from . import lights, lookup, overloads
 from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type
+from .functions import bind_type_parameters, entered, fit_result
 from .modules import Symbol
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
 from .trampoline import Step
+from .unique import check_once
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -25,17 +28,23 @@ if TYPE_CHECKING:
 
 def call(low: Lowering, e: ast.Call, scope: Scope) -> Step[Value]:
     """``f(…)`` for every kind of f."""
+    arguments, failed = yield _arguments(low, e, scope)
+    if isinstance(e.callee, ast.Reference):
+        result: Value = yield _named(low, e, e.callee, arguments, scope, failed)
+        return result
+    callee = yield low.node(e.callee, scope)
+    return FAILURE if failed else _read(low, callee, arguments, e)
+
+
+def _arguments(low: Lowering, e: ast.Call, scope: Scope) -> Step[tuple[tuple[Node, ...], bool]]:
+    """The values of a call's arguments, and whether one of them failed."""
     arguments: list[Node] = []
     failed = False
     for argument in e.arguments:
         node = yield low.node(argument, scope)
         failed = failed or isinstance(node, Failure)
         arguments.append(node)
-    if isinstance(e.callee, ast.Reference):
-        result: Value = yield _named(low, e, e.callee, tuple(arguments), scope, failed)
-        return result
-    callee = yield low.node(e.callee, scope)
-    return FAILURE if failed else _read(low, callee, tuple(arguments), e)
+    return tuple(arguments), failed
 
 
 def _named(
@@ -57,8 +66,8 @@ def _named(
         if not failed:
             applied = yield _function(low, functions, arguments, e, scope)
         return applied
-    if name == "unguarded" and not failed:
-        return _unguarded(low, arguments, e)
+    if name == "unguarded":
+        return FAILURE if failed else _unguarded(low, arguments, e)
     if is_constructor(name):
         return FAILURE if failed else construct(low, name, arguments, e)
     if name in BUILTINS and name not in _NOT_CALLED:
@@ -206,35 +215,6 @@ def accepts(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...]) -> bool:
     return True
 
 
-def bind_type_parameters(
-    function: ast.Function, arguments: tuple[Node, ...]
-) -> dict[str, Type] | None:
-    """What each type parameter stands for, given the arguments: the widest type passed for it."""
-    variables: dict[str, Type] = {}
-    for parameter in function.type_parameters:
-        used = [
-            argument
-            for formal, argument in zip(function.arguments, arguments, strict=True)
-            if formal.type.name.text == parameter.name.text
-        ]
-        if not used:
-            return None
-        if parameter.family.text == "matrices":
-            type_ = used[0].type
-            if not isinstance(type_, Matrix):
-                return None
-        else:
-            family = overloads.WRITTEN_FAMILIES.get(parameter.family.text)
-            bound = None if family is None else overloads.common_type(
-                family, [overloads.operand(node) for node in used]
-            )  # fmt: skip
-            if bound is None:
-                return None
-            type_ = bound
-        variables[parameter.name.text] = type_
-    return variables
-
-
 def _apply(
     low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
 ) -> Step[Value]:
@@ -302,27 +282,15 @@ def apply_body(
     key = (symbol, tuple(argument.id for argument in arguments), surface)
     if key in low.applied:
         return low.applied[key]
-    if symbol in low.active:
-        names = [name for name, _ in low.active.values()]
-        start = list(low.active).index(symbol)
-        low.report.add(
-            rules.RECURSIVE_FUNCTION, span, name=symbol.name,
-            cycle=" → ".join([*names[start:], symbol.name]),
-        )  # fmt: skip
+    if not entered(low, symbol, span):
         return FAILURE
-    low.active[symbol] = (symbol.name, span)
     locals_ = {
         formal.name.text: argument
         for formal, argument in zip(function.arguments, arguments, strict=True)
     }
     scope = Scope(symbol.module, surface=surface, locals=locals_)
     result: Node | Failure = yield low.node(function.body, scope)
-    if function.result is not None:
-        variables = bind_type_parameters(function, arguments)
-        wanted = declared_type(low, function.result, symbol.module, variables)
-        result = FAILURE if wanted is None else low.fit(
-            result, wanted.type, wanted.text, function.body.span
-        )  # fmt: skip
+    result = fit_result(low, symbol, result, arguments)
     low.active.pop(symbol)
     low.applied[key] = result
     if isinstance(result, Node) and result.operands:
@@ -333,7 +301,7 @@ def apply_body(
 # --- with ----------------------------------------------------------------------------------------
 
 
-def _names_term(callee: ast.Expression, scope: Scope) -> bool:
+def _names_term(callee: ast.Expression | None, scope: Scope) -> bool:
     symbols = scope.module.find(callee.name) if isinstance(callee, ast.Reference) else ()
     return any(
         isinstance(s.declaration, ast.Function) and s.declaration.kind == "term" for s in symbols
@@ -346,6 +314,7 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
     if surface is None:
         low.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name="with")
         return FAILURE
+    check_once(low.report, (name for name, _ in e.replacements))
     given: dict[str, Replacement] = {}
     for name, expression in e.replacements:
         if not surface.has(name.text):
@@ -360,11 +329,12 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
             if wanted is not None:
                 node = low.fit(node, wanted.type, wanted.text, expression.span)
         given[name.text] = Replacement(value=node)
-    if not isinstance(e.operand, ast.Call) or not _names_term(e.operand.callee, scope):
+    term = e.operand.callee if isinstance(e.operand, ast.Call) else None
+    if not isinstance(e.operand, ast.Call) or not _names_term(term, scope):
         low.report.add(rules.WITH_NEEDS_TERM, e.operand.span)
         return FAILURE
-    shaded = Scope(
-        scope.module, scope.instance, scope.level, surface.with_replaced(given), scope.locals
-    )
-    result: Value = yield low.expression(e.operand, shaded)
+    assert isinstance(term, ast.Reference)
+    arguments, failed = yield _arguments(low, e.operand, scope)
+    shaded = replace(scope, surface=surface.with_replaced(given))
+    result: Value = yield _named(low, e.operand, term, arguments, shaded, failed)
     return result

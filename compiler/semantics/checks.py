@@ -12,7 +12,7 @@ from ..ir.node import Formal, Node
 from ..syntax import ast
 from . import lookup
 from .calls import apply_body
-from .declared import declared_type
+from .declared import declared_type, struct_of
 from .lights import light_instance, per_light
 from .modules import Module, Symbol
 from .records import Definition, records_of
@@ -35,7 +35,7 @@ def check_slots(low: Lowering, surface: Instance, passing: Instance) -> None:
 
 
 def check_declarations(low: Lowering, module: Module, surface: Instance) -> None:
-    """Lower a file's constants, functions and lights; generic functions wait for a use.
+    """Lower a file's constants, structures, functions and lights; generic functions wait for a use.
 
     The terms of a file with materials are checked where these use them, since they may read slots
     that only some material has.
@@ -46,6 +46,8 @@ def check_declarations(low: Lowering, module: Module, surface: Instance) -> None
             declaration = symbol.declaration
             if isinstance(declaration, ast.Constant):
                 run(lookup.value(low, symbol.name, declaration.name.span, Scope(module)))
+            elif isinstance(declaration, ast.StructDeclaration):
+                struct_of(low, symbol)
             elif isinstance(declaration, ast.Function):
                 if declaration.kind == "fn" or with_terms:
                     _check_function(low, symbol, declaration, surface)

@@ -20,7 +20,7 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
         return node
     kind = scalar_kind(wanted)
     if node.op == "select" and scalar_kind(node.type) != kind:
-        return _sides(graph, node, wanted, broadcast=broadcast)
+        return _choice(graph, node, wanted, broadcast=broadcast)
     if not isinstance(node.type, Scalar) or not isinstance(wanted, Scalar | Vector):
         return None
     lane = _as_kind(graph, node, kind)
@@ -29,17 +29,43 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
     return splat(graph, lane, width(wanted))
 
 
-def _sides(graph: Graph, node: Node, wanted: Type, *, broadcast: bool) -> Node | None:
+def _choice(graph: Graph, root: Node, wanted: Type, *, broadcast: bool) -> Node | None:
     """``if c then 1 else 0`` as a float: a choice between constants adapts as they do."""
-    condition, *sides = node.operands
-    then, otherwise = (coerce(graph, side, wanted, broadcast=broadcast) for side in sides)
-    if then is None or otherwise is None:
-        return None
-    return graph.node("select", wanted, (condition, then, otherwise))
+    fitted: dict[int, Node] = {}
+    for node in reversed(_choices(root)):
+        condition, *sides = node.operands
+        for side in sides:
+            if side.id not in fitted:
+                adapted = coerce(graph, side, wanted, broadcast=broadcast)
+                if adapted is None:
+                    return None
+                fitted[side.id] = adapted
+        then, otherwise = (fitted[side.id] for side in sides)
+        fitted[node.id] = graph.node("select", wanted, (condition, then, otherwise))
+    return fitted[root.id]
+
+
+def _choices(root: Node) -> list[Node]:
+    """A choice and those that it chooses between; each behind all that choose it."""
+    inside = [n for n in reachable((root,)) if n.op == "select" and n.type == root.type]
+    wanted = {root.id}
+    found = []
+    for node in reversed(inside):
+        if node.id in wanted:
+            found.append(node)
+            wanted.update(side.id for side in node.operands[1:])
+    return found
 
 
 def is_constant(node: Node) -> bool:
-    """Whether a value is written in the program: a literal, or one with a sign."""
+    """Whether a value is written in the program: a literal, one with a sign, or a choice."""
+    if node.op == "select":
+        sides = (side for choice in _choices(node) for side in choice.operands[1:])
+        return all(side.op == "select" or _is_literal(side) for side in sides)
+    return _is_literal(node)
+
+
+def _is_literal(node: Node) -> bool:
     while node.op == "call" and node.data == "neg":
         node = node.operands[0]
     return node.op == "constant"

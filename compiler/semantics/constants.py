@@ -47,15 +47,21 @@ class ConstantValues:
             return None
         return lanes[0] if len(lanes) == 1 and not isinstance(node.type, Matrix) else lanes
 
+    def known_integer(self, node: Node) -> int | None:
+        """The value of an ``int`` where it is one, and nothing is reported if not."""
+        return int(evaluate(node)[0]) if self._small_constant(node) else None
+
     def is_zero(self, node: Node) -> bool:
         """Whether a node is a constant with a lane that counts as zero."""
-        if node.op != "constant" and not self._small_constant(node):
+        if not self._small_constant(node):
             return False
         lanes = evaluate(node)
         return any(not isinstance(v, tuple) and abs(v) < SMALLEST_NORMAL for v in lanes)
 
     def _small_constant(self, node: Node) -> bool:
         """Whether a node is plainly made of constants; only its near surroundings are looked at."""
+        if node.op == "constant":
+            return True
         if any(op.op not in _OPERATIONS for op in (node, *node.operands)):
             return False
         return all(n.op in _OPERATIONS for n in reachable((node,)))

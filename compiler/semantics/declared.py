@@ -27,7 +27,7 @@ def declared_type(
     symbols = module.find(written.name.text)
     structs = {}
     if symbols and isinstance(symbols[0].declaration, ast.StructDeclaration):
-        struct = _struct(low, symbols[0])
+        struct = struct_of(low, symbols[0])
         if struct is None:
             return None
         structs[written.name.text] = struct
@@ -53,8 +53,15 @@ def count_of(low: Lowering, expression: ast.Expression, module: Module) -> int |
     return count
 
 
-def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
+def struct_of(low: Lowering, symbol: Symbol) -> Struct | None:
     """The struct a symbol declares; structs may contain structs but never themselves."""
+    if symbol not in low.structs:
+        found = _struct(low, symbol)
+        low.structs.setdefault(symbol, found)
+    return low.structs[symbol]
+
+
+def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
     declaration = symbol.declaration
     assert isinstance(declaration, ast.StructDeclaration)
     if symbol in low.active:
@@ -63,6 +70,7 @@ def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
             rules.CYCLIC_DEFINITION, declaration.name.span, name=symbol.name,
             cycle=" → ".join([*names, symbol.name]),
         )
+        low.structs[symbol] = None
         return None
     low.active[symbol] = (symbol.name, declaration.name.span)
     members = []

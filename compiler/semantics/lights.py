@@ -20,6 +20,7 @@ from ..ir.types import INT, Array, Scalar, Struct, Vector, scalar_kind
 from ..syntax import ast
 from . import lookup
 from .folds import fold
+from .functions import entered, fit_result
 from .modules import Symbol
 from .scope import FAILURE, Failure, Instance, LightVariable, RigEntry, Scope, Value
 from .trampoline import Step
@@ -39,7 +40,7 @@ def per_light(
         elif not low.report.failed:  # The rig may be empty because its entries were wrong.
             low.report.add(rules.EMPTY_RIG, span, name=symbol.name)
         return FAILURE
-    shared = yield _shared_body(low, symbol, arguments, surface)
+    shared = yield _shared_body(low, symbol, arguments, span, surface)
     if isinstance(shared, Failure):
         return FAILURE
     body, names = shared
@@ -61,17 +62,21 @@ def per_light(
 
 
 def _shared_body(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], surface: Instance
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span, surface: Instance
 ) -> Step[tuple[Node, dict[str, Node]] | Failure]:
     """The term's body with ``light``'s slots bound, and those slots in order."""
     function = symbol.declaration
     assert isinstance(function, ast.Function)
+    if not entered(low, symbol, span):
+        return FAILURE
     instance, _ = light_instance(low, low.rig[0], surface)
     light = LightVariable({}, instance.record, instance)
     locals_: dict[str, Value] = {"light": light}
     for formal, argument in zip(function.arguments, arguments, strict=True):
         locals_[formal.name.text] = argument
     body = yield low.node(function.body, Scope(symbol.module, surface=surface, locals=locals_))
+    body = fit_result(low, symbol, body, arguments)
+    low.active.pop(symbol)
     if isinstance(body, Failure):
         return FAILURE
     if not isinstance(body.type, Scalar | Vector) or scalar_kind(body.type) == "bool":
@@ -97,7 +102,7 @@ def _contribution(
     given = []
     for name, variable in slots.items():
         if not instance.has(name):
-            declared = instance.record.symbol.declaration.namspan
+            declared = instance.record.symbol.declaration.name.span
             low.report.add(
                 rules.LIGHT_LACKS_SLOT, span, light=instance.record.name, slot=name,
                 labels=[Label(declared, "this light")],

@@ -14,11 +14,11 @@ from ..diagnostics.diagnostic import Label
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Span
 from ..ir.node import Formal, Node
-from ..ir.types import BOOL, VEC4, Type
+from ..ir.types import BOOL, VEC4, Texture, Type
 from ..syntax import ast
 from .declared import declared_type
 from .modules import Module, Symbol
-from .records import Definition, NamedMember
+from .records import Definition, NamedMember, Record
 from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
 from .trampoline import Step
 
@@ -210,15 +210,25 @@ def _defined(
     """The value of an equation as the type that its slot was declared with."""
     locals_ = {"material": scope.surface} if scope.surface is not None else {}
     result: Node | Failure = yield low.node(expression, scope.binding(locals_))
-    written = instance.record.typed(name)
+    record = _typing(instance, name)
+    written = record.typed(name)
     if written is None:
         return result
-    owner = next(d for d in instance.record.definitions[name] if d.member.type is written).owner
+    owner = next(d for d in record.definitions[name] if d.member.type is written).owner
     wanted = declared_type(low, written, owner.module)
     if wanted is None:
         return FAILURE
     fitted: Node | Failure = low.fit(result, wanted.type, wanted.text, expression.span)
     return fitted
+
+
+def _typing(instance: Instance, name: str) -> Record:
+    """The record whose written type holds: a pass's slot keeps that of the one it overrides."""
+    surface = instance.surface
+    given = None if surface is None else surface.replaced.get(name)
+    if surface is None or given is None or given.within is not instance:
+        return instance.record
+    return surface.record
 
 
 def _note(low: Lowering, instance: Instance, name: str, node: Node) -> None:
@@ -267,6 +277,12 @@ def light_slot(low: Lowering, light: LightVariable, name: ast.Name) -> Step[Valu
         return FAILURE
     sample = yield slot(low, light.instance, name.text, name.span)
     if isinstance(sample, Failure):
+        return FAILURE
+    if isinstance(sample.type, Texture):
+        low.report.add(
+            rules.WRONG_TYPE, name.span, expected="a value", found=sample.type,
+            hint="read the texture in a slot of the light",
+        )  # fmt: skip
         return FAILURE
     variable = low.graph.node("formal", sample.type, (), Formal(name.text))
     light.variables[name.text] = variable

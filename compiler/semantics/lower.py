@@ -69,6 +69,9 @@ class Lowering:
         self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
         self.active: dict[Any, tuple[str, Span]] = {}
         """What is being lowered right now, outermost first: finding it again is a cycle."""
+        self.recursive: set[Symbol] = set()
+        """Functions that call themselves, which has been reported."""
+        self.structs: dict[Symbol, Struct | None] = {}
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
 
     def expression(self, expression: ast.Expression, scope: Scope) -> Step[Value]:
@@ -224,13 +227,12 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
         case _:
             low.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type)
             return FAILURE
-    if position.op == "constant":
-        if not 0 <= int(position.data) < count:
-            low.report.add(
-                rules.OUT_OF_BOUNDS, e.index.span, index=position.data, type=operand.type
-            )
+    known = low.constants.known_integer(position)
+    if known is not None:
+        if not 0 <= known < count:
+            low.report.add(rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type)
             return FAILURE
-        return build.index(low.graph, operand, position)
+        return build.index(low.graph, operand, build.constant(low.graph, INT, known))
     zero, last = (build.constant(low.graph, INT, n) for n in (0, count - 1))
     clamped = low.graph.node("call", INT, (position, zero, last), "clamp")
     return build.index(low.graph, operand, clamped)
@@ -239,8 +241,12 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
 # --- operators -----------------------------------------------------------------------------------
 
 
+def _is_lowest(number: ast.Number) -> bool:
+    return number.kind == "int" and number.text == LOWEST
+
+
 def _unary(low: Lowering, e: ast.Unary, scope: Scope) -> Step[Value]:
-    if e.operator == "-" and isinstance(e.operand, ast.Number) and e.operand.text == LOWEST:
+    if e.operator == "-" and isinstance(e.operand, ast.Number) and _is_lowest(e.operand):
         return build.constant(low.graph, INT, -int(LOWEST))
     operand = yield low.node(e.operand, scope)
     if isinstance(operand, Failure):

@@ -17,6 +17,7 @@ from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Source, Span
 from ..syntax import ast
 from .typenames import described
+from .unique import check_once
 
 Named = ast.Record | ast.Function | ast.Rig | ast.StructDeclaration | ast.Space | ast.Constant
 
@@ -143,6 +144,7 @@ class Loader:
             self._import(module, wanted)
 
     def _declare(self, module: Module, declaration: Named) -> None:
+        _check_inside(self._report, declaration)
         name = declaration.name
         others = module.declared.get(name.text, ())
         overload = isinstance(declaration, ast.Function) and all(
@@ -283,6 +285,19 @@ class Loader:
         self._loading.pop()
         self._modules[path] = linked
         return linked
+
+
+def _check_inside(report: Report, declaration: Named) -> None:
+    """Names that a declaration gives to its parts, each once."""
+    match declaration:
+        case ast.StructDeclaration(members=members):
+            check_once(report, (member.name for member in members))
+        case ast.Function():
+            check_once(report, (variable.name for variable in declaration.type_parameters))
+            check_once(report, (argument.name for argument in declaration.arguments))
+        case ast.Rig():
+            for entry in declaration.entries:
+                check_once(report, (override.name for override in entry.overrides))
 
 
 def _library_name(path: Path) -> str:

@@ -20,6 +20,7 @@ from .scope import Failure, Scope
 from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
 from .trampoline import run
 from .typenames import Declared
+from .unique import check_once
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -196,6 +197,7 @@ def _resource(
 
 
 def _sampler_state(low: Lowering, member: ast.Map) -> dict[str, str]:
+    check_once(low.report, (key for key, _ in member.state))
     state = {key: values[0] for key, values in SAMPLER_STATE.items()}
     for key, value in member.state:
         if key.text not in SAMPLER_STATE:

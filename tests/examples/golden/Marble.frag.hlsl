@@ -9,21 +9,13 @@ cbuffer View : register(b0, space0) {
 
 cbuffer Rig : register(b0, space1) {
     float3 ambient_light;  /// Light from everywhere
-    float rig_pad_0;
     float3 sun_diffuse_color;
-    float rig_pad_1;
     float3 sun_specular_color;
-    float rig_pad_2;
     float3 sun_direction;  /// Where the light travels
-};
-
-cbuffer RigDerived : register(b1, space1) {
-    float3 color_product;
 };
 
 cbuffer Material : register(b0, space2) {
     float3 stone;
-    float material_pad_0;
     float3 veins;
     float grain;  /// How many veins there are
 };
@@ -37,6 +29,11 @@ struct FragmentInput {
     [[vk::location(1)]] float3 normal : TEXCOORD1;
 };
 
+/// Zero stays zero, and everything is continuous.
+float3 safe_normalize(float3 v) {
+    return v * rsqrt(max(dot(v, v), 1.1754944e-38));
+}
+
 float4 main(FragmentInput input) : SV_Target0 {
     float vein_turbulence = 0.0;
     for (int i = 0; i < 4; i++) {
@@ -48,14 +45,10 @@ float4 main(FragmentInput input) : SV_Target0 {
     }
     float vein = vein_turbulence >= 1.1754944e-38 ? pow(vein_turbulence, 3.0) : 0.0;
     float3 kd = stone + kd_difference * vein;
-    float3 normal = input.normal * rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
+    float3 normal = safe_normalize(input.normal);
     float normal_dot_sun_to_light = dot(normal, -sun_direction);
-    float3 phong = float3(0.0, 0.0, 0.0);
-    if (normal_dot_sun_to_light > 0.0) {
-        float3 to_eye_difference = eye - input.position;
-        float3 to_eye = to_eye_difference * rsqrt(max(dot(to_eye_difference, to_eye_difference), 1.1754944e-38));
-        phong = color_product * pow(saturate(dot(reflect(sun_direction, normal), to_eye)), 80.0);
-    }
-    float3 color = kd * ambient_light + (kd * sun_diffuse_color * saturate(normal_dot_sun_to_light) + phong);
+    float3 to_eye = safe_normalize(eye - input.position);
+    float3 lambert_phong = kd * saturate(normal_dot_sun_to_light) * sun_diffuse_color + 0.5 * (normal_dot_sun_to_light > 0.0 ? pow(saturate(dot(reflect(sun_direction, normal), to_eye)), 80.0) : 0.0) * sun_specular_color;
+    float3 color = kd * ambient_light + lambert_phong;
     return float4(color, 1.0);
 }

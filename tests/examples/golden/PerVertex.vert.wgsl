@@ -8,16 +8,9 @@ struct View {
 
 struct Rig {
     ambient_light: vec3f,  /// Light from everywhere
-    rig_pad_0: f32,
     sun_diffuse_color: vec3f,
-    rig_pad_1: f32,
     sun_specular_color: vec3f,
-    rig_pad_2: f32,
     sun_direction: vec3f,  /// Where the light travels
-}
-
-struct RigDerived {
-    color_product: vec3f,
 }
 
 struct Material {
@@ -35,7 +28,6 @@ struct DrawDerived {
 
 @group(0) @binding(0) var<uniform> view: View;
 @group(1) @binding(0) var<uniform> rig: Rig;
-@group(1) @binding(1) var<uniform> rig_derived: RigDerived;
 @group(2) @binding(0) var<uniform> material: Material;
 @group(3) @binding(0) var<uniform> draw: Draw;
 @group(3) @binding(1) var<uniform> draw_derived: DrawDerived;
@@ -50,20 +42,20 @@ struct VertexOutput {
     @builtin(position) clip_position: vec4f,
 }
 
+/// Zero stays zero, and everything is continuous.
+fn safe_normalize(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
+}
+
 @vertex
 fn main(input: VertexInput) -> VertexOutput {
     let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
-    let normal_product = mat3x3f(draw_derived.normal_matrix[0].xyz, draw_derived.normal_matrix[1].xyz, draw_derived.normal_matrix[2].xyz) * input.vertex_normal;
-    let normal = normal_product * inverseSqrt(max(dot(normal_product, normal_product), 1.1754944e-38));
+    let normal = safe_normalize(mat3x3f(draw_derived.normal_matrix[0].xyz, draw_derived.normal_matrix[1].xyz, draw_derived.normal_matrix[2].xyz) * input.vertex_normal);
     let normal_dot_sun_to_light = dot(normal, -rig.sun_direction);
-    var phong: vec3f = vec3f(0.0);
-    if (normal_dot_sun_to_light > 0.0) {
-        let to_eye_difference = view.eye - position;
-        let to_eye = to_eye_difference * inverseSqrt(max(dot(to_eye_difference, to_eye_difference), 1.1754944e-38));
-        phong = rig_derived.color_product * pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p);
-    }
+    let to_eye = safe_normalize(view.eye - position);
+    let lambert_phong = material.kd * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color + 0.6 * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p), normal_dot_sun_to_light > 0.0) * rig.sun_specular_color;
     var output: VertexOutput;
-    output.color = material.kd * rig.ambient_light + (material.kd * rig.sun_diffuse_color * saturate(normal_dot_sun_to_light) + phong);
+    output.color = material.kd * rig.ambient_light + lambert_phong;
     output.clip_position = view.view_projection * vec4f(position, 1.0);
     return output;
 }

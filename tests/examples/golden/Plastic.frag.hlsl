@@ -3,11 +3,9 @@
 
 struct Point {
     float3 diffuse_color;
-    float pad_0;
     float3 specular_color;
-    float pad_1;
     float3 place;
-    float pad_2;
+    float pad_0;
 };
 
 cbuffer View : register(b0, space0) {
@@ -17,24 +15,18 @@ cbuffer View : register(b0, space0) {
 
 cbuffer Rig : register(b0, space1) {
     float3 ambient_light;  /// Light from everywhere
-    float rig_pad_0;
     float3 sun_diffuse_color;
-    float rig_pad_1;
     float3 sun_specular_color;
-    float rig_pad_2;
     float3 sun_direction;  /// Where the light travels
-    float rig_pad_3;
+    float rig_pad_0;
     Point lamps[8];
     int lamps_count;  /// How many of `lamps` shine
-    float rig_pad_4;
-    float rig_pad_5;
-    float rig_pad_6;
+    float rig_pad_1;
+    float rig_pad_2;
+    float rig_pad_3;
     float3 torch_diffuse_color;
-    float rig_pad_7;
     float3 torch_specular_color;
-    float rig_pad_8;
     float3 torch_place;
-    float rig_pad_9;
     float3 torch_axis;  /// Where the light travels
     float torch_inner;
     float torch_outer;
@@ -48,7 +40,6 @@ cbuffer RigDerived : register(b1, space1) {
 
 cbuffer Material : register(b0, space2) {
     float3 base;  /// Base colour
-    float material_pad_0;
     float3 shine;  /// Highlight colour
     float power;  /// Specular exponent
 };
@@ -62,31 +53,30 @@ struct FragmentInput {
     [[vk::location(2)]] float2 uv : TEXCOORD2;
 };
 
-float3 lambert_phong(float3 diffuse, float3 to_light, float3 specular, float3 tint, float3 normal, float3 to_eye) {
+/// Zero stays zero, and everything is continuous.
+float3 safe_normalize(float3 v) {
+    return v * rsqrt(max(dot(v, v), 1.1754944e-38));
+}
+
+float3 lambert_phong(float3 to_light, float3 diffuse, float3 specular, float3 normal, float3 tint, float3 to_eye) {
     float normal_dot_to_light = dot(normal, to_light);
-    float3 phong = float3(0.0, 0.0, 0.0);
-    if (normal_dot_to_light > 0.0) {
-        phong = shine * specular * pow(saturate(dot(reflect(-to_light, normal), to_eye)), power);
-    }
-    return tint * diffuse * saturate(normal_dot_to_light) + phong;
+    float3 phong = shine * (normal_dot_to_light > 0.0 ? pow(saturate(dot(reflect(-to_light, normal), to_eye)), power) : 0.0) * specular;
+    return tint * saturate(normal_dot_to_light) * diffuse + phong;
 }
 
 float4 main(FragmentInput input) : SV_Target0 {
     float3 tint = base * albedo.Sample(albedo_sampler, input.uv).xyz;
-    float3 normal = input.normal * rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
-    float3 to_eye_difference = eye - input.position;
-    float3 to_eye = to_eye_difference * rsqrt(max(dot(to_eye_difference, to_eye_difference), 1.1754944e-38));
+    float3 normal = safe_normalize(input.normal);
+    float3 to_eye = safe_normalize(eye - input.position);
     float3 color_total = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < min(lamps_count, 8); i++) {
-        float3 lamps_to_light_difference = lamps[i].place - input.position;
-        float3 lamps_to_light = lamps_to_light_difference * rsqrt(max(dot(lamps_to_light_difference, lamps_to_light_difference), 1.1754944e-38));
-        color_total += lambert_phong(lamps[i].diffuse_color, lamps_to_light, lamps[i].specular_color, tint, normal, to_eye);
+        float3 lamps_to_light = safe_normalize(lamps[i].place - input.position);
+        color_total += lambert_phong(lamps_to_light, lamps[i].diffuse_color, lamps[i].specular_color, normal, tint, to_eye);
     }
-    float3 torch_to_light_difference = torch_place - input.position;
-    float3 torch_to_light = torch_to_light_difference * rsqrt(max(dot(torch_to_light_difference, torch_to_light_difference), 1.1754944e-38));
+    float3 torch_to_light = safe_normalize(torch_place - input.position);
     float torch_falloff_cosine = dot(torch_axis, -torch_to_light);
     float torch_falloff_along = saturate((torch_falloff_cosine - torch_falloff_cos) * torch_falloff_inverse_width);
     float torch_falloff = torch_falloff_edges_meet != 0u ? step(torch_falloff_cos, torch_falloff_cosine) : torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along);
-    float3 color = tint * ambient_light + lambert_phong(sun_diffuse_color, -sun_direction, sun_specular_color, tint, normal, to_eye) + color_total + lambert_phong(torch_diffuse_color * torch_falloff, torch_to_light, torch_specular_color * torch_falloff, tint, normal, to_eye);
+    float3 color = tint * ambient_light + lambert_phong(-sun_direction, sun_diffuse_color, sun_specular_color, normal, tint, to_eye) + color_total + lambert_phong(torch_to_light, torch_diffuse_color * torch_falloff, torch_specular_color * torch_falloff, normal, tint, to_eye);
     return float4(color, 1.0);
 }

@@ -3,11 +3,9 @@
 
 struct Point {
     diffuse_color: vec3f,
-    pad_0: f32,
     specular_color: vec3f,
-    pad_1: f32,
     place: vec3f,
-    pad_2: f32,
+    pad_0: f32,
 }
 
 struct View {
@@ -17,24 +15,18 @@ struct View {
 
 struct Rig {
     ambient_light: vec3f,  /// Light from everywhere
-    rig_pad_0: f32,
     sun_diffuse_color: vec3f,
-    rig_pad_1: f32,
     sun_specular_color: vec3f,
-    rig_pad_2: f32,
     sun_direction: vec3f,  /// Where the light travels
-    rig_pad_3: f32,
+    rig_pad_0: f32,
     lamps: array<Point, 8>,
     lamps_count: i32,  /// How many of `lamps` shine
-    rig_pad_4: f32,
-    rig_pad_5: f32,
-    rig_pad_6: f32,
+    rig_pad_1: f32,
+    rig_pad_2: f32,
+    rig_pad_3: f32,
     torch_diffuse_color: vec3f,
-    rig_pad_7: f32,
     torch_specular_color: vec3f,
-    rig_pad_8: f32,
     torch_place: vec3f,
-    rig_pad_9: f32,
     torch_axis: vec3f,  /// Where the light travels
     torch_inner: f32,
     torch_outer: f32,
@@ -48,7 +40,6 @@ struct RigDerived {
 
 struct Material {
     base: vec3f,  /// Base colour
-    material_pad_0: f32,
     shine: vec3f,  /// Highlight colour
     power: f32,  /// Specular exponent
 }
@@ -66,32 +57,31 @@ struct FragmentInput {
     @location(2) uv: vec2f,
 }
 
-fn lambert_phong(diffuse: vec3f, to_light: vec3f, specular: vec3f, tint: vec3f, normal: vec3f, to_eye: vec3f) -> vec3f {
+/// Zero stays zero, and everything is continuous.
+fn safe_normalize(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
+}
+
+fn lambert_phong(to_light: vec3f, diffuse: vec3f, specular: vec3f, normal: vec3f, tint: vec3f, to_eye: vec3f) -> vec3f {
     let normal_dot_to_light = dot(normal, to_light);
-    var phong: vec3f = vec3f(0.0);
-    if (normal_dot_to_light > 0.0) {
-        phong = material.shine * specular * pow(saturate(dot(reflect(-to_light, normal), to_eye)), material.power);
-    }
-    return tint * diffuse * saturate(normal_dot_to_light) + phong;
+    let phong = material.shine * select(0.0, pow(saturate(dot(reflect(-to_light, normal), to_eye)), material.power), normal_dot_to_light > 0.0) * specular;
+    return tint * saturate(normal_dot_to_light) * diffuse + phong;
 }
 
 @fragment
 fn main(input: FragmentInput) -> @location(0) vec4f {
     let tint = material.base * textureSample(albedo, albedo_sampler, input.uv).xyz;
-    let normal = input.normal * inverseSqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
-    let to_eye_difference = view.eye - input.position;
-    let to_eye = to_eye_difference * inverseSqrt(max(dot(to_eye_difference, to_eye_difference), 1.1754944e-38));
+    let normal = safe_normalize(input.normal);
+    let to_eye = safe_normalize(view.eye - input.position);
     var color_total: vec3f = vec3f(0.0);
     for (var i: i32 = 0; i < min(rig.lamps_count, 8); i++) {
-        let lamps_to_light_difference = rig.lamps[i].place - input.position;
-        let lamps_to_light = lamps_to_light_difference * inverseSqrt(max(dot(lamps_to_light_difference, lamps_to_light_difference), 1.1754944e-38));
-        color_total += lambert_phong(rig.lamps[i].diffuse_color, lamps_to_light, rig.lamps[i].specular_color, tint, normal, to_eye);
+        let lamps_to_light = safe_normalize(rig.lamps[i].place - input.position);
+        color_total += lambert_phong(lamps_to_light, rig.lamps[i].diffuse_color, rig.lamps[i].specular_color, normal, tint, to_eye);
     }
-    let torch_to_light_difference = rig.torch_place - input.position;
-    let torch_to_light = torch_to_light_difference * inverseSqrt(max(dot(torch_to_light_difference, torch_to_light_difference), 1.1754944e-38));
+    let torch_to_light = safe_normalize(rig.torch_place - input.position);
     let torch_falloff_cosine = dot(rig.torch_axis, -torch_to_light);
     let torch_falloff_along = saturate((torch_falloff_cosine - rig_derived.torch_falloff_cos) * rig_derived.torch_falloff_inverse_width);
     let torch_falloff = select(torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along), step(rig_derived.torch_falloff_cos, torch_falloff_cosine), rig_derived.torch_falloff_edges_meet != 0u);
-    let color = tint * rig.ambient_light + lambert_phong(rig.sun_diffuse_color, -rig.sun_direction, rig.sun_specular_color, tint, normal, to_eye) + color_total + lambert_phong(rig.torch_diffuse_color * torch_falloff, torch_to_light, rig.torch_specular_color * torch_falloff, tint, normal, to_eye);
+    let color = tint * rig.ambient_light + lambert_phong(-rig.sun_direction, rig.sun_diffuse_color, rig.sun_specular_color, normal, tint, to_eye) + color_total + lambert_phong(torch_to_light, rig.torch_diffuse_color * torch_falloff, rig.torch_specular_color * torch_falloff, normal, tint, to_eye);
     return vec4f(color, 1.0);
 }
