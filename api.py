@@ -16,6 +16,7 @@ from .compiler.frontend import Frontend
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.shader import Shader
+from .frozen import frozen
 from .targets import registry
 from .targets.emit.description import Profile, Target
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
@@ -90,7 +91,7 @@ class CompiledMaterial:
         }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CompileResult:
     """All materials of a file, and what there is to say about it (warnings, as it compiled)."""
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from ...frozen import frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
 from .types import Type
 
 InterpolationMode = Literal["perspective", "flat"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Parameter:
     """A member of a group's uniform block.
 
@@ -40,7 +41,7 @@ class Resource:
     """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Attribute:
     """A vertex input."""
 

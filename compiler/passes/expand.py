@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
-from dataclasses import dataclass, replace
 from functools import lru_cache
 
+from ...frozen import changed, frozen
 from ...stdlib.builtins import BUILTINS
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
@@ -22,7 +22,7 @@ from ..semantics.typenames import TypeResolver
 from ..syntax import ast
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """One node of a template; operands are numbers of earlier steps."""
 
@@ -34,7 +34,7 @@ class Step:
     """The function of ``meaning.burnish`` whose value this is."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Template:
     """An expansion as steps; the first ones are its parameters."""
 
@@ -62,7 +62,7 @@ def template(name: str, types: tuple[Type, ...]) -> Template:
     lanes = tuple(Scalar(t.kind) if isinstance(t, Vector) else t for t in types)
     scalar = _lowered(name, lanes)
     assert scalar is not None, f"no expansion of {name} takes {types}"
-    return replace(scalar, lanewise=True)
+    return changed(scalar, lanewise=True)
 
 
 def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:

@@ -8,8 +8,8 @@ could not be proven is kept for the reader as a ``Guard``.
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass
 
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
@@ -29,7 +29,7 @@ OUTLINED = 3
 """Expansions of at least so many operations become functions where they are used repeatedly."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Guard:
     """A builtin that keeps its guard, and what was known of its operands."""
 

@@ -8,8 +8,8 @@ together are incomparable: a value that reads two of them stays in the shader.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from ...frozen import frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, reachable
 from ..ir.types import Matrix, Scalar, Vector
@@ -26,7 +26,7 @@ CHEAP = frozenset({"neg", "not"})
 """Operand modifiers: free in hardware, so a stored value would only cost memory."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Derived:
     """A parameter that the host computes from others."""
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
 from ..ir.node import Node, reachable
@@ -21,7 +21,7 @@ FARTHEST = 16
 """Conditions looked at on the way out; farther ones rarely say anything more."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Path:
     """The region behind one side of a select."""
 

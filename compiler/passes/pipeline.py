@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
+from ...frozen import frozen
 from ..ir import build
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Graph, Node
@@ -31,7 +31,7 @@ from .storage import lower_reads
 Pass = Callable[[list[Node]], list[Node]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Options:
     """Choices that change a program but not its meaning."""
 
@@ -39,7 +39,7 @@ class Options:
     """Compute what depends on parameters only on the host side."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Staged:
     """A program with what else is to be told about it."""
 
@@ -48,7 +48,7 @@ class Staged:
     guards: tuple[Guard, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Results:
     """The values a shader has to deliver, in the form of the moment."""
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ..ir.node import Folding, Formal, Node
 from ..ir.program import Branch, Let, Loop, Region, Statement
@@ -44,7 +45,7 @@ class _Block:
     nodes: list[Node] = field(default_factory=list)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scheduled:
     """Statements, and the values that a function's body takes from its caller."""
 

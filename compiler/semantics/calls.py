@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
@@ -335,6 +335,6 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
         return FAILURE
     assert isinstance(term, ast.Reference)
     arguments, failed = yield _arguments(low, e.operand, scope)
-    shaded = replace(scope, surface=surface.with_replaced(given))
+    shaded = changed(scope, surface=surface.with_replaced(given))
     result: Value = yield _named(low, e.operand, term, arguments, shaded, failed)
     return result

@@ -7,7 +7,7 @@ else converts without being asked to.
 from __future__ import annotations
 
 from ..ir.build import constant, splat
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, reachable
 from ..ir.types import Scalar, Type, Vector, scalar_kind, width
 
 
@@ -32,7 +32,7 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
 def _choice(graph: Graph, root: Node, wanted: Type, *, broadcast: bool) -> Node | None:
     """``if c then 1 else 0`` as a float: a choice between constants adapts as they do."""
     fitted: dict[int, Node] = {}
-    for node in reversed(_choices(root)):
+    for node in _choices(root):
         condition, *sides = node.operands
         for side in sides:
             if side.id not in fitted:
@@ -46,15 +46,15 @@ def _choice(graph: Graph, root: Node, wanted: Type, *, broadcast: bool) -> Node 
 
 
 def _choices(root: Node) -> list[Node]:
-    """A choice and those that it chooses between; each behind all that choose it."""
-    inside = [n for n in reachable((root,)) if n.op == "select" and n.type == root.type]
-    wanted = {root.id}
-    found = []
-    for node in reversed(inside):
-        if node.id in wanted:
-            found.append(node)
-            wanted.update(side.id for side in node.operands[1:])
-    return found
+    """A choice and those that it chooses between, the innermost first."""
+    found = {root.id: root}
+    pending = [root]
+    while pending:
+        for side in pending.pop().operands[1:]:
+            if side.op == "select" and side.id not in found:
+                found[side.id] = side
+                pending.append(side)
+    return [found[number] for number in sorted(found)]
 
 
 def is_constant(node: Node) -> bool:

@@ -65,7 +65,8 @@ def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
     declaration = symbol.declaration
     assert isinstance(declaration, ast.StructDeclaration)
     if symbol in low.active:
-        names = [name for name, _ in low.active.values()]
+        start = list(low.active).index(symbol)
+        names = [name for name, _ in low.active.values()][start:]
         low.report.add(
             rules.CYCLIC_DEFINITION, declaration.name.span, name=symbol.name,
             cycle=" → ".join([*names, symbol.name]),

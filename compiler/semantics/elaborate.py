@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from typing import TypeVar
 
+from ...frozen import changed, frozen
 from ..diagnostics import rules
-from ..diagnostics.diagnostic import Report
-from ..ir.leaves import Parameter
+from ..diagnostics.diagnostic import Label, Report
+from ..ir.leaves import Parameter, Resource
 from ..ir.node import Node
 from ..ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ..syntax import ast
@@ -37,7 +38,7 @@ CLIP_POSITION = "clip_position"
 """The slot that every pass (or its material) has to define: a vec4 in the vertex domain."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Parts:
     """What is multiplied."""
 
@@ -56,6 +57,7 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     material, drawn = records.of(parts.material), records.of(parts.pass_)
     material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
     pass_leaves = _apart(pass_leaves, material_leaves, drawn)
+    _check_attributes(low, pass_leaves, material_leaves, material)
     surface = _instance(low, material, material_leaves)
     passing = _instance(low, drawn, pass_leaves)
     passing.surface = surface
@@ -80,7 +82,7 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
         parameters=_all_parameters(leaves, entries),
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),
-        attributes=tuple(a for ls in leaves for a in ls.attributes),
+        attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         clip_position=clip,
         targets=targets,
         discard=discard,
@@ -95,19 +97,43 @@ def _all_parameters(
 
 
 def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:
-    """A pass's parameters under names that its material does not use."""
+    """A pass's parameters and textures under names that its material does not use."""
     taken = {info.parameter.name for info in others.parameters}
-    renamed = tuple(
-        replace(info, parameter=_prefixed(info.parameter, drawn))
+    taken |= {info.resource.name for info in others.resources}
+    parameters = tuple(
+        changed(info, parameter=_prefixed(info.parameter, drawn))
         if info.parameter.name in taken
         else info
         for info in leaves.parameters
     )
-    return replace(leaves, parameters=renamed)
+    resources = tuple(
+        changed(info, resource=_prefixed(info.resource, drawn))
+        if info.resource.name in taken
+        else info
+        for info in leaves.resources
+    )
+    return changed(leaves, parameters=parameters, resources=resources)
 
 
-def _prefixed(parameter: Parameter, drawn: Record) -> Parameter:
-    return replace(parameter, name=f"{drawn.name}.{parameter.name}")
+Leaf = TypeVar("Leaf", Parameter, Resource)
+
+
+def _prefixed(leaf: Leaf, drawn: Record) -> Leaf:
+    return changed(leaf, name=f"{drawn.name}.{leaf.name}")
+
+
+def _check_attributes(low: Lowering, leaves: Leaves, others: Leaves, material: Record) -> None:
+    """A vertex input that a pass and its material declare is one."""
+    known = {info.attribute.name: info for info in others.attributes}
+    for info in leaves.attributes:
+        other = known.get(info.attribute.name)
+        if other is not None and other.attribute != info.attribute:
+            low.report.add(
+                rules.OVERRIDE_CHANGES_TYPE, info.span,
+                name=info.attribute.name, base=material.name,
+                expected=other.declared_type, found=info.declared_type,
+                labels=[Label(other.span, "declared here")],
+            )  # fmt: skip
 
 
 def _instance(low: Lowering, record: Record, leaves: Leaves) -> Instance:
@@ -119,7 +145,7 @@ def _instance(low: Lowering, record: Record, leaves: Leaves) -> Instance:
         leaf = attribute.attribute
         nodes[leaf.name] = low.graph.node("attribute", leaf.type, (), leaf)
     resources = {
-        info.resource.name: low.graph.node("resource", info.resource.type, (), info.resource)
+        info.resource.name.rpartition(".")[2]: low.graph.node("resource", info.resource.type, (), info.resource)
         for info in leaves.resources
     }
     return Instance(record, parameters=nodes, resources=resources)

@@ -16,7 +16,20 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.node import Formal, Graph, Node
-from ..ir.types import BOOL, Texture, FLOAT, INT, UINT, Array, Matrix, Scalar, Struct, Type, Vector, width
+from ..ir.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    UINT,
+    Array,
+    Matrix,
+    Scalar,
+    Struct,
+    Texture,
+    Type,
+    Vector,
+    width,
+)
 from ..syntax import ast
 from . import calls, lookup, overloads
 from .coerce import coerce

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
+from ...frozen import frozen
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.nearest import suggestion
@@ -22,7 +23,7 @@ from .unique import check_once
 Named = ast.Record | ast.Function | ast.Rig | ast.StructDeclaration | ast.Space | ast.Constant
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Symbol:
     """A declaration and the module whose names it sees; compared by identity."""
 

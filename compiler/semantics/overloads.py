@@ -8,9 +8,9 @@ family has both.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import Builtin
 from ..ir.node import Node
@@ -38,7 +38,7 @@ WRITTEN_FAMILIES: Mapping[str, Family] = {
 """The families a function's type parameters may name, besides ``matrices``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Operand:
     """What resolution needs to know of an operand."""
 
@@ -47,7 +47,7 @@ class Operand:
     """Constants of kind int adapt to the kind that is wanted."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Resolution:
     """The operand types to coerce to, and the type of the result."""
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 from math import hypot
 from typing import TYPE_CHECKING
 
+from ...frozen import changed, frozen
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
 from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.types import INT, Array, Scalar, Struct, Texture, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
-from ..ir.types import INT, Array, Scalar, Struct, Texture, Type, Vector, scalar_kind
 from ..syntax import ast
 from .declared import declared_type
 from .records import Definition, Record
@@ -37,7 +37,7 @@ SAMPLER_STATE: Mapping[str, tuple[str, ...]] = {
 """What can be said of a sampler; the first of each is the default."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Leaves:
     """A record's leaves in declaration order."""
 
@@ -240,7 +240,7 @@ def as_array(name: str, light: str, infos: tuple[ParameterInfo, ...], count: int
     facts = tuple((short, info.parameter.fact) for short, info in members)
     parameter = Parameter(name, Array(struct, count), group, member_facts=facts)
     rows = tuple(
-        replace(info, parameter=replace(info.parameter, name=short)) for short, info in members
+        changed(info, parameter=changed(info.parameter, name=short)) for short, info in members
     )
     first = infos[0]
     return ParameterInfo(parameter, f"{light}[{count}]", None, None, "", first.span, rows)

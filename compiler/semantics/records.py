@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from ...frozen import frozen
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
-from ..diagnostics.nearest import suggestion
 from ..syntax import ast
 from .modules import Module, Symbol
 
@@ -29,7 +29,7 @@ _MISPLACED: Mapping[str, frozenset[str]] = {
 NamedMember = ast.Param | ast.Map | ast.Attribute | ast.Slot
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Definition:
     """What a name is defined to be at one level of an inheritance chain."""
 

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Literal
 
+from ...frozen import changed, frozen
 from ..ir.leaves import Parameter, Resource
 from ..ir.node import Node
 from .modules import Module
 from .records import Definition, Record
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Failure:
     """The value of an expression about which something has been reported already."""
 
@@ -45,10 +46,10 @@ class Instance:
 
     def with_replaced(self, replaced: Mapping[str, Replacement]) -> Instance:
         """The same instance with slots given from outside, and nothing lowered yet."""
-        return replace(self, replaced={**self.replaced, **replaced}, values={})
+        return changed(self, replaced={**self.replaced, **replaced}, values={})
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Replacement:
     """A slot's value given from outside its record: already lowered, or to be lowered there."""
 
@@ -58,7 +59,7 @@ class Replacement:
     """The instance in whose scope ``definition`` is lowered."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LightVariable:
     """``light`` inside a ``per light`` term: its slots become the variables of a shared body."""
 
@@ -68,7 +69,7 @@ class LightVariable:
     instance: Instance
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Inherited:
     """``inherited``: the names of an instance as the levels above ``level`` define them."""
 
@@ -92,7 +93,7 @@ class Scope:
 
     def binding(self, locals_: Mapping[str, Value]) -> Scope:
         """This scope with further local names."""
-        return replace(self, locals={**self.locals, **locals_})
+        return changed(self, locals={**self.locals, **locals_})
 
 
 @dataclass(frozen=True, slots=True)

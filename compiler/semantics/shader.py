@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from ...frozen import frozen
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
 from ..ir.leaves import Attribute, Parameter, Resource
@@ -14,7 +15,7 @@ Lanes = float | int | bool | tuple["Lanes", ...]
 """A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ParameterInfo:
     """A declared parameter, with everything that a host or an editor may show."""
 
@@ -29,7 +30,7 @@ class ParameterInfo:
     """For an array of lights: one row for each member of the element."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ResourceInfo:
     """A declared texture."""
 
@@ -38,7 +39,7 @@ class ResourceInfo:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AttributeInfo:
     """A declared vertex input."""
 
@@ -48,7 +49,7 @@ class AttributeInfo:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TargetInfo:
     """One render target of the pass and what is written to it."""
 

@@ -7,8 +7,8 @@ beyond its representation is carried as the declared text and, for ``direction``
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from ...frozen import frozen
 from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
@@ -34,7 +34,7 @@ SCALAR_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 SPACES = frozenset({"object", "world", "view", "clip", "tangent", "light"})
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Meaning:
     """A named type: representation, how many spaces it names, and what holds by contract."""
 
@@ -65,7 +65,7 @@ NAMED: Mapping[str, Meaning] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Declared:
     """A resolved written type."""
 

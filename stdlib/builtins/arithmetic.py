@@ -7,8 +7,8 @@ floats, and ``mod`` floors, so that its result has the sign of the divisor.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
+from ...frozen import changed
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import around, outward, products, quotients, squares
 from .row import EXACT, WGSL_ACCURACY, Accuracy, Builtin
@@ -64,7 +64,7 @@ def _remainder(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 def _negated(facts: tuple[Fact, ...], _same: bool) -> Fact:
     (x,) = facts
-    return replace(x, lo=-x.hi, hi=-x.lo, kind="float").as_kind(x.kind)
+    return changed(x, lo=-x.hi, hi=-x.lo, kind="float").as_kind(x.kind)
 
 
 def _divides(facts: tuple[Fact, ...]) -> bool:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Literal
+
+from ...frozen import frozen
 
 SMALLEST_NORMAL = 2.0**-126
 """Magnitudes below this may be flushed to zero by a device, so the meaning treats them as zero."""
@@ -24,7 +25,7 @@ _LIMITS: dict[Kind, tuple[float, float]] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fact:
     """Bounds on every lane of a value. ``lo > hi`` never occurs; unknown is (-inf, inf)."""
 

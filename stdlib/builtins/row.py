@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from ...frozen import frozen
 from .facts import UNKNOWN, Fact
 
 RangeRule = Callable[[tuple[Fact, ...], bool], Fact]
@@ -33,7 +34,7 @@ def nowhere(_facts: tuple[Fact, ...]) -> bool:
     return False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Accuracy:
     """Error bound of the float32 operation and where it is promised."""
 
