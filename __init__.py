@@ -32,11 +32,11 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     """Load the compiler on first use only: ``burnish --help`` and subpackages start without it."""
     if name in ("CompileError", "Diagnostic"):
-        from .compiler.diagnostics import diagnostic  # noqa: PLC0415
+        from .compiler.diagnostics import diagnostic
 
         return getattr(diagnostic, name)
     if name in __all__:
-        from . import api  # noqa: PLC0415
+        from . import api
 
         return getattr(api, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -71,7 +71,7 @@ class CompiledMaterial:
     @cached_property
     def reflection(self) -> dict[str, Any]:
         """What a host binds by, as JSON-able data (``compiler/reflection`` has the schema)."""
-        from .compiler.reflection import reflect  # noqa: PLC0415
+        from .compiler.reflection import reflect
 
         tables = {
             f"{target.name}:{profile.name}": backend_table(
@@ -106,7 +106,7 @@ class CompileResult:
         raise KeyError(name)
 
 
-def compile(  # noqa: A001
+def compile(
     source: str | Path,
     targets: Iterable[str] = ("hlsl", "glsl", "wgsl"),
     *,
@@ -224,9 +224,7 @@ def _check_limits(material: CompiledMaterial, report: Report) -> None:
             )  # fmt: skip
 
 
-def _output(
-    shader: Shader, target: Target, profile: Profile, file: EmittedFile
-) -> OutputFile:
+def _output(shader: Shader, target: Target, profile: Profile, file: EmittedFile) -> OutputFile:
     default, name = profile is target.profiles[0], shader.name
     spans = shader.notes.spans
     return OutputFile(

@@ -12,7 +12,6 @@ ROOTS = ("commands", "compiler", "targets", "stdlib")
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])
 
 
-
 class BuildPackage(build_py):
     """The root is a package folder, but this file is no module of it."""
 

@@ -22,7 +22,7 @@ def folder() -> str:
     chosen = os.environ.get("BURNISH_CACHE")
     if chosen:
         return chosen
-    from platformdirs import user_cache_path  # noqa: PLC0415
+    from platformdirs import user_cache_path
 
     return str(user_cache_path("burnish"))
 
@@ -44,7 +44,7 @@ def cached(name: str, ingredients: tuple[str, ...], compute: Callable[[], T]) ->
 
 def _digest(data: bytes) -> bytes:
     """The hash that Python's own cache files use: 64 bits, and far cheaper to load than hashlib."""
-    from importlib.util import source_hash  # noqa: PLC0415
+    from importlib.util import source_hash
 
     return source_hash(data)
 

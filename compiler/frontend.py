@@ -74,9 +74,7 @@ class Frontend:
         concrete = records_of(module, "material", abstract=False)
         if wanted is None:
             if not concrete and not self._report.failed:
-                self._report.add(
-                    rules.NO_MATERIAL, _whole(module), path=module.file.source.name
-                )
+                self._report.add(rules.NO_MATERIAL, _whole(module), path=module.file.source.name)
             return concrete
         named = [symbol for symbol in concrete if symbol.name == wanted]
         if not named:

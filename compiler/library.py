@@ -50,7 +50,7 @@ def expansions() -> tuple[Module, dict[str, tuple[Symbol, ...]]]:
 
     In that module a builtin's name means the builtin, so the functions themselves stand apart.
     """
-    from ..stdlib.builtins import BUILTINS  # noqa: PLC0415
+    from ..stdlib.builtins import BUILTINS
 
     path = FOLDER / MEANING
     source = Source(MEANING, path.read_text(encoding="utf-8"))

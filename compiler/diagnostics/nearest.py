@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
     """The name most like ``name``, if any is like it at all; a slip in case counts least."""
-    from difflib import get_close_matches  # noqa: PLC0415
+    from difflib import get_close_matches
 
     candidates = sorted(set(known) - {name})
     for candidate in candidates:

@@ -19,9 +19,7 @@ Leaf = Callable[[Node, int], Node | None]
 """From a leaf and the number of binders around it to its replacement, if any."""
 
 
-def close(
-    graph: Graph, body: Node, formals: Sequence[Formal], moved: Moved | None = None
-) -> Node:
+def close(graph: Graph, body: Node, formals: Sequence[Formal], moved: Moved | None = None) -> Node:
     """``body`` with ``formals`` turned into bound variables 0, 1, … of one new binder.
 
     A formal that occurs nowhere leaves an unused index; ``body`` has no free bound variables.

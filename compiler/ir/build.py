@@ -23,8 +23,8 @@ def vector(graph: Graph, operands: tuple[Node, ...]) -> Node:
     lanes = sum(width(operand.type) for operand in operands)
     kind = scalar_kind(operands[0].type)
     assert kind is not None and 1 <= lanes <= 4
-    return operands[0] if len(operands) == 1 else graph.node(
-        "vector", Vector(kind, lanes), operands
+    return (
+        operands[0] if len(operands) == 1 else graph.node("vector", Vector(kind, lanes), operands)
     )
 
 

@@ -75,7 +75,7 @@ class Struct:
 
 @frozen
 class Texture:
-    """A sampled texture; dimension and sample type are part of the type (WebGPU layouts need both)."""
+    """A sampled texture; WebGPU layouts need to know its dimension and sample type."""
 
     dimension: Literal["2d"] = "2d"
     sample: Literal["float"] = "float"

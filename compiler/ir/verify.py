@@ -111,9 +111,7 @@ def _variable_types(node: Node) -> dict[Formal | int, Type]:
     if isinstance(node.data, Folding):
         return {0 if node.data.index is None else node.data.index: INT}
     formals = node.data if isinstance(node.data, tuple) else range(len(node.operands) - 1)
-    return dict(
-        zip(formals, (argument.type for argument in node.operands[1:]), strict=True)
-    )
+    return dict(zip(formals, (argument.type for argument in node.operands[1:]), strict=True))
 
 
 # --- types ---------------------------------------------------------------------------------------

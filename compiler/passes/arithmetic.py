@@ -1,7 +1,7 @@
 """Simplification rules of single builtins: neutral operands, known ranges, equal operands.
 
-Rules hold for finite operands; that is what "finite in, finite out" is for. The sign of a zero is no
-part of the meaning.
+Rules hold for finite operands; that is what "finite in, finite out" is for. The sign of a zero is
+no part of the meaning.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ BuiltinRule = Callable[["Simplifier", Op, Type, tuple[Node, ...]], Node | None]
 
 
 def _lane(node: Node) -> float | int | bool | None:
-    from .simplify import uniform_lane  # noqa: PLC0415
+    from .simplify import uniform_lane
 
     return uniform_lane(node)
 
@@ -82,7 +82,7 @@ def _add(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node
 
 
 def _factored(s: Simplifier, type_: Type, left: Node, right: Node) -> Node | None:
-    """``a * x + b * x`` as ``(a + b) * x``: one product less, and what one light sends is one factor.
+    """``a * x + b * x`` as ``(a + b) * x``: one product less.
 
     The factor has the type of the sum, so that no scalar part of a product is parted from it.
     """

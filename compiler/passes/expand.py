@@ -1,9 +1,9 @@
-"""Templates of the builtins' expansions, lowered from ``stdlib/meaning.burnish`` once per process."""
+"""The builtins' expansions, lowered from ``stdlib/meaning.burnish`` once per process."""
 
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
-from functools import lru_cache
+from functools import cache
 
 from ...frozen import changed, frozen
 from ...stdlib.builtins import BUILTINS
@@ -53,7 +53,7 @@ class Template:
         return self.steps[len(self.parameters) :]
 
 
-@lru_cache(maxsize=None)
+@cache
 def template(name: str, types: tuple[Type, ...]) -> Template:
     """The expansion of builtin ``name`` for operands of these types."""
     found = _lowered(name, types)

@@ -1,9 +1,9 @@
 """Fuses sums over the same lights: one loop, and one function a light, for all terms together.
 
-``Σ f(light) + Σ g(light)`` is ``Σ (f + g)(light)``; so ``matt(…) + shiny(…)`` costs one pass over the rig.
-In the graph: two applies in one sum that share an argument become an apply of the sum of their
-bodies, and two folds of one count become a fold of the sum of theirs. Real addition is associative,
-and the accuracy that a backend owes is worked out on the fused graph.
+``Σ f(light) + Σ g(light)`` is ``Σ (f + g)(light)``; so ``matt(…) + shiny(…)`` costs one pass over
+the rig. In the graph: two applies in one sum that share an argument become an apply of the sum of
+their bodies, and two folds of one count become a fold of the sum of theirs. Real addition is
+associative, and the accuracy that a backend owes is worked out on the fused graph.
 """
 
 from __future__ import annotations
@@ -43,9 +43,7 @@ def _inner_sums(roots: list[Node]) -> set[int]:
 
 
 class _Fusing:
-    def __init__(
-        self, graph: Graph, notes: Notes, simplifier: Simplifier, inner: set[int]
-    ) -> None:
+    def __init__(self, graph: Graph, notes: Notes, simplifier: Simplifier, inner: set[int]) -> None:
         self._graph = graph
         self._notes = notes
         self._simplifier = simplifier
@@ -101,18 +99,14 @@ class _Fusing:
         body, formals = self._bodies(left, right, places)
         return self._graph.node("apply", left.type, (body, *arguments), formals)
 
-    def _bodies(
-        self, left: Node, right: Node, places: tuple[int, ...]
-    ) -> tuple[Node, Formals]:
+    def _bodies(self, left: Node, right: Node, places: tuple[int, ...]) -> tuple[Node, Formals]:
         """The sum of two bodies; the same two bodies with the same sharing are one body."""
         key = (left.operands[0].id, right.operands[0].id, places)
         if key not in self._merged:
             self._merged[key] = self._new_body(left, right, places)
         return self._merged[key]
 
-    def _new_body(
-        self, left: Node, right: Node, places: tuple[int, ...]
-    ) -> tuple[Node, Formals]:
+    def _new_body(self, left: Node, right: Node, places: tuple[int, ...]) -> tuple[Node, Formals]:
         formals, theirs = left.data, right.data
         assert isinstance(formals, tuple) and isinstance(theirs, tuple)
         replacements = {}
@@ -121,9 +115,7 @@ class _Fusing:
                 # The same body may be in the sum already, with this variable for another argument.
                 formals += (Formal(formal.name) if formal in formals else formal,)
             replacements[formal] = self._graph.node("formal", argument.type, (), formals[place])
-        other = substitute(
-            self._graph, right.operands[0], replacements, self._notes.follow
-        )
+        other = substitute(self._graph, right.operands[0], replacements, self._notes.follow)
         body = self._simplifier.call("add", left.type, left.operands[0], other)
         names = [self._notes.functions.get(part.operands[0].id, "") for part in (left, right)]
         self._notes.functions.setdefault(body.id, "_".join(filter(None, names)) or "shade")
@@ -136,8 +128,10 @@ def _terms(root: Node) -> list[Node]:
     pending = [root]
     while pending:
         node = pending.pop()
-        if _is_sum(node) and node.type == root.type and all(
-            operand.type == root.type for operand in node.operands
+        if (
+            _is_sum(node)
+            and node.type == root.type
+            and all(operand.type == root.type for operand in node.operands)
         ):
             pending.extend(reversed(node.operands))
         else:

@@ -1,7 +1,7 @@
 """From Burnish's meaning to hardware operations.
 
-Where range analysis proves that a builtin's operands lie where all backends agree, the hardware's own
-operation is used; elsewhere the builtin's expansion, whose parts are treated the same way. What
+Where range analysis proves that a builtin's operands lie where all backends agree, the hardware's
+own operation is used; elsewhere the builtin's expansion, whose parts are treated the same way. What
 could not be proven is kept for the reader as a ``Guard``.
 """
 
@@ -164,4 +164,3 @@ class Guarding(Simplifier):
             if step.role and values[-1].operands:
                 self.notes.roles.setdefault(values[-1].id, step.role)
         return values[found.result]
-

@@ -143,4 +143,3 @@ class _Hoisting:
         while name in self._taken:
             name, number = f"{base}_{number}", number + 1
         return name
-

@@ -1,4 +1,4 @@
-"""Makes function bodies closed: what they need of their caller becomes a parameter (lambda lifting).
+"""Closes function bodies: what they need of their caller becomes a parameter (lambda lifting).
 
 Values that do not depend on a body's own variables are computed once, by the caller. Uniforms and
 constants are global and stay where they are.

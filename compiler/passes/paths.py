@@ -1,8 +1,8 @@
 """What conditions tell about values on the paths that they guard.
 
-In ``if x > 0 then 1 / x else 0`` the divisor is known to be positive wherever the quotient is used. That
-holds for a node only if *all* of its uses lie behind the condition, and helps only if the node is
-computed there: so the select has to become a branch, which ``Path.selects`` are marked for.
+In ``if x > 0 then 1 / x else 0`` the divisor is known to be positive wherever the quotient is used.
+That holds for a node only if *all* of its uses lie behind the condition, and helps only if the node
+is computed there: so the select has to become a branch, which ``Path.selects`` are marked for.
 """
 
 from __future__ import annotations

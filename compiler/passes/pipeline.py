@@ -203,4 +203,3 @@ def _function(call: Node, notes: Notes, naming: Naming) -> Function:
         region=Scheduler((body,), notes, naming).schedule(),
         value=body,
     )
-

@@ -1,8 +1,8 @@
-"""Moves affine work from the fragment to the vertex stage, where the picture provably stays the same.
+"""Moves affine work to the vertex stage, where the picture provably stays the same.
 
-Interpolation with weights that sum to one commutes with affine maps: ``interpolate(e) * a + b`` with
-``a`` and ``b`` constant over the draw is ``interpolate(e * a + b)``. The move is made only where it adds
-no varying: all uses of one crossing go through one affine value that is no wider.
+Interpolation with weights that sum to one commutes with affine maps: ``interpolate(e) * a + b``
+with ``a`` and ``b`` constant over the draw is ``interpolate(e * a + b)``. The move is made only
+where it adds no varying: all uses of one crossing go through one affine value that is no wider.
 """
 
 from __future__ import annotations

@@ -71,7 +71,7 @@ class Scheduler:
         """Reads that are made before the branch or `?:` that uses them, and so need a name."""
         self._coordinates: set[int] = set()
         """Where textures are read. One that chooses has a name: glslang's SPIR-V joins texture and
-        sampler before the coordinate is computed, and its ``?:`` would part the join from the read."""
+        sampler before it computes the coordinate, and a ``?:`` would part join and read."""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
         self._order = in_order_of_use(self._roots)
@@ -94,7 +94,7 @@ class Scheduler:
         homes: dict[int, list[_Block]] = {root.id: [self._top] for root in self._roots}
         for root in self._roots:
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
-        # A `?:` evaluates one of its sides, so what stands in them is computed for some pixels only.
+        # A `?:` evaluates one of its sides: what stands in them is computed for some pixels only.
         optional: set[int] = set()
         for node in reversed(self._order):
             home = _enclosing(homes[node.id])
@@ -129,7 +129,7 @@ class Scheduler:
         return home
 
     def _lifted(self, node: Node, home: _Block) -> _Block:
-        """Out of loops that the value does not depend on, and reads with implicit level to the top."""
+        """Out of loops that a value does not depend on; reads with implicit level to the top."""
         uniform = _needs_uniform_flow(node)
         block, best = home, home
         while block.parent is not None:
@@ -161,8 +161,7 @@ class Scheduler:
         return {
             node.id
             for node in self._order
-            if node.op == "select"
-            and (node.data is not None or self._dear_side(node, users))
+            if node.op == "select" and (node.data is not None or self._dear_side(node, users))
         }
 
     def _dear_side(self, select: Node, users: dict[int, set[tuple[int, int]]]) -> bool:

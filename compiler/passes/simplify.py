@@ -1,7 +1,7 @@
 """Exact simplification: every rule keeps the value, over the whole domain.
 
-``Simplifier.make`` is a smart constructor; passes build through it, so that what one rule uncovers the
-next one sees. Rules stand in tables by operation and by builtin.
+``Simplifier.make`` is a smart constructor; passes build through it, so that what one rule uncovers
+the next one sees. Rules stand in tables by operation and by builtin.
 """
 
 from __future__ import annotations
@@ -71,9 +71,7 @@ def uniform_lane(node: Node) -> float | int | bool | None:
 
 
 def _builtin(op: Op) -> OpRule:
-    def rule(
-        s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable
-    ) -> Node | None:
+    def rule(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
         name = str(data)
         folded = _folded(s, type_, operands, name)
         if folded is not None:
@@ -84,9 +82,7 @@ def _builtin(op: Op) -> OpRule:
     return rule
 
 
-def _folded(
-    s: Simplifier, type_: Type, operands: tuple[Node, ...], name: str
-) -> Node | None:
+def _folded(s: Simplifier, type_: Type, operands: tuple[Node, ...], name: str) -> Node | None:
     """The value of a builtin of constants, where float32 can hold it."""
     if not operands or any(operand.op != "constant" for operand in operands):
         return None
@@ -104,9 +100,7 @@ def _folded(
 # --- structure -----------------------------------------------------------------------------------
 
 
-def _swizzle(
-    s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable
-) -> Node | None:
+def _swizzle(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
     (source,) = operands
     assert isinstance(data, tuple)
     lanes: tuple[int, ...] = data
@@ -118,9 +112,7 @@ def _swizzle(
         case "swizzle":
             assert isinstance(source.data, tuple)
             inner = source.data
-            return s.make(
-                "swizzle", type_, source.operands, tuple(inner[lane] for lane in lanes)
-            )
+            return s.make("swizzle", type_, source.operands, tuple(inner[lane] for lane in lanes))
         case "splat":
             return build.splat(s.graph, source.operands[0], len(lanes))
         case "vector":
@@ -130,9 +122,7 @@ def _swizzle(
             return source if whole else None
 
 
-def _picked(
-    s: Simplifier, type_: Type, source: Node, lanes: tuple[int, ...]
-) -> Node | None:
+def _picked(s: Simplifier, type_: Type, source: Node, lanes: tuple[int, ...]) -> Node | None:
     """Lanes of a joined vector, where they all come from one of its parts."""
     first = 0
     for part in source.operands:
@@ -146,9 +136,7 @@ def _picked(
     return None
 
 
-def _vector(
-    s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashable
-) -> Node | None:
+def _vector(s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashable) -> Node | None:
     if all(operand.op == "constant" for operand in operands):
         lanes = tuple(
             lane for operand in operands for lane in constant_lanes(operand.type, operand.data)
@@ -161,9 +149,7 @@ def _vector(
 
 def _rejoined(s: Simplifier, type_: Type, operands: tuple[Node, ...]) -> Node | None:
     """Lanes of one vector, taken apart and joined again."""
-    sources = {
-        operand.operands[0] if operand.op == "swizzle" else operand for operand in operands
-    }
+    sources = {operand.operands[0] if operand.op == "swizzle" else operand for operand in operands}
     if len(sources) != 1 or not isinstance((source := sources.pop()).type, Vector):
         return None
     lanes: tuple[int, ...] = ()
@@ -174,18 +160,14 @@ def _rejoined(s: Simplifier, type_: Type, operands: tuple[Node, ...]) -> Node | 
     return s.make("swizzle", type_, (source,), lanes)
 
 
-def _splat(
-    s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashable
-) -> Node | None:
+def _splat(s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashable) -> Node | None:
     (lane,) = operands
     if lane.op != "constant":
         return None
     return build.constant(s.graph, type_, (lane.data,) * width(type_))  # type: ignore[arg-type]
 
 
-def _index(
-    s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashable
-) -> Node | None:
+def _index(s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashable) -> Node | None:
     source, position = operands
     if position.op != "constant":
         return None
@@ -195,9 +177,7 @@ def _index(
     return source.operands[position.data] if source.op == "matrix" else None
 
 
-def _select(
-    s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable
-) -> Node | None:
+def _select(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
     condition, then, otherwise = operands
     if condition.op == "constant":
         return then if condition.data else otherwise

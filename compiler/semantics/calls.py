@@ -66,12 +66,8 @@ def _named(
         if not failed:
             applied = yield _function(low, functions, arguments, e, scope)
         return applied
-    if name == "unguarded":
-        return FAILURE if failed else _unguarded(low, arguments, e)
-    if is_constructor(name):
-        return FAILURE if failed else construct(low, name, arguments, e)
-    if name in BUILTINS and name not in _NOT_CALLED:
-        return FAILURE if failed else low.builtin(name, arguments, e.span, name)
+    if _is_built_in(name):
+        return FAILURE if failed else _built_in(low, name, arguments, e)
     surface = scope.surface
     if surface is not None and _is_map(surface.record.definitions.get(name)):
         texture = yield lookup.slot(low, surface, name, callee.span)
@@ -83,6 +79,19 @@ def _named(
 
 _NOT_CALLED = frozenset({"sample", *(n for n, row in BUILTINS.items() if row.operator)})
 """Rows that are written in another way than as a call."""
+
+
+def _is_built_in(name: str) -> bool:
+    callable_row = name in BUILTINS and name not in _NOT_CALLED
+    return callable_row or name == "unguarded" or is_constructor(name)
+
+
+def _built_in(low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call) -> Value:
+    if name == "unguarded":
+        return _unguarded(low, arguments, e)
+    if is_constructor(name):
+        return construct(low, name, arguments, e)
+    return low.builtin(name, arguments, e.span, name)
 
 
 ELSEWHERE = {
@@ -254,9 +263,7 @@ def _fit_arguments(
         )  # fmt: skip
         return None
     fitted = []
-    for formal, argument, written in zip(
-        function.arguments, arguments, e.arguments, strict=True
-    ):
+    for formal, argument, written in zip(function.arguments, arguments, e.arguments, strict=True):
         wanted = declared_type(low, formal.type, symbol.module, variables)
         if wanted is None:
             return None

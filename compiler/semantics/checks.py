@@ -48,9 +48,8 @@ def check_declarations(low: Lowering, module: Module, surface: Instance) -> None
                 run(lookup.value(low, symbol.name, declaration.name.span, Scope(module)))
             elif isinstance(declaration, ast.StructDeclaration):
                 struct_of(low, symbol)
-            elif isinstance(declaration, ast.Function):
-                if declaration.kind == "fn" or with_terms:
-                    _check_function(low, symbol, declaration, surface)
+            elif isinstance(declaration, ast.Function) and (declaration.kind == "fn" or with_terms):
+                _check_function(low, symbol, declaration, surface)
     for symbol in records_of(module, "light", abstract=False):
         entry = light_entry(low, symbol)
         if entry is not None:

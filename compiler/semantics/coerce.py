@@ -7,7 +7,7 @@ else converts without being asked to.
 from __future__ import annotations
 
 from ..ir.build import constant, splat
-from ..ir.node import Graph, Node, reachable
+from ..ir.node import Graph, Node
 from ..ir.types import Scalar, Type, Vector, scalar_kind, width
 
 

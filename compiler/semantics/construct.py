@@ -24,9 +24,7 @@ def is_constructor(name: str) -> bool:
     return name in NAMED and not isinstance(NAMED[name].representation, Texture)
 
 
-def construct(
-    low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call
-) -> Node | Failure:
+def construct(low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call) -> Node | Failure:
     """The value of calling type ``name``."""
     type_ = NAMED[name].representation
     result: Node | Failure | None = None
@@ -79,9 +77,7 @@ def _flag(low: Lowering, type_: Scalar, argument: Node) -> Node:
     return low.graph.node("select", type_, (argument, one, zero))
 
 
-def _vector(
-    low: Lowering, type_: Vector, arguments: tuple[Node, ...]
-) -> Node | Failure | None:
+def _vector(low: Lowering, type_: Vector, arguments: tuple[Node, ...]) -> Node | Failure | None:
     lanes: list[Node] = []
     for argument in arguments:
         if not isinstance(argument.type, Scalar | Vector):
@@ -116,9 +112,7 @@ def _converted(low: Lowering, type_: Vector, argument: Node) -> Node | None:
     return build.vector(low.graph, tuple(lanes))
 
 
-def _matrix(
-    low: Lowering, type_: Matrix, arguments: tuple[Node, ...]
-) -> Node | Failure | None:
+def _matrix(low: Lowering, type_: Matrix, arguments: tuple[Node, ...]) -> Node | Failure | None:
     column = Vector("float", type_.size)
     if len(arguments) == type_.size and all(a.type == column for a in arguments):
         return build.matrix(low.graph, arguments)

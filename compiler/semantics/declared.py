@@ -68,7 +68,9 @@ def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
         start = list(low.active).index(symbol)
         names = [name for name, _ in low.active.values()][start:]
         low.report.add(
-            rules.CYCLIC_DEFINITION, declaration.name.span, name=symbol.name,
+            rules.CYCLIC_DEFINITION,
+            declaration.name.span,
+            name=symbol.name,
             cycle=" → ".join([*names, symbol.name]),
         )
         low.structs[symbol] = None

@@ -144,10 +144,11 @@ def _instance(low: Lowering, record: Record, leaves: Leaves) -> Instance:
     for attribute in leaves.attributes:
         leaf = attribute.attribute
         nodes[leaf.name] = low.graph.node("attribute", leaf.type, (), leaf)
-    resources = {
-        info.resource.name.rpartition(".")[2]: low.graph.node("resource", info.resource.type, (), info.resource)
-        for info in leaves.resources
-    }
+    resources = {}
+    for texture in leaves.resources:
+        read = texture.resource
+        short = read.name.rpartition(".")[2]
+        resources[short] = low.graph.node("resource", read.type, (), read)
     return Instance(record, parameters=nodes, resources=resources)
 
 
@@ -181,9 +182,7 @@ def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Node 
 
 def _targets(low: Lowering, drawn: Record, passing: Instance) -> tuple[TargetInfo, ...]:
     if not drawn.targets:
-        low.report.add(
-            rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name
-        )
+        low.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(low, drawn, passing, *row) for row in drawn.targets)
     return tuple(target for target in found if target is not None)
 

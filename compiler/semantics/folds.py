@@ -11,7 +11,13 @@ from ..ir.types import INT, Scalar, Vector, width
 
 
 def fold(
-    graph: Graph, operator: Literal["add", "mul"], bound: int, body: Node, formal: Formal, moved: Moved, count: Node | None = None
+    graph: Graph,
+    operator: Literal["add", "mul"],
+    bound: int,
+    body: Node,
+    formal: Formal,
+    moved: Moved,
+    count: Node | None = None,
 ) -> Node:
     """The sum or product of ``body`` over ``0 <= formal < count``; ``bound`` is the most turns."""
     type_ = body.type

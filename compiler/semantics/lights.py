@@ -1,8 +1,8 @@
 """Terms summed over the lights of a rig.
 
-The body of a ``per light`` term is lowered once, with the slots of ``light`` as variables, and applied
-to each light of the rig. So what all lights share is one node, and becomes one function or one loop
-body in the output.
+The body of a ``per light`` term is lowered once, with the slots of ``light`` as variables, and
+applied to each light of the rig. So what all lights share is one node, and becomes one function or
+one loop body in the output.
 """
 
 from __future__ import annotations
@@ -52,7 +52,9 @@ def per_light(
             return FAILURE
         if formal is not None:
             count = None if entry.count is None else _parameter(low, entry.count)
-            contribution = fold(low.graph, "add", entry.bound, contribution, formal, low.notes.follow, count)
+            contribution = fold(
+                low.graph, "add", entry.bound, contribution, formal, low.notes.follow, count
+            )
         low.notes.spans.setdefault(contribution.id, span)
         total = contribution if total is None else low.graph.node(
             "call", total.type, (total, contribution), "add"
@@ -84,7 +86,7 @@ def _shared_body(
             rules.WRONG_TYPE, function.body.span, expected="a number or a vector", found=body.type
         )
         return FAILURE
-    if body.type == INT and body.op == "constant":
+    if body.type == INT and isinstance(body.data, int) and body.op == "constant":
         body = build.floating(low.graph, float(body.data))
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
     closed = close(low.graph, body, formals, low.notes.follow)
@@ -158,4 +160,3 @@ def _new_instance(
 
 def _parameter(low: Lowering, parameter: Parameter) -> Node:
     return low.graph.node("parameter", parameter.type, (), parameter)
-

@@ -167,9 +167,7 @@ def _slot_value(
             labels=[Label(member.name.span, "declared here without a value")],
         )  # fmt: skip
         return FAILURE
-    scope = Scope(
-        definition.owner.module, instance, definition.level, instance.surface or instance
-    )
+    scope = Scope(definition.owner.module, instance, definition.level, instance.surface or instance)
     result: Node | Failure = yield _defined(low, instance, name, member.value, scope)
     return result
 

@@ -1,8 +1,8 @@
 """Expressions to nodes.
 
-``Lowering`` walks expressions as generators (see ``trampoline``), looks names up through ``Scope`` and
-never stops at the first error: what could not be lowered is a ``FAILURE``, about which nothing more
-is reported. Calls and lights have files of their own.
+``Lowering`` walks expressions as generators (see ``trampoline``), looks names up through ``Scope``
+and never stops at the first error: what could not be lowered is a ``FAILURE``, about which nothing
+more is reported. Calls and lights have files of their own.
 """
 
 from __future__ import annotations
@@ -109,9 +109,7 @@ class Lowering:
         node = yield self.node(expression, scope)
         return self.fit(node, wanted, declared, expression.span)
 
-    def fit(
-        self, node: Node | Failure, wanted: Type, declared: str, span: Span
-    ) -> Node | Failure:
+    def fit(self, node: Node | Failure, wanted: Type, declared: str, span: Span) -> Node | Failure:
         """``node`` as a ``wanted``, or a report at ``span``."""
         if isinstance(node, Failure):
             return FAILURE
@@ -336,7 +334,9 @@ def _fold(low: Lowering, e: ast.Fold, scope: Scope) -> Step[Value]:
     if not isinstance(body.type, Scalar | Vector) or body.type.kind == "bool":
         low.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
         return FAILURE
-    return fold(low.graph, "add" if e.operator == "sum" else "mul", count, body, formal, low.notes.follow)
+    return fold(
+        low.graph, "add" if e.operator == "sum" else "mul", count, body, formal, low.notes.follow
+    )
 
 
 _LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {

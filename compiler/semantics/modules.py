@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path, PurePosixPath
 
 from ...frozen import frozen
@@ -48,12 +49,20 @@ class Module:
     """Names that were imported one by one, with their files."""
     missing: set[str] = field(default_factory=set)
     """Names whose import failed, about which enough has been said."""
+    doubtful: dict[str, Callable[[], None]] = field(default_factory=dict)
+    """Names that several imported files declare, with what reports them once they are used."""
     prelude: Module | None = None
     offered: Callable[[str], str] = lambda _name: ""
     """The library file that declares a name, as an import path; empty if none does."""
 
     def find(self, name: str) -> tuple[Symbol, ...]:
         """The declarations that ``name`` stands for here; empty if there are none."""
+        if name in self.doubtful:
+            self.doubtful.pop(name)()
+        return self.known(name)
+
+    def known(self, name: str) -> tuple[Symbol, ...]:
+        """The same where nothing is made of it, so that no doubt about it has to be told."""
         found = self.declared.get(name) or self.imported.get(name)
         if not found and self.prelude is not None:
             found = self.prelude.declared.get(name)
@@ -201,7 +210,9 @@ class Loader:
                     hint=suggestion(name.text, found.declared),
                 )  # fmt: skip
             else:
-                module.imported[name.text] = symbols
+                known = module.imported.setdefault(name.text, symbols)
+                if known is not symbols:
+                    self._tell_ambiguous(known[0], name.span)
                 module.chosen.add((found.path, name.text))
 
     def _import_whole(self, module: Module, found: Module, span: Span) -> None:
@@ -211,11 +222,14 @@ class Loader:
             other = known[0].module
             if other is found or name in module.declared or (other.path, name) in module.chosen:
                 continue
-            labels = [Label(known[0].declaration.name.span, "the other one")]
-            self._report.add(
-                rules.AMBIGUOUS_NAME, span, name=name, labels=labels,
-                hint=f"ask for the one that is meant: `import ….{{{name}}}`",
-            )  # fmt: skip
+            module.doubtful[name] = partial(self._tell_ambiguous, known[0], span)
+
+    def _tell_ambiguous(self, other: Symbol, span: Span) -> None:
+        labels = [Label(other.declaration.name.span, "the other one")]
+        self._report.add(
+            rules.AMBIGUOUS_NAME, span, name=other.name, labels=labels,
+            hint=f"ask for the one that is meant: `import ….{{{other.name}}}`",
+        )  # fmt: skip
 
     def _resolve(self, module: Module, wanted: ast.Import) -> Module | None:
         relative = wanted.path[0] if wanted.quoted else "/".join(wanted.path) + ".burnish"

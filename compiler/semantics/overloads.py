@@ -146,4 +146,3 @@ def _fits(operand: Operand, type_: Type) -> bool:
     if not isinstance(type_, Scalar):
         return False
     return isinstance(operand.type, Scalar) and adapts(operand, type_.kind)
-

@@ -57,11 +57,11 @@ def leaves_of(
     for name, definition in _effective(record, without):
         member = definition.member
         if isinstance(member, ast.Param):
-            info = _parameter(low, record, definition, prefix + name)
+            info = _parameter(low, definition, prefix + name)
             if info is not None:
                 parameters.append(info)
         elif isinstance(member, ast.Map):
-            texture = _resource(low, record, definition, prefix + name)
+            texture = _resource(low, definition, prefix + name)
             if texture is not None:
                 resources.append(texture)
         elif isinstance(member, ast.Attribute):
@@ -87,9 +87,7 @@ def _group(low: Lowering, definition: Definition, named: ast.Name | None) -> str
     return named.text
 
 
-def _parameter(
-    low: Lowering, record: Record, definition: Definition, name: str
-) -> ParameterInfo | None:
+def _parameter(low: Lowering, definition: Definition, name: str) -> ParameterInfo | None:
     member = definition.member
     assert isinstance(member, ast.Param)
     module = definition.owner.module
@@ -97,16 +95,16 @@ def _parameter(
     if declared is None:
         return None
     if isinstance(declared.type, Texture):
-        low.report.add(rules.WRONG_TYPE, member.type.span, expected="a value", found=declared.text,
-                       hint=f"declare a texture with `map {member.name.text} : {declared.text}`")  # fmt: skip
+        low.report.add(
+            rules.WRONG_TYPE, member.type.span, expected="a value", found=declared.text,
+            hint=f"declare a texture with `map {member.name.text} : {declared.text}`",
+        )  # fmt: skip
         return None
     limits = _range(low, member, definition, declared)
     fact = declared.fact if limits is None else Fact(*limits)
     default = _default(low, member, definition, declared, limits)
     parameter = Parameter(name, declared.type, _group(low, definition, member.group), fact)
-    return ParameterInfo(
-        parameter, declared.text, limits, default, member.doc, member.name.span
-    )
+    return ParameterInfo(parameter, declared.text, limits, default, member.doc, member.name.span)
 
 
 def _range(
@@ -173,9 +171,7 @@ def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:
     return tuple(lane / length for lane in lanes)
 
 
-def _resource(
-    low: Lowering, record: Record, definition: Definition, name: str
-) -> ResourceInfo | None:
+def _resource(low: Lowering, definition: Definition, name: str) -> ResourceInfo | None:
     member = definition.member
     assert isinstance(member, ast.Map)
     declared = declared_type(low, member.type, definition.owner.module)
@@ -251,4 +247,3 @@ def count_parameter(name: str, bound: int, group: str, of: ParameterInfo) -> Par
     parameter = Parameter(f"{name}.count", INT, group, Fact(0.0, float(bound), kind="int"))
     doc = f"How many of `{name}` shine"
     return ParameterInfo(parameter, "int", (0, bound), 0, doc, of.span)
-

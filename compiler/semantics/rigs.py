@@ -52,7 +52,7 @@ def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
         lights = [
             visible
             for visible in rig.module.visible()
-            if isinstance(d := rig.module.find(visible)[0].declaration, ast.Record)
+            if isinstance(d := rig.module.known(visible)[0].declaration, ast.Record)
             and d.kind == "light"
         ]
         if name.text in rig.module.missing:

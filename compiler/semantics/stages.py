@@ -1,7 +1,7 @@
 """Crossing from the vertex to the fragment stage, as a node.
 
-``interpolate(mode, e)`` is a value in the fragment domain; ``e`` lives in the vertex domain. Where a
-value that contains crossings is itself wanted in the vertex domain (it feeds ``clip_position`` or
+``interpolate(mode, e)`` is a value in the fragment domain; ``e`` lives in the vertex domain. Where
+a value that contains crossings is itself wanted in the vertex domain (it feeds ``clip_position`` or
 stands under ``@vertex``), the crossings in it are taken out: there is nothing to cross.
 """
 

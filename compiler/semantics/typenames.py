@@ -113,9 +113,7 @@ class TypeResolver:
             return None
         return Declared(meaning.representation, described(name), meaning.fact)
 
-    def _check_spaces(
-        self, name: ast.TypeName, meaning: Meaning, spaces: frozenset[str]
-    ) -> bool:
+    def _check_spaces(self, name: ast.TypeName, meaning: Meaning, spaces: frozenset[str]) -> bool:
         if name.arguments and len(name.arguments) != meaning.spaces:
             self._report.add(
                 rules.SPACE_COUNT, name.span, type=name.name.text,

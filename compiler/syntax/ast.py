@@ -98,7 +98,7 @@ class Call:
 
 @frozen(eq=False)
 class Field:
-    """``x.name``: a swizzle, a struct member, or a slot of ``light``, ``material``, ``inherited``."""
+    """``x.name``: a swizzle, a struct member, or a slot of ``light`` or ``material``."""
 
     span: Span
     operand: Expression

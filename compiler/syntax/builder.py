@@ -1,7 +1,5 @@
 """Makes the nodes of the AST: one method per production of ``burnish.lark``, of the same name."""
 
-# ruff: noqa: PLR0917 - a production's parts come by position, as many as it has
-
 from __future__ import annotations
 
 from typing import Literal, cast

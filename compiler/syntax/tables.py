@@ -61,9 +61,9 @@ def load_tables() -> Tables:
 
 def _compute(grammar: str) -> tuple[Any, ...]:
     """Have Lark analyse the grammar; its own saved form is the starting point."""
-    from lark import Lark  # noqa: PLC0415
-    from lark.grammar import Rule  # noqa: PLC0415
-    from lark.lexer import TerminalDef  # noqa: PLC0415
+    from lark import Lark
+    from lark.grammar import Rule
+    from lark.lexer import TerminalDef
 
     parser = Lark(grammar, parser="lalr", lexer="basic", start="file", maybe_placeholders=True)
     data, memo = parser.memo_serialize([TerminalDef, Rule])

@@ -99,7 +99,8 @@ class _Emitter:
         names = {stage.name: _SINGLE_ENTRIES[stage.name] if single else "main" for stage in stages}
         printers = [StagePrinter(self._context, stage) for stage in stages]
         entries = [
-            printer.entry(names[stage.name]) for printer, stage in zip(printers, stages, strict=True)
+            printer.entry(names[stage.name])
+            for printer, stage in zip(printers, stages, strict=True)
         ]
         text = self._text(stages, entries)
         traced = [line for printer in printers for line in printer.traced]

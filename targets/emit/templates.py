@@ -21,8 +21,8 @@ def render(path: Path, context: Mapping[str, object]) -> str:
 @cache
 def _template(path: Path) -> Template:
     """The skeleton, compiled to Python once for each content and version of Jinja."""
-    from jinja2 import Template as Compiled  # noqa: PLC0415
-    from jinja2 import __version__ as version  # noqa: PLC0415
+    from jinja2 import Template as Compiled
+    from jinja2 import __version__ as version
 
     environment = _environment()
     source = path.read_text(encoding="utf-8")
@@ -35,7 +35,7 @@ def _template(path: Path) -> Template:
 @cache
 def _environment() -> Environment:
     # Importing Jinja costs more than most compiles, and not every command renders a skeleton.
-    from jinja2 import Environment, StrictUndefined  # noqa: PLC0415
+    from jinja2 import Environment, StrictUndefined
 
     return Environment(
         autoescape=False,

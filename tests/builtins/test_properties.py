@@ -11,13 +11,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
 from burnish.compiler.reference.functions import LaneKind, evaluate
 from burnish.compiler.reference.namespace import Lanes
 from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, Fact
 from burnish.stdlib.builtins.row import nowhere
-from hypothesis import assume, given, settings
-from hypothesis import strategies as st
 
 LARGEST = 3.4028234663852886e38
 OVERFLOWING = {"exp", "exp2", "pow", "lit"}

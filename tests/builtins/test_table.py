@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from burnish import stdlib
 from burnish.compiler.reference import functions
 from burnish.stdlib.builtins import BUILTINS, Builtin

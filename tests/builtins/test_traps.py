@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+
 from burnish.compiler.reference.functions import LaneKind, evaluate
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, UNKNOWN, Fact

@@ -6,6 +6,7 @@ import re
 from textwrap import dedent
 
 import pytest
+
 from burnish.compiler.diagnostics.diagnostic import Diagnostic, Label, Rule
 from burnish.compiler.diagnostics.render import render, render_all
 from burnish.compiler.diagnostics.source import Source, Span

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from hypothesis import strategies as st
+
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.types import (
     BOOL,
@@ -20,7 +22,6 @@ from burnish.compiler.ir.types import (
     Type,
     Vector,
 )
-from hypothesis import strategies as st
 
 KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 

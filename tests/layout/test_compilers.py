@@ -9,6 +9,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+
 from burnish.compiler.ir.build import constant, index, splat, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
@@ -40,7 +42,6 @@ from burnish.targets.toolchain import (
     block_offsets_dxil,
     block_offsets_spirv,
 )
-from hypothesis import HealthCheck, given, settings
 
 from .declarations import ELEMENTS, parameters
 from .programs import program_of

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.program import Block
 from burnish.compiler.ir.types import (
@@ -21,7 +23,6 @@ from burnish.compiler.ir.types import (
     Vector,
 )
 from burnish.compiler.layout import byte_size, layout_blocks, stored_type
-from hypothesis import given
 
 from .declarations import parameters, types
 from .oracles import D3D, STD140, WGSL, Rules, end_of, wgsl_uniform_violations

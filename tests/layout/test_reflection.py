@@ -10,6 +10,7 @@ from typing import Any
 
 import jsonschema
 import pytest
+
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import Attribute
 from burnish.compiler.ir.node import Folding, Graph
@@ -29,9 +30,9 @@ def reflection() -> dict[str, Any]:
 
 
 def test_the_reflection_is_the_expected_one(reflection: dict[str, Any]) -> None:
-    """``UPDATE_GOLDEN=1`` writes the file anew; the difference is then there to be read."""
+    """``BURNISH_UPDATE_GOLDEN=1`` writes the file anew; the difference is then there to be read."""
     text = json.dumps(reflection, indent=2, ensure_ascii=False) + "\n"
-    if os.environ.get("UPDATE_GOLDEN"):
+    if os.environ.get("BURNISH_UPDATE_GOLDEN"):
         GOLDEN.write_text(text, encoding="utf-8")
     assert text == GOLDEN.read_text(encoding="utf-8")
 

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
 from burnish.compiler.ir.build import constant, index, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node, reachable
@@ -26,8 +29,6 @@ from burnish.compiler.packing import packing
 from burnish.compiler.passes.rewrite import rewrite
 from burnish.compiler.passes.storage import lower_reads
 from burnish.compiler.semantics.shader import Notes
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from .declarations import ELEMENTS, types, values
 from .evaluate import evaluate

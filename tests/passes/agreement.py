@@ -57,8 +57,7 @@ def lanes(roots: list[Node], world: World) -> list[float]:
 def tolerances(shaken: list[Node], expected: list[float], world: World) -> list[float]:
     """How far each lane may be off."""
     repeats = [
-        lanes(shaken, World(world.seed, world.traps, noise=NOISE * (1 + i)))
-        for i in range(REPEATS)
+        lanes(shaken, World(world.seed, world.traps, noise=NOISE * (1 + i))) for i in range(REPEATS)
     ]
     found = []
     for value, *others in zip(expected, *repeats, strict=True):

@@ -165,7 +165,7 @@ def texture(u: float, v: float) -> Lanes:
     return tuple(0.5 + 0.5 * math.sin(i + (2.0 + i) * u - 3.0 * v) for i in range(4))
 
 
-def stored(type_: Type, value: Lanes) -> Lanes:  # noqa: PLR0911
+def stored(type_: Type, value: Lanes) -> Lanes:
     """A value in the form in which a block holds it, at full precision."""
     match type_:
         case Scalar("bool") | Vector("bool"):

@@ -30,7 +30,7 @@ def expression(text: str) -> str:
     return show(constant.value)
 
 
-def show(node: ast.Expression) -> str:  # noqa: PLR0911, PLR0912
+def show(node: ast.Expression) -> str:  # noqa: PLR0912
     """``node`` with all its parentheses."""
     match node:
         case ast.Number(text=text, kind=kind, unit=unit):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+
 from burnish.compiler.syntax import ast
 
 from .dump import parsed, show

@@ -1,6 +1,6 @@
 """What a reader is told about broken texts: each ``broken/x.burnish`` beside its ``broken/x.txt``.
 
-After a deliberate change, run with ``BURNISH_ACCEPT=1`` and read the difference.
+After a deliberate change, run with ``BURNISH_UPDATE_GOLDEN=1`` and read the difference.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ import os
 from pathlib import Path
 
 import pytest
+
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.diagnostics.source import Source
@@ -23,6 +24,6 @@ def test_the_messages_are_the_expected_ones(path: Path) -> None:
     parse(Source(path.name, path.read_text(encoding="utf-8")), report)
     rendered = render_all(report.diagnostics) + "\n"
     expected = path.with_suffix(".txt")
-    if os.environ.get("BURNISH_ACCEPT"):
+    if os.environ.get("BURNISH_UPDATE_GOLDEN"):
         expected.write_text(rendered, encoding="utf-8")
     assert rendered == expected.read_text(encoding="utf-8")

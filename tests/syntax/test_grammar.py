@@ -6,13 +6,14 @@ import logging
 from pathlib import Path
 
 import pytest
+from lark import Lark, logger
+
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.syntax import parser, tables
 from burnish.compiler.syntax.builder import Builder
 from burnish.compiler.syntax.tables import load_tables
 from burnish.compiler.syntax.tokens import RESERVED, Docs
-from lark import Lark, logger
 
 GRAMMAR = Path(parser.__file__).with_name("burnish.lark").read_text(encoding="utf-8")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.syntax import load
 from burnish.compiler.syntax.load import load_source

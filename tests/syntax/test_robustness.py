@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax.parser import parse
 from burnish.compiler.syntax.tables import load_tables
-from hypothesis import given
-from hypothesis import strategies as st
 
 from .dump import messages, parsed
 

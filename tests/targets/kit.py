@@ -65,7 +65,7 @@ KINDS: Mapping[str, tuple[ScalarKind, ...]] = {
 }  # fmt: skip
 WIDTHS = {"S": (1,), "V": (2, 3, 4)}
 FIXED: Mapping[str, Type] = {
-    **{kind: Scalar(kind) for kind in ("float", "int", "uint", "bool")},  # type: ignore[arg-type]
+    **{kind: Scalar(kind) for kind in ("float", "int", "uint", "bool")},
     **{str(Vector(kind, n)): Vector(kind, n) for kind in KINDS["P"] for n in (2, 3, 4)},
     "texture2d": Texture(),
 }

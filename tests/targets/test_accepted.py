@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+
 from burnish.compiler.ir.program import Program
 from burnish.targets.emit.emitter import EmitOptions, emit
 from burnish.targets.toolchain import Job, Toolchain

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+
 from burnish.targets.emit.bindings import Slot, assign_bindings
 
 from .kit import PROFILES, Selected

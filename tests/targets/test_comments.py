@@ -5,9 +5,10 @@ from __future__ import annotations
 import unicodedata
 
 import pytest
-from burnish.targets.emit.comments import comment_line, comment_lines
 from hypothesis import given
 from hypothesis import strategies as st
+
+from burnish.targets.emit.comments import comment_line, comment_lines
 
 NASTY = [
     "ends in a backslash \\",

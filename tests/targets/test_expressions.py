@@ -5,14 +5,15 @@ from __future__ import annotations
 import ast
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Branch, Region, Statement
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, Matrix
 from burnish.targets.emit.precedence import Binding, Text, choice, infix, prefix
-from hypothesis import given
-from hypothesis import strategies as st
 
 from .kit import PROFILES, Selected, emitted
 from .programs import Maker, block, tiny

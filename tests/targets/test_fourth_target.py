@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import burnish.targets
 import pytest
+
+import burnish.targets
 from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
 

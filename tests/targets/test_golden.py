@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 import pytest
+
 from burnish.compiler.ir.program import Program
 from burnish.targets.emit.emitter import EmitOptions, emit
 

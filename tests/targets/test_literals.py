@@ -6,10 +6,11 @@ import math
 import struct
 
 import pytest
-from burnish.targets.emit.description import Literals
-from burnish.targets.emit.literals import decimal, literal
 from hypothesis import given
 from hypothesis import strategies as st
+
+from burnish.targets.emit.description import Literals
+from burnish.targets.emit.literals import decimal, literal
 
 
 def single(value: float) -> float:

@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.program import Let, Program, Region
@@ -12,8 +15,6 @@ from burnish.compiler.ir.types import FLOAT
 from burnish.targets.emit.emitter import emit
 from burnish.targets.emit.namer import Namer
 from burnish.targets.emit.reserved import Reserved
-from hypothesis import given
-from hypothesis import strategies as st
 
 from .kit import PROFILES, Selected
 from .programs import Maker, block, odd, plastic, tiny

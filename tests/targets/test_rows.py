@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.row import Builtin, nowhere
 from burnish.targets import registry

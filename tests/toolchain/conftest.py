@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+
 from burnish.targets.toolchain import Toolchain
 
 PlantTool = Callable[[str, str, str], None]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import pytest
+
 from burnish.targets.toolchain import CHECKERS, Job, Toolchain
 
 GL = """#version 330 core

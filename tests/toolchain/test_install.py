@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 import pytest
+
 from burnish.targets.toolchain import install
 from burnish.targets.toolchain.tools import DXC_LIBRARY, Tool
 

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from burnish.targets.toolchain import CHECKERS, TOOLS, Job, Toolchain, inspect
 from burnish.targets.toolchain.tools import tool_named
 from burnish.targets.toolchain.workers import Worker
