@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
-from ..diagnostics.diagnostic import Label
 from ..diagnostics.nearest import suggestion
 from ..ir.node import Formal, Node
 from ..syntax import ast
@@ -50,17 +48,26 @@ def check_declarations(low: Lowering, module: Module, surface: Instance) -> None
                 struct_of(low, symbol)
             elif isinstance(declaration, ast.Function) and (declaration.kind == "fn" or with_terms):
                 _check_function(low, symbol, declaration, surface)
+    _check_rig(low, surface)
     for symbol in records_of(module, "light", abstract=False):
         entry = light_entry(low, symbol)
         if entry is not None:
             _check_instance(low, light_instance(low, entry, surface)[0])
 
 
+def _check_rig(low: Lowering, surface: Instance) -> None:
+    """Lower what a rig sets of its lights, whether a term asks for it or not."""
+    for entry in low.rig:
+        instance, _ = light_instance(low, entry, surface)
+        for name, replacement in entry.replaced.items():
+            if replacement.definition is not None:
+                run(lookup.slot(low, instance, name, replacement.definition.member.name.span))
+
+
 def _check_instance(low: Lowering, instance: Instance) -> None:
     for name, definitions in instance.record.definitions.items():
         if isinstance(definitions[0].member, ast.Slot):
             run(lookup.slot(low, instance, name, definitions[0].member.name.span))
-        _check_override(low, definitions)
 
 
 def _check_function(
@@ -95,24 +102,5 @@ def _check_spelling(
         return
     inherited = [n for n, ds in surface.record.definitions.items() if ds[-1].owner is root]
     hint = suggestion(name, inherited)
-    if hint:
+    if hint and not surface.record.baseless:
         low.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)
-
-
-def _check_override(low: Lowering, definitions: tuple[Definition, ...]) -> None:
-    """A heir may write a slot's type again, but not another one."""
-    typed = [d for d in definitions if d.member.type is not None]
-    for heir, base in pairwise(typed):
-        types = []
-        for definition in (heir, base):
-            assert definition.member.type is not None
-            types.append(declared_type(low, definition.member.type, definition.owner.module))
-        own, inherited = types
-        if own is None or inherited is None or own.type == inherited.type:
-            continue
-        low.report.add(
-            rules.OVERRIDE_CHANGES_TYPE, heir.member.name.span,
-            name=heir.member.name.text, base=base.owner.name,
-            expected=inherited.text, found=own.text,
-            labels=[Label(base.member.name.span, "declared here")],
-        )  # fmt: skip

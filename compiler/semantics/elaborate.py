@@ -16,6 +16,7 @@ from . import lookup
 from .checks import check_declarations, check_slots
 from .lower import Lowering
 from .modules import Module, Symbol
+from .overrides import check_overrides
 from .parameters import Leaves, leaves_of
 from .records import Record, Records
 from .rigs import Entry, rig_entries
@@ -149,7 +150,9 @@ def _instance(low: Lowering, record: Record, leaves: Leaves) -> Instance:
         read = texture.resource
         short = read.name.rpartition(".")[2]
         resources[short] = low.graph.node("resource", read.type, (), read)
-    return Instance(record, parameters=nodes, resources=resources)
+    instance = Instance(record, parameters=nodes, resources=resources)
+    check_overrides(low, instance)
+    return instance
 
 
 def _overrides(material: Record, drawn: Record, passing: Instance) -> dict[str, Replacement]:
@@ -181,7 +184,7 @@ def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Node 
 
 
 def _targets(low: Lowering, drawn: Record, passing: Instance) -> tuple[TargetInfo, ...]:
-    if not drawn.targets:
+    if not drawn.targets and not drawn.baseless:
         low.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(low, drawn, passing, *row) for row in drawn.targets)
     return tuple(target for target in found if target is not None)
@@ -195,7 +198,9 @@ def _target(
         lookup.unknown(low, "format", format_, target.format.span, FORMATS)
         return None
     scope = _scope(owner, passing, level)
-    value = run(low.typed(target.value, scope, FORMATS[format_], f"{format_} takes"))
+    value = run(
+        low.typed(target.value, scope, FORMATS[format_], f"{FORMATS[format_]} for {format_}")
+    )
     if isinstance(value, Failure):
         return None
     name = target.name.text

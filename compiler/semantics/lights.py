@@ -22,6 +22,7 @@ from . import lookup
 from .folds import fold
 from .functions import entered, fit_result
 from .modules import Symbol
+from .overrides import check_overrides
 from .scope import FAILURE, Failure, Instance, LightVariable, RigEntry, Scope, Value
 from .trampoline import Step
 
@@ -140,6 +141,7 @@ def _new_instance(
     instance = Instance(
         entry.record, entry.name, surface, resources=resources, replaced=dict(entry.replaced)
     )
+    check_overrides(low, instance)
     if entry.kind == "single":
         instance.parameters = {
             parameter.name.removeprefix(f"{entry.name}."): _parameter(low, parameter)

@@ -86,6 +86,8 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
         return
     known = [*scope.locals, *scope.module.visible(), *INPUTS]
     for instance in (scope.instance, scope.surface):
+        if instance is not None and instance.record.baseless:
+            return
         if instance is not None:
             known += instance.record.definitions
     unknown_here(low, "name", name, span, known, scope.module)
@@ -112,6 +114,8 @@ def unknown_here(
 def slot_or_report(low: Lowering, instance: Instance, name: str, span: Span) -> Step[Value]:
     """``instance.name`` where it is written with the dot."""
     if not instance.has(name):
+        if instance.record.baseless:
+            return FAILURE
         unknown(low, f"slot of `{instance.record.name}`", name, span, instance.record.definitions)
         return FAILURE
     result: Value = yield slot(low, instance, name, span)
@@ -128,7 +132,8 @@ def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> 
     if surface is not None and name.text in surface.record.definitions:
         behind: Value = yield slot(low, surface, name.text, name.span, 0)
         return behind
-    unknown(low, "inherited slot", name.text, name.span, instance.record.definitions)
+    if not instance.record.baseless:
+        unknown(low, "inherited slot", name.text, name.span, instance.record.definitions)
     return FAILURE
 
 

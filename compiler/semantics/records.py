@@ -51,6 +51,8 @@ class Record:
     targets: tuple[tuple[ast.Target, Symbol, int], ...] = ()
     """Of a pass: its targets, each with its record and level."""
     discards: tuple[tuple[ast.Discard, Symbol, int], ...] = ()
+    baseless: bool = False
+    """Whether a base is wrong, so that no name can be said to be missing."""
 
     @property
     def name(self) -> str:
@@ -80,6 +82,8 @@ class Records:
     def __init__(self, report: Report) -> None:
         self._report = report
         self._known: dict[Symbol, Record] = {}
+        self._astray: set[Symbol] = set()
+        """Records whose base is wrong, which has been reported."""
 
     def of(self, symbol: Symbol) -> Record:
         """The record that a ``material``, ``light`` or ``pass`` declares."""
@@ -89,7 +93,7 @@ class Records:
 
     def _flatten(self, symbol: Symbol) -> Record:
         chain = self._chain(symbol)
-        record = Record(symbol, chain)
+        record = Record(symbol, chain, baseless=not self._astray.isdisjoint(chain))
         targets: dict[str, tuple[ast.Target, Symbol, int]] = {}
         for level in reversed(range(len(chain))):
             owner = chain[level]
@@ -146,41 +150,49 @@ class Records:
         chain = [symbol]
         while (base := self._base(chain[-1])) is not None:
             if base in chain:
-                cycle = " : ".join(step.name for step in [*chain[chain.index(base) :], base])
                 declaration = chain[-1].declaration
-                self._report.add(
-                    rules.CYCLIC_INHERITANCE, declaration.name.span, name=base.name, cycle=cycle
-                )
+                self._report_cycle([*chain[chain.index(base) :], base])
                 assert isinstance(declaration, ast.Record)
                 root = self._implied_base(chain[-1], declaration)
                 return tuple(chain) if root is None else (*chain, root)
             chain.append(base)
         return tuple(chain)
 
+    def _report_cycle(self, steps: list[Symbol]) -> None:
+        """Each cycle once, from wherever it was entered."""
+        if self._astray.isdisjoint(steps):
+            *_, last, base = steps
+            cycle = " : ".join(step.name for step in steps)
+            place = last.declaration.name.span
+            self._report.add(rules.CYCLIC_INHERITANCE, place, name=base.name, cycle=cycle)
+        self._astray.update(steps)
+
     def _base(self, symbol: Symbol) -> Symbol | None:
         declaration = symbol.declaration
         assert isinstance(declaration, ast.Record)
         if declaration.base is None:
             return self._implied_base(symbol, declaration)
-        found = symbol.module.find(declaration.base.text)
-        if not found and declaration.base.text in symbol.module.missing:
+        base = self._written_base(symbol, declaration.kind, declaration.base)
+        if base is None:
+            self._astray.add(symbol)
             return self._implied_base(symbol, declaration)
+        return base
+
+    def _written_base(self, symbol: Symbol, kind: str, name: ast.Name) -> Symbol | None:
+        found = symbol.module.find(name.text)
         if not found:
-            self._report.add(
-                rules.UNKNOWN_NAME, declaration.base.span,
-                kind=declaration.kind, name=declaration.base.text,
-                hint=symbol.module.hint(declaration.base.text, symbol.module.visible()),
-            )  # fmt: skip
-            return self._implied_base(symbol, declaration)
+            if name.text not in symbol.module.missing:
+                hint = symbol.module.hint(name.text, symbol.module.visible())
+                self._report.add(
+                    rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint
+                )
+            return None
         base = found[0].declaration
-        if not isinstance(base, ast.Record) or base.kind != declaration.kind:
-            self._report.add(
-                rules.WRONG_BASE, declaration.base.span,
-                kind=declaration.kind, name=declaration.base.text,
-                labels=[Label(base.name.span, "declared here")],
-            )  # fmt: skip
-            return self._implied_base(symbol, declaration)
-        return found[0]
+        if isinstance(base, ast.Record) and base.kind == kind:
+            return found[0]
+        labels = [Label(base.name.span, "declared here")]
+        self._report.add(rules.WRONG_BASE, name.span, kind=kind, name=name.text, labels=labels)
+        return None
 
     def _implied_base(self, symbol: Symbol, declaration: ast.Record) -> Symbol | None:
         """Every material (light, …) extends the prelude's only abstract one of its kind."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from burnish.compiler.reference.functions import LaneKind, evaluate
 from burnish.compiler.reference.namespace import Lanes
+from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, Fact
 from burnish.stdlib.builtins.row import nowhere
@@ -172,10 +173,10 @@ def known_lanes(draw: st.DrawFn, kind: LaneKind, count: int) -> tuple[Fact, list
     lanes = [between(lo, hi, part, kind) for part in draw(parts(count))]
     fact = Fact(lo, hi).as_kind(kind)
     if kind == "float":
-        open_ended = [fact, replace(fact, lo=-math.inf), replace(fact, hi=math.inf)]
+        open_ended = [fact, changed(fact, lo=-math.inf), changed(fact, hi=math.inf)]
         fact = draw(st.sampled_from(open_ended))
     nonzero = all(abs(lane) >= SMALLEST_NORMAL for lane in lanes) and draw(st.booleans())
-    return replace(fact, nonzero=nonzero), lanes
+    return changed(fact, nonzero=nonzero), lanes
 
 
 def between(lo: Any, hi: Any, part: int, kind: LaneKind) -> Any:

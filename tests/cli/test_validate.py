@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,6 +9,7 @@ import pytest
 import burnish
 from burnish.commands.validate import validate
 from burnish.compiler.diagnostics.render import render_all
+from burnish.frozen import changed
 
 from .kit import PLAIN, invoke, tree
 
@@ -23,7 +23,7 @@ def broken() -> tuple[burnish.OutputFile, int]:
     number = next(line for line, span in file.spans.items() if str(span).startswith("<text>:1:"))
     lines = file.text.splitlines()
     lines[number - 1] = "    let tint = nonsense(1.0);"
-    return replace(file, text="\n".join(lines) + "\n"), number
+    return changed(file, text="\n".join(lines) + "\n"), number
 
 
 def test_everything_is_accepted(tmp_path: Path) -> None:
@@ -48,7 +48,7 @@ def test_a_refusal_is_told_at_the_material() -> None:
 
 def test_without_a_source_map_the_emitted_line_is_shown() -> None:
     file, line = broken()
-    found = validate([replace(file, spans={})])
+    found = validate([changed(file, spans={})])
     assert {str(diagnostic.span) for diagnostic in found} == {f"M.frag.wgsl:{line}:16"}
 
 

@@ -25,7 +25,7 @@ struct FragmentInput {
     @location(2) uv_scaled: vec2f,
 }
 
-/// Zero stays zero, and everything is continuous.
+/// Zero stays zero.
 fn safe_normalize(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
 }

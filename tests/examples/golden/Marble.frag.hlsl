@@ -29,7 +29,7 @@ struct FragmentInput {
     [[vk::location(1)]] float3 normal : TEXCOORD1;
 };
 
-/// Zero stays zero, and everything is continuous.
+/// Zero stays zero.
 float3 safe_normalize(float3 v) {
     return v * rsqrt(max(dot(v, v), 1.1754944e-38));
 }

@@ -35,7 +35,7 @@ layout(location = 1) in vec3 vertex_normal;
 
 out vec3 v_color;
 
-/// Zero stays zero, and everything is continuous.
+/// Zero stays zero.
 vec3 safe_normalize(vec3 v) {
     return v * inversesqrt(max(dot(v, v), 1.1754944e-38));
 }

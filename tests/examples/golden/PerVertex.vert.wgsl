@@ -42,7 +42,7 @@ struct VertexOutput {
     @builtin(position) clip_position: vec4f,
 }
 
-/// Zero stays zero, and everything is continuous.
+/// Zero stays zero.
 fn safe_normalize(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
 }

@@ -7,9 +7,11 @@ precision highp sampler2D;
 
 struct Point {
     vec3 diffuse_color;
-    vec3 specular_color;
-    vec3 place;
     float pad_0;
+    vec3 specular_color;
+    float pad_1;
+    vec3 place;
+    float pad_2;
 };
 
 layout(std140) uniform View {
@@ -56,7 +58,7 @@ in vec2 v_uv;
 
 layout(location = 0) out vec4 out_color;
 
-/// Zero stays zero, and everything is continuous.
+/// Zero stays zero.
 vec3 safe_normalize(vec3 v) {
     return v * inversesqrt(max(dot(v, v), 1.1754944e-38));
 }

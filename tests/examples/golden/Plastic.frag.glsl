@@ -4,9 +4,11 @@
 
 struct Point {
     vec3 diffuse_color;
-    vec3 specular_color;
-    vec3 place;
     float pad_0;
+    vec3 specular_color;
+    float pad_1;
+    vec3 place;
+    float pad_2;
 };
 
 layout(std140, set = 0, binding = 0) uniform View {
@@ -54,7 +56,7 @@ layout(location = 2) in vec2 v_uv;
 
 layout(location = 0) out vec4 out_color;
 
-/// Zero stays zero, and everything is continuous.
+/// Zero stays zero.
 vec3 safe_normalize(vec3 v) {
     return v * inversesqrt(max(dot(v, v), 1.1754944e-38));
 }

@@ -3,9 +3,11 @@
 
 struct Point {
     float3 diffuse_color;
-    float3 specular_color;
-    float3 place;
     float pad_0;
+    float3 specular_color;
+    float pad_1;
+    float3 place;
+    float pad_2;
 };
 
 cbuffer View : register(b0, space0) {
@@ -53,7 +55,7 @@ struct FragmentInput {
     [[vk::location(2)]] float2 uv : TEXCOORD2;
 };
 
-/// Zero stays zero, and everything is continuous.
+/// Zero stays zero.
 float3 safe_normalize(float3 v) {
     return v * rsqrt(max(dot(v, v), 1.1754944e-38));
 }

@@ -3,9 +3,11 @@
 
 struct Point {
     diffuse_color: vec3f,
-    specular_color: vec3f,
-    place: vec3f,
     pad_0: f32,
+    specular_color: vec3f,
+    pad_1: f32,
+    place: vec3f,
+    pad_2: f32,
 }
 
 struct View {
@@ -57,7 +59,7 @@ struct FragmentInput {
     @location(2) uv: vec2f,
 }
 
-/// Zero stays zero, and everything is continuous.
+/// Zero stays zero.
 fn safe_normalize(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
 }
