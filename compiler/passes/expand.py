@@ -17,7 +17,7 @@ from ..semantics.lower import Lowering
 from ..semantics.modules import Named
 from ..semantics.records import Records
 from ..semantics.scope import Failure
-from ..semantics.trampoline import run
+from ..trampoline import run
 from ..semantics.typenames import TypeResolver
 from ..syntax import ast
 

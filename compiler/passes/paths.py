@@ -21,6 +21,10 @@ FARTHEST = 16
 """Conditions looked at on the way out; farther ones rarely say anything more."""
 
 
+DEEPEST = 32
+"""Branches inside of branches, beyond which both sides are computed: front ends have limits too."""
+
+
 @frozen(eq=False)
 class Path:
     """The region behind one side of a select."""
@@ -71,7 +75,8 @@ class Paths:
             sides: list[Path | None] = [here] * len(node.operands)
             if node.op == "select" and isinstance(node.operands[0].type, Scalar):
                 depth = 0 if here is None else here.depth + 1
-                sides[1:] = [Path(here, node, holds, depth) for holds in (True, False)]
+                if depth < DEEPEST:
+                    sides[1:] = [Path(here, node, holds, depth) for holds in (True, False)]
             elif node.op == "interpolate" or _needs_uniform_control_flow(node):
                 sides = [None] * len(node.operands)
             for operand, path in zip(node.operands, sides, strict=True):

@@ -15,9 +15,11 @@ from ...stdlib.builtins import BUILTINS
 from ..ir.node import Folding, Formal, Node
 from ..ir.program import Branch, Let, Loop, Region, Statement
 from ..semantics.shader import Notes
+from ..trampoline import Step, run
 from .cost import cost_of
 from .guard import BRANCH
 from .naming import Naming
+from .paths import DEEPEST
 
 LEAVES = frozenset({"constant", "parameter", "resource", "attribute", "formal", "input", "bound"})
 BRANCH_COST = 32
@@ -79,13 +81,13 @@ class Scheduler:
 
     def schedule(self) -> Region:
         """The statements that compute the roots."""
-        self._results = self._region_results()
         self._depends = free_formals(self._order)
         branching = self._branching()
         self._place(branching)
+        self._results = self._region_results()
         for node in self._order:
             self._home[node.id].nodes.append(node)
-        return self._emit(self._top)
+        return run(self._emit(self._top))
 
     # --- placing ---------------------------------------------------------------------------------
 
@@ -107,7 +109,7 @@ class Scheduler:
                 assert isinstance(node.data, Folding)
                 body = _Block(home, node, node.data.index, home.depth + 1)
                 self._loops[node.id] = body
-            elif node.id in branching:
+            elif node.id in branching and (home.depth < DEEPEST or node.data == BRANCH):
                 self._sides[node.id] = (
                     _Block(home, node, None, home.depth + 1),
                     _Block(home, node, None, home.depth + 1),
@@ -148,7 +150,7 @@ class Scheduler:
         for node in self._order:
             if node.op == "fold":
                 found.add(node.operands[2].id)
-            elif node.op == "select":
+            elif node.id in self._sides:
                 found.update(side.id for side in node.operands[1:])
         return found
 
@@ -186,19 +188,22 @@ class Scheduler:
 
     # --- printing order --------------------------------------------------------------------------
 
-    def _emit(self, block: _Block) -> Region:
+    def _emit(self, block: _Block) -> Step[Region]:
         statements: list[Statement] = []
         for node in block.nodes:
-            statement = self._statement(node)
+            statement = yield self._statement(node)
             if statement is not None:
                 statements.append(statement)
         return Region(tuple(statements))
 
-    def _statement(self, node: Node) -> Statement | None:
+    def _statement(self, node: Node) -> Step[Statement | None]:
         if node.op == "fold":
-            return self._loop(node)
+            loop: Loop = yield self._loop(node)
+            return loop
         if node.id in self._sides:
-            then, otherwise = (self._emit(side) for side in self._sides[node.id])
+            first, second = self._sides[node.id]
+            then = yield self._emit(first)
+            otherwise = yield self._emit(second)
             self._size[node.id] = BOUND
             return Branch(self._naming.name(node), node, then, otherwise)
         if not self._bound(node):
@@ -206,11 +211,11 @@ class Scheduler:
         self._size[node.id] = BOUND
         return Let(self._naming.name(node), node, self._notes.docs.get(node.id, ""))
 
-    def _loop(self, node: Node) -> Loop:
+    def _loop(self, node: Node) -> Step[Loop]:
         assert isinstance(node.data, Folding) and node.data.index is not None
         count, start, value = node.operands
         name = self._naming.name(node)
-        body = self._emit(self._loops[node.id])
+        body = yield self._emit(self._loops[node.id])
         self._size[node.id] = BOUND
         return Loop(
             name, node, count, node.data.bound, start, node.data.index, node.data.operator,

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from ..ir.node import Folding, Formal, Node, binders, body_of, reachable
 from ..ir.types import scalar_kind
-from ..semantics.trampoline import Step, run
+from ..trampoline import Step, run
 from . import scalars
 from .functions import evaluate as builtin
 from .namespace import Lanes, Namespace

@@ -19,7 +19,7 @@ from .declared import declared_type
 from .functions import bind_type_parameters, entered, fit_result
 from .modules import Symbol
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
-from .trampoline import Step
+from ..trampoline import Step
 from .unique import check_once
 
 if TYPE_CHECKING:

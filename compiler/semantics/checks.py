@@ -16,7 +16,7 @@ from .modules import Module, Symbol
 from .records import Definition, records_of
 from .rigs import light_entry
 from .scope import Instance, Scope
-from .trampoline import run
+from ..trampoline import run
 
 if TYPE_CHECKING:
     from .lower import Lowering

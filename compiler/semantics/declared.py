@@ -10,7 +10,7 @@ from ..ir.types import INT, Struct, Texture, Type
 from ..syntax import ast
 from .modules import Module, Symbol
 from .scope import Failure, Scope
-from .trampoline import run
+from ..trampoline import run
 from .typenames import Declared, array_of
 
 if TYPE_CHECKING:

@@ -22,7 +22,7 @@ from .records import Record, Records
 from .rigs import Entry, rig_entries
 from .scope import Failure, Instance, Replacement, Scope
 from .shader import ParameterInfo, Shader, TargetInfo
-from .trampoline import run
+from ..trampoline import run
 from .typenames import TypeResolver
 
 FORMATS: Mapping[str, Type] = {

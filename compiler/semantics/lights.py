@@ -24,7 +24,7 @@ from .functions import entered, fit_result
 from .modules import Symbol
 from .overrides import check_overrides
 from .scope import FAILURE, Failure, Instance, LightVariable, RigEntry, Scope, Value
-from .trampoline import Step
+from ..trampoline import Step
 
 if TYPE_CHECKING:
     from .lower import Lowering

@@ -20,7 +20,7 @@ from .declared import declared_type
 from .modules import Module, Symbol
 from .records import Definition, NamedMember, Record
 from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
-from .trampoline import Step
+from ..trampoline import Step
 
 if TYPE_CHECKING:
     from .lower import Lowering

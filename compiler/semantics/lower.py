@@ -49,7 +49,7 @@ from .scope import (
 )
 from .shader import Notes
 from .stages import Stages
-from .trampoline import Step
+from ..trampoline import Step
 from .typenames import TypeResolver
 
 OPERATORS: Mapping[str, str] = {

@@ -18,7 +18,7 @@ from .declared import declared_type
 from .records import Definition, Record
 from .scope import Failure, Scope
 from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
-from .trampoline import run
+from ..trampoline import run
 from .typenames import Declared
 from .unique import check_once
 

@@ -31,6 +31,19 @@ def long_sum(length: int) -> str:
     return f"material M {{ color = vec3({terms}) }}"
 
 
+def nested(depth: int) -> str:
+    """A material whose colour is chosen by a long ``else if``."""
+    links = "".join(f"if x < {i}.5 then pow(x, sin(x * {i}.5)) else " for i in range(depth))
+    return f"material M {{ x = uv.x\ncolor = vec3({links}0) }}"
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_a_long_else_if_nests_no_deeper_than_front_ends_take(target: str) -> None:
+    text = burnish.compile(nested(1_000), (target,)).materials[0].text(target, "fragment")
+    deepest = max(len(line) - len(line.lstrip()) for line in text.split("\n")) // 4
+    assert deepest < 64
+
+
 def test_a_long_chain_of_equations_compiles() -> None:
     given = shader(chain(LONG))
     assert len(reachable([given.targets[0].value])) > 3 * LONG
