@@ -1,8 +1,8 @@
 """Recursion without the call stack.
 
-Expressions nest as deeply as a text is long and equations chain without limit, so what follows their
-structure is written as generators: ``yield sub()`` stands for a recursive call. ``run`` keeps the pending ones
-on a list, whose length nothing limits.
+Expressions nest as deeply as a text is long and equations chain without limit, so what follows
+their structure is written as generators: ``yield sub()`` stands for a recursive call. ``run`` keeps
+the pending ones on a list, whose length nothing limits.
 """
 
 from __future__ import annotations

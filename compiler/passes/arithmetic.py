@@ -192,8 +192,17 @@ def _pow(s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Nod
     return base if _lane(exponent) == 1 and s.ranges.of(base).lo >= 0 else None
 
 
-def _transpose(_s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
-    return operands[0].operands[0] if _is_call(operands[0], "transpose") else None
+def _transpose(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+    """Two transposes cancel, whatever scalar stands between them."""
+    (operand,) = operands
+    if _is_call(operand, "transpose"):
+        return operand.operands[0]
+    if not _is_call(operand, "mul") or not isinstance(operand.operands[1].type, Scalar):
+        return None
+    matrix, factor = operand.operands
+    return (
+        s.call("mul", type_, matrix.operands[0], factor) if _is_call(matrix, "transpose") else None
+    )
 
 
 def _comparison(decide: Callable[[Simplifier, Node, Node], bool | None]) -> BuiltinRule:

@@ -17,9 +17,9 @@ from ..semantics.lower import Lowering
 from ..semantics.modules import Named
 from ..semantics.records import Records
 from ..semantics.scope import Failure
-from ..trampoline import run
 from ..semantics.typenames import TypeResolver
 from ..syntax import ast
+from ..trampoline import run
 
 
 @frozen

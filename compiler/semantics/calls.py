@@ -12,6 +12,7 @@ from ..diagnostics.source import Span
 from ..ir.node import Node
 from ..ir.types import VEC2, Texture, scalar_kind
 from ..syntax import ast
+from ..trampoline import Step
 from . import lights, lookup, overloads
 from .coerce import coerce
 from .construct import construct, is_constructor
@@ -19,7 +20,6 @@ from .declared import declared_type
 from .functions import bind_type_parameters, entered, fit_result
 from .modules import Symbol
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
-from ..trampoline import Step
 from .unique import check_once
 
 if TYPE_CHECKING:

@@ -8,6 +8,7 @@ from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
 from ..ir.node import Formal, Node
 from ..syntax import ast
+from ..trampoline import run
 from . import lookup
 from .calls import apply_body
 from .declared import declared_type, struct_of
@@ -16,7 +17,6 @@ from .modules import Module, Symbol
 from .records import Definition, records_of
 from .rigs import light_entry
 from .scope import Instance, Scope
-from ..trampoline import run
 
 if TYPE_CHECKING:
     from .lower import Lowering

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from ..diagnostics import rules
 from ..ir.types import INT, Struct, Texture, Type
 from ..syntax import ast
+from ..trampoline import run
 from .modules import Module, Symbol
 from .scope import Failure, Scope
-from ..trampoline import run
 from .typenames import Declared, array_of
 
 if TYPE_CHECKING:

@@ -12,6 +12,7 @@ from ..ir.leaves import Parameter, Resource
 from ..ir.node import Node
 from ..ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ..syntax import ast
+from ..trampoline import run
 from . import lookup
 from .checks import check_declarations, check_slots
 from .lower import Lowering
@@ -22,7 +23,6 @@ from .records import Record, Records
 from .rigs import Entry, rig_entries
 from .scope import Failure, Instance, Replacement, Scope
 from .shader import ParameterInfo, Shader, TargetInfo
-from ..trampoline import run
 from .typenames import TypeResolver
 
 FORMATS: Mapping[str, Type] = {

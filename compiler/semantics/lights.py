@@ -18,13 +18,13 @@ from ..ir.leaves import Parameter
 from ..ir.node import Formal, Node
 from ..ir.types import INT, Array, Scalar, Struct, Vector, scalar_kind
 from ..syntax import ast
+from ..trampoline import Step
 from . import lookup
 from .folds import fold
 from .functions import entered, fit_result
 from .modules import Symbol
 from .overrides import check_overrides
 from .scope import FAILURE, Failure, Instance, LightVariable, RigEntry, Scope, Value
-from ..trampoline import Step
 
 if TYPE_CHECKING:
     from .lower import Lowering

@@ -16,11 +16,11 @@ from ..diagnostics.source import Span
 from ..ir.node import Formal, Node
 from ..ir.types import BOOL, VEC4, Texture, Type
 from ..syntax import ast
+from ..trampoline import Step
 from .declared import declared_type
 from .modules import Module, Symbol
 from .records import Definition, NamedMember, Record
 from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
-from ..trampoline import Step
 
 if TYPE_CHECKING:
     from .lower import Lowering

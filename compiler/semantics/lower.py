@@ -31,6 +31,7 @@ from ..ir.types import (
     width,
 )
 from ..syntax import ast
+from ..trampoline import Step
 from . import calls, lookup, overloads
 from .coerce import coerce
 from .constants import ConstantValues
@@ -49,7 +50,6 @@ from .scope import (
 )
 from .shader import Notes
 from .stages import Stages
-from ..trampoline import Step
 from .typenames import TypeResolver
 
 OPERATORS: Mapping[str, str] = {

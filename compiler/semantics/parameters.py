@@ -14,11 +14,11 @@ from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.types import INT, Array, Scalar, Struct, Texture, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
 from ..syntax import ast
+from ..trampoline import run
 from .declared import declared_type
 from .records import Definition, Record
 from .scope import Failure, Scope
 from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
-from ..trampoline import run
 from .typenames import Declared
 from .unique import check_once
 
