@@ -6,8 +6,9 @@ The three rule sets differ as soon as they have a choice, so the text leaves the
   ``vec2`` up into it);
 - arrays are ``vec4[n]`` with the elements in the lanes (std140 and D3D pad elements to 16 bytes,
   WGSL refuses element strides that are not multiples of 16);
-- 2- and 3-row matrices are arrays of ``vec4`` columns (a ``mat2`` column takes 8 bytes in WGSL and
-  16 elsewhere);
+- matrices have columns of four rows (a ``mat2`` column takes 8 bytes in WGSL and 16 elsewhere, and
+  after a ``mat3`` D3D would move a scalar up into the last one); in arrays, the columns are the
+  elements;
 - structs start at multiples of 16 bytes and end in explicit padding at one;
 - bools are uints (no rule set gives a bool a size that all of them keep).
 
@@ -24,7 +25,7 @@ from itertools import count, filterfalse
 from ..frozen import frozen
 from .ir.leaves import Parameter
 from .ir.program import Block, StoredMember
-from .ir.types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector
+from .ir.types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, TallMatrix, Type, Vector
 
 STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
 """The groups that every shader has, in binding order."""
@@ -145,7 +146,9 @@ def stored_type(type_: Type) -> Type:
         case Vector(kind, size):
             return Vector(_stored_kind(kind), size)
         case Matrix(size):
-            return type_ if size == 4 else Array(Vector("float", 4), size)
+            return type_ if size == 4 else TallMatrix(size)
+        case TallMatrix():
+            return type_
         case Array(element, count):
             return _stored_array(element, count)
         case Struct():
@@ -196,8 +199,8 @@ def byte_size(stored: Type) -> int:
             return LANE
         case Vector(size=size):
             return LANE * size
-        case Matrix(size=4):
-            return 4 * ROW
+        case Matrix(4 as columns) | TallMatrix(columns):
+            return columns * ROW
         case Array(element, count):
             return count * byte_size(element)
         case Struct(members=members):

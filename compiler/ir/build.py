@@ -3,7 +3,19 @@
 from __future__ import annotations
 
 from .node import Graph, Node
-from .types import FLOAT, Array, Matrix, Struct, Type, Vector, scalar_kind, width, with_width
+from .types import (
+    FLOAT,
+    VEC4,
+    Array,
+    Matrix,
+    Struct,
+    TallMatrix,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+    with_width,
+)
 
 Number = float | int | bool
 
@@ -60,6 +72,8 @@ def index(graph: Graph, operand: Node, position: Node) -> Node:
             type_: Type = element
         case Matrix(size=size):
             type_ = Vector("float", size)
+        case TallMatrix():
+            type_ = VEC4
         case Vector(kind=kind):
             type_ = with_width(kind, 1)
         case _:

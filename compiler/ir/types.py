@@ -48,6 +48,16 @@ class Matrix:
 
 
 @frozen
+class TallMatrix:
+    """Two or three columns of type ``vec4``: how blocks store a smaller ``Matrix``."""
+
+    columns: int
+
+    def __str__(self) -> str:
+        return f"mat{self.columns}x4"
+
+
+@frozen
 class Array:
     """A fixed number of elements."""
 
@@ -84,7 +94,7 @@ class Texture:
         return f"texture{self.dimension}"
 
 
-Type = Scalar | Vector | Matrix | Array | Struct | Texture
+Type = Scalar | Vector | Matrix | TallMatrix | Array | Struct | Texture
 Numeric = Scalar | Vector
 
 FLOAT = Scalar("float")

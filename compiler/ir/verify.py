@@ -17,11 +17,13 @@ from .node import Folding, Formal, Node, binders, body_of, reachable
 from .types import (
     BOOL,
     INT,
+    VEC4,
     Array,
     Matrix,
     Scalar,
     ScalarKind,
     Struct,
+    TallMatrix,
     Texture,
     Type,
     Vector,
@@ -164,6 +166,15 @@ def _builtin(node: Node) -> Type | None:
     return signatures.result_type(str(node.data), types)
 
 
+def _native(node: Node) -> Type | None:
+    """As a builtin; besides, hardware multiplies a stored matrix with a column."""
+    match [operand.type for operand in node.operands]:
+        case [TallMatrix(columns), Vector("float", size)] if node.data == "mul":
+            return VEC4 if size == columns else None
+        case _:
+            return _builtin(node)
+
+
 def _vector(node: Node) -> Type | None:
     kinds = {operand.type.kind for operand in node.operands if _is_numeric(operand)}  # type: ignore[union-attr]
     if len(kinds) != 1 or not all(map(_is_numeric, node.operands)):
@@ -202,6 +213,8 @@ def _index(node: Node) -> Type | None:
             return element
         case Matrix(size=size):
             return Vector("float", size)
+        case TallMatrix():
+            return VEC4
         case Vector(kind=kind):
             return Scalar(kind)
         case _:
@@ -251,7 +264,7 @@ _RULES: Mapping[str, Callable[[Node], Type | None]] = {
     "bound": _own,
     "formal": _own,
     "call": _builtin,
-    "native": _builtin,
+    "native": _native,
     "vector": _vector,
     "splat": _splat,
     "matrix": _matrix,

@@ -2,7 +2,8 @@
 
 Scalars, vectors and matrices are converted right where they are read. Structs and arrays stay in
 stored form wherever they travel (through selects, binders and calls) until a member or an element
-is taken out, because no operation makes one from parts.
+is taken out, because no operation makes one from parts. A product with a column, and a column, are
+taken from a matrix as it is stored.
 """
 
 from __future__ import annotations
@@ -13,7 +14,20 @@ from collections.abc import Callable, Iterable, Mapping
 from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node
-from ..ir.types import BOOL, INT, UINT, Array, Matrix, Scalar, Struct, Type, Vector, width
+from ..ir.types import (
+    BOOL,
+    INT,
+    UINT,
+    VEC4,
+    Array,
+    Matrix,
+    Scalar,
+    Struct,
+    TallMatrix,
+    Type,
+    Vector,
+    width,
+)
 from ..layout import elements_in_row, stored_type
 from .rewrite import rewrite
 
@@ -35,6 +49,8 @@ def _lower(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         return _loaded(graph, node.type, member(graph, operands[0], node.data))
     if node.op == "index" and isinstance(node.operands[0].type, Array):
         return _element(graph, node.type, *operands)
+    if isinstance(node.type, Vector) and operands and (whole := _whole(graph, operands[0])):
+        return _from_whole(graph, node, whole, operands)
     if isinstance(node.type, Struct | Array):
         return graph.node(node.op, stored_type(node.type), operands, node.data)
     return None
@@ -49,7 +65,7 @@ def _loaded(graph: Graph, type_: Type, stored: Node) -> Node:
             lanes = (swizzle(graph, stored, (lane,)) for lane in range(size))
             return vector(graph, tuple(_is_set(graph, lane) for lane in lanes))
         case Matrix(size) if size < 4:
-            return _matrix(graph, size, stored, [constant(graph, INT, i) for i in range(size)])
+            return _square(graph, size, stored)
         case _:
             return stored
 
@@ -88,6 +104,36 @@ def _matrix(graph: Graph, size: int, stored: Node, positions: list[Node]) -> Nod
     lanes = tuple(range(size))
     columns = (swizzle(graph, index(graph, stored, position), lanes) for position in positions)
     return matrix(graph, tuple(columns))
+
+
+def _square(graph: Graph, size: int, stored: Node) -> Node:
+    """The upper rows of a stored matrix."""
+    return _matrix(graph, size, stored, [constant(graph, INT, i) for i in range(size)])
+
+
+def _whole(graph: Graph, square: Node) -> Node | None:
+    """The stored matrix that was read to give ``square``, if it was read and not computed."""
+    if not isinstance(square.type, Matrix):
+        return None
+    stored = square
+    for op in ("matrix", "swizzle", "index"):
+        if stored.op != op:
+            return None
+        stored = stored.operands[0]
+    size = square.type.size
+    read = stored.type == TallMatrix(size) and _square(graph, size, stored) is square
+    return stored if read else None
+
+
+def _from_whole(graph: Graph, node: Node, stored: Node, operands: tuple[Node, ...]) -> Node | None:
+    """A vector that is computed from a stored matrix: the upper rows of what all rows give."""
+    if node.op == "index":
+        rows = index(graph, stored, operands[1])
+    elif node.op == "native" and node.data == "mul":
+        rows = graph.node("native", VEC4, (stored, operands[1]), "mul")
+    else:
+        return None
+    return swizzle(graph, rows, tuple(range(width(node.type))))
 
 
 def _is_set(graph: Graph, stored: Node) -> Node:

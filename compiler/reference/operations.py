@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from ..ir.node import Node
-from ..ir.types import Array, Matrix, Scalar, Struct, Type, Vector, scalar_kind
+from ..ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector, scalar_kind
 from . import scalars
 from .functions import evaluate as builtin
 from .namespace import Lane, Lanes, Namespace
@@ -77,7 +77,7 @@ def _swizzle(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
 def _index(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
     aggregate, (position,) = operands
     parts = aggregate
-    if not isinstance(node.operands[0].type, Matrix | Array):
+    if not isinstance(node.operands[0].type, Matrix | TallMatrix | Array):
         parts = tuple((lane,) for lane in aggregate)
     part: Lanes = _at(parts, position, xp)
     return part

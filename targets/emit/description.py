@@ -47,6 +47,8 @@ class TypeNames:
     scalars: Mapping[ScalarKind, str]
     vectors: Mapping[ScalarKind, str]
     matrix: str
+    tall_matrix: str
+    """A matrix of four rows, as blocks store smaller ones; ``{n}`` columns."""
     array: str = ""
     """``{element}`` and ``{count}``; empty where the count stands behind the variable's name."""
     declaration: str = "{type} {name}"

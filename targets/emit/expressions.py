@@ -6,7 +6,16 @@ from collections.abc import Callable, Mapping
 
 from ...compiler.ir.node import Formal, Node, Op
 from ...compiler.ir.program import Function
-from ...compiler.ir.types import Matrix, Scalar, Struct, Type, Vector, scalar_kind, width
+from ...compiler.ir.types import (
+    Matrix,
+    Scalar,
+    Struct,
+    TallMatrix,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+)
 from .context import Context
 from .leaves import Leaves
 from .literals import literal
@@ -131,7 +140,7 @@ class Expressions:
     def _index(self, node: Node) -> Text:
         aggregate, position = node.operands
         form = "{matrix}[{position}]"
-        if isinstance(aggregate.type, Matrix):
+        if isinstance(aggregate.type, Matrix | TallMatrix):
             form = self._forms.column
         operand = self.operand(aggregate).within(Binding.POSTFIX)
         return Text(form.format(matrix=operand, position=self.text(position)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind
+from ...compiler.ir.types import Matrix, Scalar, TallMatrix, Texture, Type, Vector, scalar_kind
 from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .description import Spelling
@@ -27,7 +27,7 @@ def spelling_of(name: str, operands: Sequence[Type], table: Mapping[str, str | S
     """How builtin ``name`` is written for operands of these types."""
     spelled = table.get(name, "")
     if isinstance(spelled, Spelling):
-        if any(isinstance(operand, Matrix) for operand in operands):
+        if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
             spelled = spelled.matrix
         else:
             spelled = spelled.floats if scalar_kind(operands[0]) == "float" else ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...compiler.ir.types import Array, Matrix, Scalar, Struct, Type, Vector
+from ...compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
 from .description import TypeNames
 
 
@@ -22,6 +22,8 @@ class TypeSpeller:
                 return self._names.vectors[kind].format(n=size)
             case Matrix(size=size):
                 return self._names.matrix.format(n=size)
+            case TallMatrix(columns=columns):
+                return self._names.tall_matrix.format(n=columns)
             case Struct(name=name):
                 return self._structs.get(name, name)
             case Array(element=element, count=count):
@@ -43,6 +45,6 @@ class TypeSpeller:
             element, name = type_.element, f"{name}[{type_.count}]"
         text = self.type(element)
         inner = element.element if isinstance(element, Array) else element
-        if stored and isinstance(inner, Matrix):
+        if stored and isinstance(inner, Matrix | TallMatrix):
             text = self._names.stored_matrix.format(type=text)
         return self._names.declaration.format(type=text, name=name)

@@ -17,6 +17,7 @@ TYPES = TypeNames(
     scalars={"float": "float", "int": "int", "uint": "uint", "bool": "bool"},
     vectors={"float": "float{n}", "int": "int{n}", "uint": "uint{n}", "bool": "bool{n}"},
     matrix="float{n}x{n}",
+    tall_matrix="float4x{n}",
     stored_matrix="column_major {type}",
 )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 from typing import Any
 
-from burnish.compiler.ir.types import Array, Matrix, Scalar, Struct, Type, Vector
+from burnish.compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
 from burnish.compiler.layout import byte_size
 from burnish.compiler.packing import Packing
 
@@ -45,8 +45,8 @@ def read(source: bytes, start: int, stored: Type) -> Value:
             return struct.unpack_from(CODES[kind], source, start)[0]
         case Vector(kind, size):
             return _run(source, start, [Scalar(kind)] * size)
-        case Matrix(4):
-            return _run(source, start, [Vector("float", 4)] * 4)
+        case Matrix(4 as columns) | TallMatrix(columns):
+            return _run(source, start, [Vector("float", 4)] * columns)
         case Array(element, count):
             return _run(source, start, [element] * count)
         case Struct(members=members):

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from burnish.compiler.ir.build import constant, index, splat, swizzle
+from burnish.compiler.ir.build import member as member_of
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Block, Program
@@ -27,6 +28,7 @@ from burnish.compiler.ir.types import (
     Matrix,
     Scalar,
     Struct,
+    TallMatrix,
     Type,
     Vector,
 )
@@ -152,7 +154,7 @@ def inside(path: str, type_: Type, offset: int, names: Names) -> Offsets:
         path += "[]"
         type_ = type_.element
         found[path] = byte_size(type_)
-    if isinstance(type_, Matrix):
+    if isinstance(type_, Matrix | TallMatrix):
         found[f"{path}[]"] = 16
     if isinstance(type_, Struct):
         for name, member in type_.members:
@@ -210,6 +212,27 @@ def test_reads_at_computed_indices_are_accepted(toolchain: Toolchain) -> None:
         element = index(graph, graph.node("parameter", array.type, (), array), position)
         total = graph.node("native", VEC4, (total, colour_of(graph, element)), "add")
     program = program_of([*arrays, turn], graph, lower_reads(graph, [total])[0])
+    jobs = [job(route, emit(program, *select(route.target))) for route in ACCEPTING]
+    for verdict in toolchain.check(jobs):
+        assert verdict.status == "accepted", f"{verdict.report()}\n{verdict.job.text}"
+
+
+def test_uses_of_a_matrix_are_accepted(toolchain: Toolchain) -> None:
+    """Products with columns and matrices, columns, and all of it from inside a structure."""
+    graph = Graph()
+    turns = declared([Matrix(2), Matrix(3), Matrix(4), LAMP])
+    position = Parameter("position", INT, "material")
+    total = constant(graph, VEC4, (0.0,) * 4)
+    for turn in turns:
+        whole = graph.node("parameter", turn.type, (), turn)
+        if isinstance(turn.type, Struct):
+            whole = member_of(graph, whole, "turn")
+        at = index(graph, whole, graph.node("parameter", INT, (), position))
+        moved = graph.node("native", at.type, (whole, at), "mul")
+        twice = graph.node("native", whole.type, (whole, whole), "mul")
+        for used in (at, moved, twice):
+            total = graph.node("native", VEC4, (total, colour_of(graph, used)), "add")
+    program = program_of([*turns, position], graph, lower_reads(graph, [total])[0])
     jobs = [job(route, emit(program, *select(route.target))) for route in ACCEPTING]
     for verdict in toolchain.check(jobs):
         assert verdict.status == "accepted", f"{verdict.report()}\n{verdict.job.text}"

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from burnish.compiler.ir.build import constant, index, member, swizzle
+from burnish.compiler.ir.build import constant, index, matrix, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node, reachable
 from burnish.compiler.ir.types import (
@@ -22,12 +22,15 @@ from burnish.compiler.ir.types import (
     Array,
     Matrix,
     Struct,
+    TallMatrix,
     Type,
+    Vector,
 )
 from burnish.compiler.layout import byte_size, layout_blocks, stored_type
 from burnish.compiler.packing import packing
 from burnish.compiler.passes.rewrite import rewrite
 from burnish.compiler.passes.storage import lower_reads
+from burnish.compiler.reference.evaluate import evaluate as meaning
 from burnish.compiler.semantics.shader import Notes
 
 from .declarations import ELEMENTS, types, values
@@ -127,6 +130,67 @@ def test_a_constant_index_leaves_no_arithmetic() -> None:
 def parameter_stored(graph: Graph, name: str, type_: Type) -> Node:
     leaf = Parameter(name, type_, "material")
     return graph.node("parameter", stored_type(type_), (), leaf)
+
+
+def product(graph: Graph, turn: Node, column: Node) -> Node:
+    return graph.node("native", column.type, (turn, column), "mul")
+
+
+@pytest.mark.parametrize("size", [2, 3])
+@given(data=st.data())
+def test_a_product_is_one_of_the_stored_matrix(size: int, data: st.DataObject) -> None:
+    graph = Graph()
+    turn, column = parameter(graph, "m", Matrix(size)), parameter(graph, "v", Vector("float", size))
+    before = product(graph, turn, column)
+    (after,) = lower_reads(graph, [before])
+
+    stored = parameter_stored(graph, "m", Matrix(size))
+    assert stored.type == TallMatrix(size)
+    rows = graph.node("native", VEC4, (stored, column), "mul")
+    assert after is swizzle(graph, rows, tuple(range(size)))
+    assert lower_reads(graph, [after]) == [after]
+
+    given_values = {"m": data.draw(values(turn.type)), "v": data.draw(values(column.type))}
+    written = stored_value(turn.type, given_values["m"])
+
+    def leaf(node: Node) -> Value:
+        assert isinstance(node.data, Parameter)
+        return written if node.type == stored.type else given_values[node.data.name]
+
+    assert meaning(after, leaf) == meaning(before, leaf)
+
+
+def test_a_column_is_one_of_the_stored_matrix() -> None:
+    graph = Graph()
+    position = parameter(graph, "i", INT)
+    (column,) = lower_reads(graph, [index(graph, parameter(graph, "m", Matrix(3)), position)])
+    stored = parameter_stored(graph, "m", Matrix(3))
+    assert column is swizzle(graph, index(graph, stored, position), (0, 1, 2))
+
+
+def test_a_matrix_in_a_struct_is_multiplied_as_it_is_stored() -> None:
+    graph = Graph()
+    probes = Array(Struct("Probe", (("on", BOOL), ("turn", Matrix(3)))), 2)
+    probe = index(graph, parameter(graph, "probes", probes), parameter(graph, "i", INT))
+    column = parameter(graph, "v", VEC3)
+    (lowered,) = lower_reads(graph, [product(graph, member(graph, probe, "turn"), column)])
+    assert [node for node in reachable([lowered]) if node.op == "matrix"] == []
+
+
+def test_matrices_that_are_no_parameters_stay_square() -> None:
+    graph = Graph()
+    column = parameter(graph, "v", VEC3)
+    turn = parameter(graph, "m", Matrix(3))
+    first, second = (index(graph, turn, constant(graph, INT, i)) for i in (0, 1))
+    other = matrix(graph, (second, first, column))
+    small = matrix(graph, tuple(swizzle(graph, each, (0, 1)) for each in (first, second)))
+    of_array = index(graph, parameter(graph, "a", Array(Matrix(3), 2)), constant(graph, INT, 1))
+    flat = parameter(graph, "u", VEC2)
+    roots = [product(graph, other, column), product(graph, of_array, column),
+             product(graph, small, flat)]  # fmt: skip
+    for lowered in lower_reads(graph, roots):
+        assert lowered.op == "native"
+        assert isinstance(lowered.operands[0].type, Matrix)
 
 
 def test_structs_travel_stored_through_binders_and_selects() -> None:

@@ -9,7 +9,7 @@ import pytest
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
-from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Matrix
+from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, VEC4, Matrix, TallMatrix
 from burnish.compiler.ir.verify import Form, InvalidGraphError, verify
 from burnish.compiler.passes import checkpoint
 
@@ -45,6 +45,11 @@ def flag(graph: Graph) -> Node:
     return graph.node("parameter", BOOL, (), Parameter("flag", BOOL, "material"))
 
 
+def turned(graph: Graph, size: int) -> Node:
+    turn = graph.node("parameter", TallMatrix(size), (), Parameter("m", Matrix(size), "draw"))
+    return graph.node("native", VEC4, (turn, attribute(graph)), "mul")
+
+
 WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
     ("semantics", lambda g: g.node("call", VEC3, (one(g), one(g)), "add"), "instead of float"),
     ("semantics", lambda g: g.node("call", FLOAT, (one(g), flag(g)), "add"), "does not take"),
@@ -58,6 +63,7 @@ WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
     ("opened", lambda g: loop(g, variable(g, 0)), "has not been opened"),
     ("guarded", lambda g: g.node("call", FLOAT, (one(g),), "sqrt"), "has not been guarded"),
     ("stored", flag, "instead of uint"),
+    ("stored", lambda g: turned(g, 2), "does not take"),
     ("semantics", lambda g: g.node("interpolate", VEC3, (crossing(g),), "flat"), "behind a"),
     ("semantics", lambda g: g.node("interpolate", BOOL, (flag(g),), "flat"), "does not take"),
 ]
@@ -67,6 +73,10 @@ WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
 def test_what_is_wrong_is_found(form: Form, make: Callable[[Graph], Node], reason: str) -> None:
     with pytest.raises(InvalidGraphError, match=reason):
         verify([make(Graph())], stage=form)
+
+
+def test_a_stored_matrix_is_multiplied_with_a_column() -> None:
+    verify([turned(Graph(), 3)], stage="stored")
 
 
 def test_a_formal_has_the_type_of_what_it_stands_for() -> None:

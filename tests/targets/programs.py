@@ -29,11 +29,12 @@ from burnish.compiler.ir.types import (
     Array,
     Matrix,
     Struct,
+    TallMatrix,
     Texture,
     Type,
 )
 
-SIZES = {FLOAT: 4, INT: 4, UINT: 4, VEC2: 8, VEC3: 12, VEC4: 16, Matrix(4): 64}
+SIZES = {FLOAT: 4, INT: 4, UINT: 4, VEC2: 8, VEC3: 12, VEC4: 16, TallMatrix(3): 48, Matrix(4): 64}
 
 
 class Maker:

@@ -12,7 +12,7 @@ from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Branch, Region, Statement
-from burnish.compiler.ir.types import BOOL, FLOAT, INT, Matrix
+from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC3, VEC4, Matrix, TallMatrix
 from burnish.targets.emit.precedence import Binding, Text, choice, infix, prefix
 
 from .kit import PROFILES, Selected, emitted
@@ -101,6 +101,28 @@ def test_matrices_are_made_of_columns(selected: Selected, column: str) -> None:
     second = build.index(graph, matrix, build.constant(graph, INT, 1))
     color = build.vector(graph, (second, second))
     assert column in emitted(tiny(color, make), selected)["fragment"]
+
+
+@pytest.mark.parametrize(
+    ("selected", "declared", "product", "column"),
+    [
+        (PROFILES[0], "mat3x4 turn;", "turn * axis", "turn[1]"),
+        (PROFILES[3], "column_major float4x3 turn;", "mul(turn, axis)", "transpose(turn)[1]"),
+        (PROFILES[4], "turn: mat3x4f,", "material.turn * material.axis", "material.turn[1]"),
+    ],
+    ids=str,
+)
+def test_stored_matrices(selected: Selected, declared: str, product: str, column: str) -> None:
+    make = Maker()
+    turn = Parameter("turn", TallMatrix(3), "material")
+    axis = Parameter("axis", VEC3, "material")
+    material = block("Material", "material", [(turn, ""), (axis, "")])
+    turned = make.native("mul", VEC4, make.parameter(turn), make.parameter(axis))
+    second = build.index(make.graph, make.parameter(turn), build.constant(make.graph, INT, 1))
+    color = make.native("add", VEC4, turned, second)
+    text = emitted(tiny(color, make, (material,)), selected)["fragment"]
+    assert declared in text
+    assert f"{product} + {column};" in text
 
 
 def constant_matrix(graph: Graph) -> Node:

@@ -30,6 +30,7 @@ TARGET = Target(
         scalars={"float": "num", "int": "whole", "uint": "count", "bool": "truth"},
         vectors={"float": "num{n}", "int": "whole{n}", "uint": "count{n}", "bool": "truth{n}"},
         matrix="grid{n}",
+        tall_matrix="grid{n}x4",
     ),
     natives={"saturate": "sat", "sample": "{0}.read({sampler}, {1})"},
     profiles=(Profile(name="only", doc="The only one."),),

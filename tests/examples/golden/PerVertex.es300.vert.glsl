@@ -27,7 +27,7 @@ layout(std140) uniform Draw {
 };
 
 layout(std140) uniform DrawDerived {
-    vec4 normal_matrix[3];
+    mat3x4 normal_matrix;
 };
 
 layout(location = 0) in vec3 vertex_position;
@@ -42,7 +42,7 @@ vec3 safe_normalize(vec3 v) {
 
 void main() {
     vec3 position = (object_to_world * vec4(vertex_position, 1.0)).xyz;
-    vec3 normal = safe_normalize(mat3(normal_matrix[0].xyz, normal_matrix[1].xyz, normal_matrix[2].xyz) * vertex_normal);
+    vec3 normal = safe_normalize((normal_matrix * vertex_normal).xyz);
     float normal_dot_sun_to_light = dot(normal, -sun_direction);
     vec3 to_eye = safe_normalize(eye - position);
     vec3 lambert_phong = kd * clamp(normal_dot_sun_to_light, 0.0, 1.0) * sun_diffuse_color + 0.6 * (normal_dot_sun_to_light > 0.0 ? pow(clamp(dot(reflect(sun_direction, normal), to_eye), 0.0, 1.0), p) : 0.0) * sun_specular_color;

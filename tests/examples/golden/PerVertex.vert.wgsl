@@ -23,7 +23,7 @@ struct Draw {
 }
 
 struct DrawDerived {
-    normal_matrix: array<vec4f, 3>,
+    normal_matrix: mat3x4f,
 }
 
 @group(0) @binding(0) var<uniform> view: View;
@@ -50,7 +50,7 @@ fn safe_normalize(v: vec3f) -> vec3f {
 @vertex
 fn main(input: VertexInput) -> VertexOutput {
     let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
-    let normal = safe_normalize(mat3x3f(draw_derived.normal_matrix[0].xyz, draw_derived.normal_matrix[1].xyz, draw_derived.normal_matrix[2].xyz) * input.vertex_normal);
+    let normal = safe_normalize((draw_derived.normal_matrix * input.vertex_normal).xyz);
     let normal_dot_sun_to_light = dot(normal, -rig.sun_direction);
     let to_eye = safe_normalize(view.eye - position);
     let lambert_phong = material.kd * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color + 0.6 * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p), normal_dot_sun_to_light > 0.0) * rig.sun_specular_color;

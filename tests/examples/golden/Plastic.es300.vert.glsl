@@ -15,7 +15,7 @@ layout(std140) uniform Draw {
 };
 
 layout(std140) uniform DrawDerived {
-    vec4 normal_matrix[3];
+    mat3x4 normal_matrix;
 };
 
 layout(location = 0) in vec3 vertex_position;
@@ -29,7 +29,7 @@ out vec2 v_uv;
 void main() {
     vec3 position = (object_to_world * vec4(vertex_position, 1.0)).xyz;
     v_position = position;
-    v_normal = mat3(normal_matrix[0].xyz, normal_matrix[1].xyz, normal_matrix[2].xyz) * vertex_normal;
+    v_normal = (normal_matrix * vertex_normal).xyz;
     v_uv = vertex_uv;
     gl_Position = view_projection * vec4(position, 1.0);
     gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;

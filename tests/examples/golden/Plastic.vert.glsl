@@ -12,7 +12,7 @@ layout(std140, set = 3, binding = 0) uniform Draw {
 };
 
 layout(std140, set = 3, binding = 1) uniform DrawDerived {
-    vec4 normal_matrix[3];
+    mat3x4 normal_matrix;
 };
 
 layout(location = 0) in vec3 vertex_position;
@@ -26,7 +26,7 @@ layout(location = 2) out vec2 v_uv;
 void main() {
     vec3 position = (object_to_world * vec4(vertex_position, 1.0)).xyz;
     v_position = position;
-    v_normal = mat3(normal_matrix[0].xyz, normal_matrix[1].xyz, normal_matrix[2].xyz) * vertex_normal;
+    v_normal = (normal_matrix * vertex_normal).xyz;
     v_uv = vertex_uv;
     gl_Position = view_projection * vec4(position, 1.0);
 }

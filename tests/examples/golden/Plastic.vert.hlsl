@@ -11,7 +11,7 @@ cbuffer Draw : register(b0, space3) {
 };
 
 cbuffer DrawDerived : register(b1, space3) {
-    float4 normal_matrix[3];
+    column_major float4x3 normal_matrix;
 };
 
 struct VertexInput {
@@ -31,7 +31,7 @@ VertexOutput main(VertexInput input) {
     float3 position = mul(object_to_world, float4(input.vertex_position, 1.0)).xyz;
     VertexOutput output;
     output.position = position;
-    output.normal = mul(transpose(float3x3(normal_matrix[0].xyz, normal_matrix[1].xyz, normal_matrix[2].xyz)), input.vertex_normal);
+    output.normal = mul(normal_matrix, input.vertex_normal).xyz;
     output.uv = input.vertex_uv;
     output.clip_position = mul(view_projection, float4(position, 1.0));
     return output;

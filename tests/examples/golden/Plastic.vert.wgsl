@@ -11,7 +11,7 @@ struct Draw {
 }
 
 struct DrawDerived {
-    normal_matrix: array<vec4f, 3>,
+    normal_matrix: mat3x4f,
 }
 
 @group(0) @binding(0) var<uniform> view: View;
@@ -36,7 +36,7 @@ fn main(input: VertexInput) -> VertexOutput {
     let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
     var output: VertexOutput;
     output.position = position;
-    output.normal = mat3x3f(draw_derived.normal_matrix[0].xyz, draw_derived.normal_matrix[1].xyz, draw_derived.normal_matrix[2].xyz) * input.vertex_normal;
+    output.normal = (draw_derived.normal_matrix * input.vertex_normal).xyz;
     output.uv = input.vertex_uv;
     output.clip_position = view.view_projection * vec4f(position, 1.0);
     return output;
