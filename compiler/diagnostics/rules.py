@@ -412,8 +412,8 @@ NO_TARGET = _error(
 OUTSIDE_LIGHT = _error(
     "B0601",
     "`{name}` is known only per light",
-    "`light` means the light being summed over; it exists in a light's own slots and inside of a "
-    "`term … per light`.",
+    "`light` means the light being summed over, inside of a `term … per light`. A light reads its "
+    "own slots by their names alone.",
 )
 UNKNOWN_LIGHT = _error(
     "B0602",

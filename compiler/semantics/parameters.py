@@ -120,6 +120,11 @@ def _range(
     limits = []
     for expression in member.range:
         node = run(low.node(expression, Scope(definition.owner.module)))
+        if isinstance(node, Node) and not _is_number(node.type):
+            low.report.add(
+                rules.WRONG_TYPE, expression.span, expected="a number", found=node.type
+            )
+            return None
         limits.append(low.constants.number(node, expression.span))
     lo, hi = limits
     if lo is None or hi is None:
@@ -129,6 +134,10 @@ def _range(
         low.report.add(rules.EMPTY_RANGE, span, range=f"{lo:g}..{hi:g}")
         return None
     return lo, hi
+
+
+def _is_number(type_: Type) -> bool:
+    return isinstance(type_, Scalar) and type_.kind != "bool"
 
 
 def _default(

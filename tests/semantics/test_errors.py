@@ -1,4 +1,4 @@
-"""What a reader is told about wrong programs: each ``broken/x.burnish`` beside its ``broken/x.txt``.
+"""What a reader is told about wrong programs: every `broken/x.burnish` has its `broken/x.txt`.
 
 A file that is named after a rule shows what the rule is for and nothing else. Remarks such as
 ``// B0203`` mark the lines about which something is said, which is said once.

@@ -1,0 +1,95 @@
+"""What the tests of meaning share: the shader that a text means, and its values on a triangle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from burnish.compiler.diagnostics.diagnostic import CompileError, Report
+from burnish.compiler.frontend import Frontend
+from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
+from burnish.compiler.ir.node import Node
+from burnish.compiler.reference.evaluate import Leaves, evaluate
+from burnish.compiler.reference.namespace import Lanes
+from burnish.compiler.semantics.shader import Shader
+
+Given = Mapping[str, Lanes]
+"""Values of leaves by name: lanes, columns, elements. Parameters not given have their default."""
+
+MESH: dict[str, Lanes] = {
+    "vertex_position": (0.5, 0.25, 0.0),
+    "vertex_normal": (0.0, 0.0, 2.0),
+    "vertex_uv": (0.25, 0.75),
+}
+
+
+LEAVES = ("parameter", "resource", "attribute", "input")
+
+
+def shader(source: str | Path, rig: str | None = None, pass_: str | None = None) -> Shader:
+    """The only shader of a text or a file as semantics leaves it."""
+    report = Report()
+    frontend = Frontend(report)
+    module = (
+        frontend.open_file(source)
+        if isinstance(source, Path)
+        else frontend.open_text(source, "<test>")
+    )
+    assert module is not None
+    found = frontend.shaders(module, None, rig, pass_)
+    if report.failed:
+        raise CompileError(report.diagnostics)
+    (only,) = found
+    return only
+
+
+def leaves(whole: Shader, given: Given) -> Leaves:
+    """Leaves as ``given``, as their default says, or as ``MESH`` has them."""
+    defaults = {info.parameter.name: info.default for info in whole.parameters}
+    known: Mapping[str, Any] = {**defaults, **MESH, **given}
+
+    def found(node: Node) -> Lanes | None:
+        leaf = node.data
+        name = leaf.name if isinstance(leaf, Parameter | Attribute | Resource) else str(leaf)
+        default = known.get(name) if node.op in LEAVES else None
+        return default if default is None or isinstance(default, tuple) else (default,)
+
+    return found
+
+
+def at(whole: Shader, root: Node, given: Given | None = None) -> Lanes:
+    """The value of a root where all of the mesh is one point."""
+    return evaluate(root, leaves(whole, given or {}))
+
+
+def amid(whole: Shader, root: Node, corners: Sequence[Given]) -> Lanes:
+    """The value of a root in the middle of a triangle."""
+    plain = leaves(whole, corners[0])
+
+    def crossing(node: Node) -> Lanes | None:
+        if node.op != "interpolate":
+            return plain(node)
+        values = [at(whole, node.operands[0], corner) for corner in corners]
+        lanes = zip(*values, strict=True)
+        return values[0] if node.data == "flat" else tuple(sum(ls) / len(values) for ls in lanes)
+
+    return evaluate(root, crossing)
+
+
+def color(source: str | Path, given: Given | None = None, rig: str | None = None) -> Lanes:
+    """The colour that a text means."""
+    whole = shader(source, rig)
+    return at(whole, whole.targets[0].value, given)[:3]
+
+
+def lanes(expression: str, members: str = "", head: str = "", /, **given: Lanes) -> Lanes:
+    """The three lanes of a ``vec3`` that an expression means in a material."""
+    return color(f"{head}\nmaterial M {{\n{members}\ncolor = {expression}\n}}", given)
+
+
+def number(expression: str, members: str = "", head: str = "", /, **given: Lanes) -> float:
+    """The number, or truth as 1 or 0, that an expression means in a material."""
+    value = lanes(f"vec3(float({expression}))", members, head, **given)[0]
+    assert isinstance(value, float)
+    return value

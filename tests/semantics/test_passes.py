@@ -1,0 +1,123 @@
+"""What passes mean, by value: targets, overridden slots, discarding and blending."""
+
+from __future__ import annotations
+
+import pytest
+
+from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.reference.namespace import Lanes
+from burnish.compiler.semantics.shader import Shader
+
+from .kit import Given, at, shader
+
+MATERIAL = "material M { sheen = 0.75  color = vec3(0.5, sheen, 0)  alpha = 0.25 }\n"
+
+
+def drawn(pass_: str, material: str = MATERIAL) -> Shader:
+    """A material drawn by the pass ``P``."""
+    return shader(material + pass_, pass_="P")
+
+
+def outputs(pass_: str, given: Given | None = None, material: str = MATERIAL) -> list[Lanes]:
+    """What a pass writes to its targets."""
+    whole = drawn(pass_, material)
+    return [at(whole, target.value, given) for target in whole.targets]
+
+
+OVERRIDES: dict[str, Lanes] = {
+    "": (0.5, 0.75, 0, 0.25),
+    "color = 1": (1, 1, 1, 0.25),
+    "color = vec3(0, 1, 0)  alpha = 1": (0, 1, 0, 1),
+    "color = inherited.color * 2": (1, 1.5, 0, 0.25),
+    "color = vec3(material.sheen)": (0.75, 0.75, 0.75, 0.25),
+    "color = vec3(material.alpha)  alpha = 1 - inherited.alpha": (0.75, 0.75, 0.75, 0.75),
+    "sheen = 3.0  color = vec3(sheen, material.sheen, 0)": (3, 0.75, 0, 0.25),
+    "param width : float = 2  alpha = width": (0.5, 0.75, 0, 2),
+}
+
+
+@pytest.mark.parametrize(("slots", "expected"), OVERRIDES.items(), ids=OVERRIDES)
+def test_slots_of_a_pass(slots: str, expected: Lanes) -> None:
+    assert outputs(f"pass P : Forward {{ {slots} }}") == [expected]
+
+
+def test_an_overridden_slot_is_overridden_for_the_material_too() -> None:
+    material = "material M { color = vec3(alpha, uv) }"
+    pass_ = "pass P : Forward { alpha = 0.5  uv = 2 * inherited.uv }"
+    assert outputs(pass_, None, material) == [(0.5, 0.5, 1.5, 0.5)]
+
+
+def test_a_slot_that_only_the_pass_has_overrides_nothing() -> None:
+    assert outputs("pass P : Forward { sheen = 0.0 }") == [(0.5, 0.75, 0, 0.25)]
+
+
+MANY = """
+pass P blend add {
+    clip_position = vec4(position, 1)
+    target light : rgba16f = vec4(color, alpha)
+    target depth : r32f    = position.x blend none
+    target coord : rg8     = uv
+}
+"""
+
+
+def test_several_targets() -> None:
+    assert outputs(MANY) == [(0.5, 0.75, 0, 0.25), (0.5,), (0.25, 0.75)]
+    rows = [(target.name, target.format, target.blend) for target in drawn(MANY).targets]
+    assert rows == [("light", "rgba16f", "add"), ("depth", "r32f", "none"), ("coord", "rg8", "add")]
+
+
+def test_an_heir_replaces_a_target_and_adds_others() -> None:
+    heir = """
+        abstract pass B blend alpha { target one : r8 = 1  target two : r8 = 2 }
+        pass P : B { target three : r8 = 3  target one : r16f = 4 blend multiply
+                     clip_position = vec4(position, 1) }
+    """
+    rows = [(target.name, target.format, target.blend) for target in drawn(heir).targets]
+    assert rows == [("one", "r16f", "multiply"), ("two", "r8", "alpha"), ("three", "r8", "alpha")]
+    assert outputs(heir) == [(4,), (2,), (3,)]
+
+
+DISCARDS: dict[tuple[float, float], bool] = {
+    (0.0, 0.0): False,
+    (1.0, 0.0): True,
+    (0.0, 1.0): True,
+    (1.0, 1.0): True,
+}
+
+
+@pytest.mark.parametrize(("coordinate", "expected"), DISCARDS.items())
+def test_discards_are_joined(coordinate: Lanes, expected: bool) -> None:
+    passes = "abstract pass B : Forward { discard when uv.x > 0.5 }\n"
+    whole = drawn(passes + "pass P : B { discard when uv.y > 0.5 }")
+    assert whole.discard is not None
+    assert at(whole, whole.discard, {"vertex_uv": coordinate}) == (expected,)
+
+
+def test_leaves_of_a_pass_are_not_those_of_its_material() -> None:
+    material = "material M { param k : float = 2  map t : texture2d  color = k * t(uv).rgb }"
+    whole = drawn("pass P : Forward { param k : float = 3  map t : texture2d"
+                  "  color = inherited.color * k * t(uv).rgb }", material)  # fmt: skip
+    assert {"k", "P.k"} < {info.parameter.name for info in whole.parameters}
+    assert {info.resource.name for info in whole.resources} == {"t", "P.t"}
+    given: Given = {
+        "t": (lambda _u, _v: (1, 10, 100, 1),),
+        "P.t": (lambda _u, _v: (1, 2, 3, 1),),
+    }
+    assert at(whole, whole.targets[0].value, given)[:3] == (6, 120, 1800)
+
+
+def test_an_attribute_of_both_is_one() -> None:
+    material = "material M { attribute tint : vec3  color = tint }"
+    whole = drawn("pass P : Forward { attribute tint : vec3 }", material)
+    assert [info.attribute.name for info in whole.attributes].count("tint") == 1
+    with pytest.raises(CompileError, match="`tint` is vec3 in `M`, and vec2 here"):
+        drawn("pass P : Forward { attribute tint : vec2 }", material)
+
+
+def test_a_pass_reads_terms_and_inputs_of_the_pipeline() -> None:
+    pass_ = """
+        term half() = alpha / 2
+        pass P : Forward { color = vec3(half(), frag_coord.x, 0) }
+    """
+    assert outputs(pass_, {"frag_coord": (3.5, 0.5, 0.0, 1.0)}) == [(0.125, 3.5, 0, 0.25)]
