@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -98,6 +98,14 @@ class CompileResult:
     materials: tuple[CompiledMaterial, ...]
     diagnostics: tuple[Diagnostic, ...]
 
+    def __iter__(self) -> Iterator[CompiledMaterial]:
+        """The materials in the order of the file."""
+        return iter(self.materials)
+
+    def __len__(self) -> int:
+        """How many materials there are."""
+        return len(self.materials)
+
     def __getitem__(self, name: str) -> CompiledMaterial:
         """The material called ``name``; ``KeyError`` if there is none."""
         for material in self.materials:
@@ -108,7 +116,7 @@ class CompileResult:
 
 def compile(
     source: str | Path,
-    targets: Iterable[str] = ("hlsl", "glsl", "wgsl"),
+    targets: str | Iterable[str] = ("hlsl", "glsl", "wgsl"),
     *,
     material: str | None = None,
     rig: str | None = None,
@@ -128,7 +136,8 @@ def compile(
     Raises ``CompileError``, whose ``diagnostics`` are all the errors found.
     """
     report = Report()
-    chosen = select_targets(targets, report, single_file=single_file)
+    wanted = targets.split(",") if isinstance(targets, str) else targets
+    chosen = select_targets(wanted, report, single_file=single_file)
     frontend = Frontend(report, [Path(folder) for folder in search_path])
     path, text = _path_or_text(source)
     module = frontend.open_text(text, "<text>") if path is None else frontend.open_file(path)

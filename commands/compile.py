@@ -13,6 +13,7 @@ from .options import file_argument, pass_option, rig_option, search_option
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial, CompileResult
+    from ..compiler.diagnostics.diagnostic import Diagnostic
 
 STDOUT = "-"
 
@@ -96,13 +97,15 @@ def _succeeds(request: Request) -> bool:
     """Do what is asked once, telling what there is to tell; whether it came to an output."""
     from ..compiler.diagnostics.diagnostic import CompileError
 
+    warnings: tuple[Diagnostic, ...] = ()
     try:
         result = _compiled(request)
+        warnings = result.diagnostics
         _deliver(request, result)
     except CompileError as error:
-        show(error.diagnostics)
+        show((*warnings, *error.diagnostics))
         return False
-    show(result.diagnostics)
+    show(warnings)
     return True
 
 
@@ -159,10 +162,17 @@ def _print(result: CompileResult) -> None:
 
     As bytes: what a shader's comments say should not depend on the terminal's encoding.
     """
+    from .output import unwritable
+
     files = [file for material in result.materials for file in material.files]
-    for file in files:
-        heading = f"// ======== {file.name}\n" if len(files) > 1 else ""
-        click.echo((heading + file.text).encode(), nl=False)
+    try:
+        for file in files:
+            heading = f"// ======== {file.name}\n" if len(files) > 1 else ""
+            click.echo((heading + file.text).encode(), nl=False)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise unwritable(Path("standard output"), error.strerror or str(error)) from error
 
 
 def _reflection_name(material: CompiledMaterial) -> str:

@@ -18,13 +18,13 @@ def write_all(folder: Path, texts: Mapping[str, str]) -> None:
     """
     blocked = next((name for name in texts if (folder / name).is_dir()), None)
     if blocked is not None:
-        raise _unwritable(folder / blocked, "it is a folder")
+        raise unwritable(folder / blocked, "it is a folder")
     staging = folder / f".burnish-{os.getpid()}"
     try:
         staging.mkdir(parents=True, exist_ok=True)
         _write_through(staging, folder, texts)
     except OSError as error:
-        raise _unwritable(folder, error.strerror or str(error)) from error
+        raise unwritable(folder, error.strerror or str(error)) from error
 
 
 def _write_through(staging: Path, folder: Path, texts: Mapping[str, str]) -> None:
@@ -39,7 +39,8 @@ def _write_through(staging: Path, folder: Path, texts: Mapping[str, str]) -> Non
         staging.rmdir()
 
 
-def _unwritable(path: Path, reason: str) -> CompileError:
+def unwritable(path: Path, reason: str) -> CompileError:
+    """What to raise about an output that cannot be written."""
     report = Report()
     report.add(rules.UNWRITABLE_OUTPUT, None, path=path, reason=reason)
     return CompileError(report.diagnostics)

@@ -32,14 +32,15 @@ def _is_sum(node: Node) -> bool:
 
 
 def _inner_sums(roots: list[Node]) -> set[int]:
-    """Sums that are only parts of other sums: their terms are gathered there."""
+    """Sums that are part of one other sum and nothing else: their terms are gathered there."""
+    users: dict[int, int] = {root.id: 2 for root in roots}
     inner: set[int] = set()
-    outer = {root.id for root in roots}
     for node in reachable(roots):
         for operand in node.operands:
-            if _is_sum(operand):
-                (inner if _is_sum(node) and operand.type == node.type else outer).add(operand.id)
-    return inner - outer
+            users[operand.id] = users.get(operand.id, 0) + 1
+            if _is_sum(node) and _is_sum(operand) and operand.type == node.type:
+                inner.add(operand.id)
+    return {id_ for id_ in inner if users[id_] == 1}
 
 
 class _Fusing:
@@ -48,16 +49,22 @@ class _Fusing:
         self._notes = notes
         self._simplifier = simplifier
         self._inner = inner
+        self._open: set[int] = set()
+        """Inner sums as rebuilt. Only these are taken apart; a shared sum is one term."""
         self._merged: dict[tuple[object, ...], tuple[Node, Formals]] = {}
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Fuse a sum that is not part of a larger one."""
-        if not _is_sum(node) or node.id in self._inner:
+        if not _is_sum(node):
             return None
-        return self._sum(graph.node(node.op, node.type, operands, node.data))
+        rebuilt = graph.node(node.op, node.type, operands, node.data)
+        if node.id in self._inner:
+            self._open.add(rebuilt.id)
+            return rebuilt
+        return self._sum(rebuilt)
 
     def _sum(self, root: Node) -> Node:
-        terms = _terms(root)
+        terms = self._terms(root)
         if sum(term.op in SUMMED for term in terms) < 2:
             return root
         groups: list[Node] = []
@@ -76,6 +83,18 @@ class _Fusing:
             total = self._simplifier.call("add", root.type, total, group)
         return total
 
+    def _terms(self, root: Node) -> list[Node]:
+        """The terms of a sum, left to right."""
+        terms: list[Node] = []
+        pending = list(reversed(root.operands)) if _is_sum(root) else [root]
+        while pending:
+            node = pending.pop()
+            if node.id in self._open and all(o.type == root.type for o in node.operands):
+                pending.extend(reversed(node.operands))
+            else:
+                terms.append(node)
+        return terms
+
     def _fused(self, left: Node, right: Node) -> Node:
         return self._folds(left, right) if left.op == "fold" else self._applies(left, right)
 
@@ -87,6 +106,7 @@ class _Fusing:
         other = substitute(
             self._graph, right.operands[2], {right.data.index: index}, self._notes.follow
         )
+        self._open.update(part.id for part in (body, other) if _is_sum(part))
         joined = self._sum(self._graph.node("call", left.type, (body, other), "add"))
         return self._graph.node("fold", left.type, (count, start, joined), left.data)
 
@@ -120,23 +140,6 @@ class _Fusing:
         names = [self._notes.functions.get(part.operands[0].id, "") for part in (left, right)]
         self._notes.functions.setdefault(body.id, "_".join(filter(None, names)) or "shade")
         return body, formals
-
-
-def _terms(root: Node) -> list[Node]:
-    """The terms of a sum, left to right."""
-    terms: list[Node] = []
-    pending = [root]
-    while pending:
-        node = pending.pop()
-        if (
-            _is_sum(node)
-            and node.type == root.type
-            and all(operand.type == root.type for operand in node.operands)
-        ):
-            pending.extend(reversed(node.operands))
-        else:
-            terms.append(node)
-    return terms
 
 
 def _fusable(left: Node, right: Node) -> bool:

@@ -70,7 +70,7 @@ class Scheduler:
         self._depends: dict[int, frozenset[Formal]] = {}
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
-        """Reads that are made before the branch or `?:` that uses them, and so need a name."""
+        """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
         self._coordinates: set[int] = set()
         """Where textures are read. One that chooses has a name: glslang's SPIR-V joins texture and
         sampler before it computes the coordinate, and a ``?:`` would part join and read."""
@@ -101,8 +101,8 @@ class Scheduler:
         for node in reversed(self._order):
             home = _enclosing(homes[node.id])
             self._home[node.id] = self._lifted(node, home)
-            elsewhere = self._home[node.id] is not home or node.id in optional
-            if elsewhere and _needs_uniform_flow(node):
+            lifted = self._home[node.id] is not home
+            if lifted or (node.id in optional and _needs_uniform_flow(node)):
                 self._apart.add(node.id)
             home = self._home[node.id]
             if node.op == "fold":

@@ -59,6 +59,7 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
     pass_leaves = _apart(pass_leaves, material_leaves, drawn)
     _check_attributes(low, pass_leaves, material_leaves, material)
+    _check_names_of_lights(low, (material_leaves, pass_leaves), entries)
     surface = _instance(low, material, material_leaves)
     passing = _instance(low, drawn, pass_leaves)
     passing.surface = surface
@@ -95,6 +96,19 @@ def _all_parameters(
 ) -> tuple[ParameterInfo, ...]:
     own = [info for group in leaves for info in group.parameters]
     return tuple(own + [info for _, infos, _ in entries for info in infos])
+
+
+def _check_names_of_lights(
+    low: Lowering, leaves: Iterable[Leaves], entries: Iterable[Entry]
+) -> None:
+    """A host sets parameters by name, so many lights cannot share theirs with a parameter."""
+    own = {info.parameter.name: info for group in leaves for info in group.parameters}
+    for _, infos, _ in entries:
+        for info in infos:
+            name = info.parameter.name
+            if name in own:
+                labels = [Label(own[name].span, "also a parameter here")]
+                low.report.add(rules.DUPLICATE_NAME, info.span, name=name, labels=labels)
 
 
 def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:

@@ -41,7 +41,17 @@ def per_light(
         elif not low.report.failed:  # The rig may be empty because its entries were wrong.
             low.report.add(rules.EMPTY_RIG, span, name=symbol.name)
         return FAILURE
-    shared = yield _shared_body(low, symbol, arguments, span, surface)
+    if not entered(low, symbol, span):
+        return FAILURE
+    total: Value = yield _summed(low, symbol, arguments, span, surface)
+    low.active.pop(symbol)
+    return total
+
+
+def _summed(
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span, surface: Instance
+) -> Step[Node | Failure]:
+    shared = yield _shared_body(low, symbol, arguments, surface)
     if isinstance(shared, Failure):
         return FAILURE
     body, names = shared
@@ -65,13 +75,11 @@ def per_light(
 
 
 def _shared_body(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span, surface: Instance
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], surface: Instance
 ) -> Step[tuple[Node, dict[str, Node]] | Failure]:
     """The term's body with ``light``'s slots bound, and those slots in order."""
     function = symbol.declaration
     assert isinstance(function, ast.Function)
-    if not entered(low, symbol, span):
-        return FAILURE
     instance, _ = light_instance(low, low.rig[0], surface)
     light = LightVariable({}, instance.record, instance)
     locals_: dict[str, Value] = {"light": light}
@@ -79,7 +87,6 @@ def _shared_body(
         locals_[formal.name.text] = argument
     body = yield low.node(function.body, Scope(symbol.module, surface=surface, locals=locals_))
     body = fit_result(low, symbol, body, arguments)
-    low.active.pop(symbol)
     if isinstance(body, Failure):
         return FAILURE
     if not isinstance(body.type, Scalar | Vector) or scalar_kind(body.type) == "bool":

@@ -138,7 +138,8 @@ class Lowering:
         for operand, type_ in zip(operands, found.operands, strict=True):
             # Arithmetic between scalars and vectors exists as such; elsewhere a scalar broadcasts.
             lane = coerce(self.graph, operand, type_, broadcast=True)
-            assert lane is not None, (name, operand.type, type_)
+            if lane is None:  # A negative literal is no `uint`.
+                return calls.no_signature(self, name, operands, span, shown)
             fitted.append(lane)
         return self.graph.node("call", found.result, tuple(fitted), name)
 

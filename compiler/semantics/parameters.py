@@ -11,7 +11,8 @@ from ...stdlib.builtins.facts import Fact
 from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
 from ..ir.leaves import Attribute, Parameter, Resource
-from ..ir.types import INT, Array, Scalar, Struct, Texture, Vector, scalar_kind
+from ..ir.node import Node
+from ..ir.types import INT, Array, Scalar, Struct, Texture, Type, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
 from ..syntax import ast
 from ..trampoline import run
@@ -121,9 +122,7 @@ def _range(
     for expression in member.range:
         node = run(low.node(expression, Scope(definition.owner.module)))
         if isinstance(node, Node) and not _is_number(node.type):
-            low.report.add(
-                rules.WRONG_TYPE, expression.span, expected="a number", found=node.type
-            )
+            low.report.add(rules.WRONG_TYPE, expression.span, expected="a number", found=node.type)
             return None
         limits.append(low.constants.number(node, expression.span))
     lo, hi = limits

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.nearest import suggestion
@@ -96,6 +97,7 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
         return None
     group = DEFAULT_GROUPS["light"]
     array = as_array(name, record.name, leaves.parameters, bound, group)
+    array = changed(array, span=written.name.span)
     count = count_parameter(name, bound, group, array) if written.at_most else None
     entry = RigEntry(
         name, record, "array", (array.parameter,), (), bound,

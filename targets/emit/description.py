@@ -157,6 +157,8 @@ class Profile:
     """Vectors that cross between the stages: what every device of the profile has at least."""
     textures: int = 16
     """Textures with their samplers that one stage reads; likewise."""
+    block_bytes: int = 16384
+    """Bytes of one uniform block; likewise."""
     targets: int = 8
     """Render targets that a pass writes; likewise."""
     checkers: tuple[str, ...] = ()

@@ -134,7 +134,10 @@ class Expressions:
 
     def _swizzle(self, node: Node) -> Text:
         assert isinstance(node.data, tuple)
-        operand = self.operand(node.operands[0]).within(Binding.POSTFIX)
+        (source,) = node.operands
+        if source.op == "interpolate" and source.id not in self.bound:
+            return self._leaves.interpolated(source, node.data)
+        operand = self.operand(source).within(Binding.POSTFIX)
         return Text(f"{operand}.{''.join('xyzw'[lane] for lane in node.data)}")
 
     def _index(self, node: Node) -> Text:

@@ -67,14 +67,14 @@ class Leaves:
         supplied = self._inputs[name]
         return Text(supplied.read.format(name=name)), supplied.type
 
-    def interpolated(self, node: Node) -> Text:
-        """A varying, or those of its lanes that hold the value."""
+    def interpolated(self, node: Node, wanted: tuple[int, ...] | None = None) -> Text:
+        """A varying, or those of its lanes that hold the value (or the ``wanted`` ones of it)."""
         slot, first, total = self._crossings[node.operands[0].id, node.data]
         text = self._read(self._names.varyings[slot])
-        lanes = width(node.type)
-        if lanes == total:
+        lanes = tuple(range(width(node.type))) if wanted is None else wanted
+        if wanted is None and len(lanes) == total:
             return text
-        return Text(f"{text.text}.{'xyzw'[first : first + lanes]}")
+        return Text(f"{text.text}.{''.join('xyzw'[first + lane] for lane in lanes)}")
 
     def _read(self, name: str) -> Text:
         return Text(self._forms.input.format(name=name), Binding.NAME)

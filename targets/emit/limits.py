@@ -21,9 +21,11 @@ class Excess:
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     """The limits that a program does not keep."""
     textures = max(len(stage.resources) for stage in (program.vertex, program.fragment))
+    block = max((block.size for block in program.blocks), default=0)
     for what, count, limit in (
         ("varyings", len(program.varyings), profile.varyings),
         ("textures", textures, profile.textures),
+        ("bytes in a uniform block", block, profile.block_bytes),
         ("render targets", len(program.fragment.outputs), profile.targets),
     ):
         if count > limit:

@@ -106,8 +106,9 @@ class Statements:
         yield self._forms.variable_set.format(
             name=name, typed=self._types.declare(name, loop.node.type), value=start
         )
-        self._namer.enter()
+        # Declared out here, since C-like languages once kept a loop's variable for what follows.
         index = self._namer.declare(loop.index.name)
+        self._namer.enter()
         kind = loop.count.type.kind if isinstance(loop.count.type, Scalar) else "int"
         yield self._forms.loop.format(
             index=index,

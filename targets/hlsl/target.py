@@ -73,6 +73,7 @@ SM6 = Profile(
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     varyings=31,
+    block_bytes=65536,
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 

@@ -52,6 +52,7 @@ WEBGPU = Profile(
     name="webgpu",
     doc="WGSL as browsers and wgpu take it.",
     single_file=True,
+    block_bytes=65536,
     checkers=("naga", "tint"),
 )
 

@@ -141,7 +141,6 @@ WATCH = ["compile", "m.burnish", "-t", "wgsl", "-o", "out", "--watch"]
 
 def test_watching(tmp_path: Path) -> None:
     """Follows the file and its imports through errors, until it is interrupted."""
-    pytest.importorskip("watchfiles")
     (tmp_path / "tones.burnish").write_text("tone = 0.5")
     main_file = tmp_path / "m.burnish"
     main_file.write_text('import "tones.burnish"\nmaterial M { color = vec3(tone) }')

@@ -42,10 +42,10 @@ def test_rows_print(selected: Selected) -> None:
 
 
 def test_targets_are_found_by_their_folders() -> None:
-    assert registry.names() == ("glsl", "hlsl", "wgsl")
+    assert {"glsl", "hlsl", "wgsl"} <= set(registry.names())
     assert registry.select("glsl:es300")[1].name == "es300"
     assert registry.select("hlsl")[1].name == "sm6"
-    for unknown in ("emit", "toolchain", "metal", "glsl:gl999", "../glsl"):
+    for unknown in ("emit", "toolchain", "no_such_language", "glsl:gl999", "../glsl"):
         with pytest.raises(KeyError):
             registry.select(unknown)
 

@@ -35,12 +35,13 @@ float3 safe_normalize(float3 v) {
 }
 
 float4 main(FragmentInput input) : SV_Target0 {
+    float3 vein_product = input.position * grain;
     float vein_turbulence = 0.0;
     for (int i = 0; i < 4; i++) {
         float vein_octave = exp2(float(i));
-        float3 vein_product = input.position * grain * vein_octave;
-        float vein_lanes = vein_product.x;
-        float vein_waves = 0.5 + 0.5 * sin(vein_lanes + 2.0 * sin(vein_product.y)) * sin(vein_product.z + 2.0 * sin(vein_lanes));
+        float3 vein_product_ = vein_product * vein_octave;
+        float vein_lanes = vein_product_.x;
+        float vein_waves = 0.5 + 0.5 * sin(vein_lanes + 2.0 * sin(vein_product_.y)) * sin(vein_product_.z + 2.0 * sin(vein_lanes));
         vein_turbulence += vein_waves / (2.0 * vein_octave);
     }
     float vein = vein_turbulence >= 1.1754944e-38 ? pow(vein_turbulence, 3.0) : 0.0;

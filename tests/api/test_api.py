@@ -1,0 +1,76 @@
+"""The library as its users see it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import burnish
+
+TWO = "material A { color = vec3(1) }\nmaterial B { color = vec3(0) }\n"
+LIGHTS = "import std.lights.{Point}\nimport std.terms.{lambert, phong}\n"
+
+
+def test_a_result_holds_materials_by_name_and_in_order() -> None:
+    result = burnish.compile(TWO, ("wgsl",))
+    assert [material.name for material in result] == ["A", "B"]
+    assert len(result) == 2
+    assert result["B"] is result.materials[1]
+    with pytest.raises(KeyError):
+        result["C"]
+
+
+def test_targets_may_be_one_text() -> None:
+    (material,) = burnish.compile("material A { color = vec3(1) }", "wgsl,glsl:es300")
+    assert {(file.target, file.profile) for file in material.files} == {
+        ("wgsl", "webgpu"),
+        ("glsl", "es300"),
+    }
+    assert "#version 300 es" in material.text("glsl:es300", "vertex")
+    with pytest.raises(KeyError, match="no fragment text for hlsl"):
+        material.text("hlsl", "fragment")
+
+
+def test_errors_carry_all_diagnostics(tmp_path: Path) -> None:
+    path = tmp_path / "wrong.burnish"
+    path.write_text("material A { color = one alpha = two }")
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(path)
+    for diagnostics in (caught.value.diagnostics, burnish.check(path)):
+        messages = [found.message for found in diagnostics]
+        assert messages == ["unknown name `one`", "unknown name `two`"]
+
+
+def test_what_does_not_vary_with_the_light_is_computed_before_the_loop() -> None:
+    source = LIGHTS + (
+        "material A { map gloss : texture2d  color = phong(gloss(uv).rgb, 20) }\n"
+        "rig R { lamps : Point[<= 16] }\n"
+    )
+    text = burnish.compile(source, ("wgsl",))["A"].text("wgsl", "fragment")
+    loop = text.index("for (")
+    assert text.index("textureSample(") < loop
+    assert text.index("safe_normalize(input.normal)") < loop
+
+
+def test_lights_and_parameters_do_not_share_a_name() -> None:
+    source = LIGHTS + (
+        "material A { param lamps : float = 1  color = lambert(vec3(lamps)) }\n"
+        "rig R { lamps : Point[2] }\n"
+    )
+    with pytest.raises(burnish.CompileError, match="`lamps` is declared twice"):
+        burnish.compile(source)
+
+
+def test_a_block_too_large_for_a_profile_is_told() -> None:
+    source = "material A { param m : mat4[1025]  color = m[int(uv.x)][0].xyz }"
+    with pytest.raises(burnish.CompileError, match="65600 bytes in a uniform block"):
+        burnish.compile(source, ("hlsl",))
+
+
+def test_sums_that_share_sums_take_no_longer_than_their_graph() -> None:
+    functions = "\n".join(
+        f"fn f{i}(x: float) -> float = f{i - 1}(x) + f{i - 1}(sin(x))" for i in range(1, 40)
+    )
+    source = f"fn f0(x: float) -> float = x\n{functions}\nmaterial A {{ alpha = f39(uv.x) }}"
+    assert burnish.compile(source, ("glsl",))["A"].text("glsl", "fragment").count("sin(") == 39
