@@ -79,8 +79,18 @@ class Report:
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """All findings so far."""
-        return tuple(self._found.values())
+        """All findings so far, as a reader meets them: by file, from top to bottom.
+
+        What is about no text at all comes first; files stand in the order of their first finding.
+        """
+        found = self._found.values()
+        sources = {id(f.span.source): None for f in found if f.span is not None}
+        rank = {source: i for i, source in enumerate(sources)}
+
+        def place(one: Diagnostic) -> tuple[int, int]:
+            return (-1, 0) if one.span is None else (rank[id(one.span.source)], one.span.start)
+
+        return tuple(sorted(found, key=place))
 
     @property
     def failed(self) -> bool:

@@ -387,8 +387,8 @@ UNKNOWN_RATE = _error(
 NOT_AT_VERTEX = _error(
     "B0502",
     "{what} is not available at the vertex",
-    "Reads with an implicit level and derivatives compare neighbouring pixels, which vertices do "
-    "not have. Give the level, or move the read out of `@vertex`.",
+    "Texture reads compare neighbouring pixels, and `frag_coord` and `front_facing` are a pixel's "
+    "own. Move them out of `@vertex`, and out of what `clip_position` is computed from.",
 )
 
 CANNOT_CROSS = _error(
