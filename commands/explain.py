@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 import click
@@ -26,7 +27,8 @@ def explain(code: str) -> None:
 
         hint = suggestion(code.upper(), rules) or f"they run from {min(rules)} to {max(rules)}"
         raise click.BadParameter(f"there is no code `{code}`; {hint}", param_hint="CODE")
-    click.echo(f"{rule.severity}[{rule.code}]: {rule.message}\n")
+    message = re.sub(r"\{\w+\}", "…", rule.message)
+    click.echo(f"{rule.severity}[{rule.code}]: {message}\n")
     click.echo(click.wrap_text(rule.help, width=80))
 
 

@@ -7,10 +7,9 @@ All names here are suggestions in the user's spelling; a backend's ``Namer`` mak
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Literal
 
-from ...frozen import EMPTY, frozen
+from ...frozen import frozen
 from .leaves import InterpolationMode, Parameter, Resource
 from .node import Formal, Node
 from .types import Struct, Type
@@ -120,15 +119,13 @@ class Region:
 class Function:
     """A body used more than once, such as what one light contributes.
 
-    A call is an ``apply`` node whose first operand is ``body``; ``arguments`` of the call are the
-    apply node's further operands followed by ``captured``.
+    A call is an ``apply`` node whose first operand is ``body`` and whose further operands are the
+    arguments. Of its caller's values a body reads uniforms and its parameters only.
     """
 
     name: str
     doc: str
     parameters: tuple[tuple[Formal, Type], ...]
-    captured: tuple[Node, ...]
-    """Values of the caller that the body needs besides its arguments; each has a parameter too."""
     body: Node
     """Identifies the function: the first operand of the calls."""
     region: Region
@@ -169,8 +166,6 @@ class Program:
     """All blocks of both stages, in group order."""
     resources: tuple[Resource, ...]
     varyings: tuple[Varying, ...]
-    docs: Mapping[str, str] = EMPTY
-    """Doc comments by user's name."""
 
     @property
     def stages(self) -> tuple[Stage, Stage]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
 from ...frozen import frozen
 from ..ir import build
@@ -27,8 +27,6 @@ from .schedule import Scheduler, called_functions, visible
 from .simplify import Simplifier
 from .split import pack
 from .storage import lower_reads
-
-Pass = Callable[[list[Node]], list[Node]]
 
 
 @frozen
@@ -198,7 +196,6 @@ def _function(call: Node, notes: Notes, naming: Naming) -> Function:
         name=notes.functions.get(body.id, "shade"),
         doc=notes.docs.get(body.id, ""),
         parameters=tuple(zip(call.data, types, strict=True)),
-        captured=(),
         body=body,
         region=Scheduler((body,), notes, naming).schedule(),
         value=body,

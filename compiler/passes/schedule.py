@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ..ir.node import Folding, Formal, Node
 from ..ir.program import Branch, Let, Loop, Region, Statement
@@ -45,14 +44,6 @@ class _Block:
     """The index, where this is the body of a loop."""
     depth: int = 0
     nodes: list[Node] = field(default_factory=list)
-
-
-@frozen
-class Scheduled:
-    """Statements, and the values that a function's body takes from its caller."""
-
-    region: Region
-    captured: tuple[Node, ...] = ()
 
 
 class Scheduler:

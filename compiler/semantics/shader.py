@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...frozen import frozen
-from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Graph, Node
@@ -108,4 +107,3 @@ class Shader:
     targets: tuple[TargetInfo, ...]
     """Values in the fragment domain."""
     discard: Node | None
-    facts: dict[int, Fact] = field(default_factory=dict)

@@ -87,7 +87,6 @@ ROWS = (
         operator="+",
         range=_sum,
         accuracy=EXACT,
-        commutative=True,
     ),
     Builtin(
         name="sub",

@@ -157,7 +157,6 @@ ROWS = (
         doc="The lesser of two values.",
         range=_lesser,
         accuracy=EXACT,
-        commutative=True,
     ),
     Builtin(
         name="max",
@@ -165,7 +164,6 @@ ROWS = (
         doc="The greater of two values.",
         range=_greater,
         accuracy=EXACT,
-        commutative=True,
     ),
     Builtin(
         name="clamp",

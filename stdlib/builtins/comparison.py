@@ -83,7 +83,6 @@ def _comparison(
         operator=operator,
         range=rule,
         accuracy=EXACT,
-        commutative=operator in ("==", "!="),
         samples=((0.0, -0.0), (1.0, 1.0), (1.0, 2.0), (2.0, 1.0)),
     )
 
@@ -102,7 +101,6 @@ ROWS = (
         operator="&&",
         range=_both,
         accuracy=EXACT,
-        commutative=True,
     ),
     Builtin(
         name="or",
@@ -111,7 +109,6 @@ ROWS = (
         operator="||",
         range=_one,
         accuracy=EXACT,
-        commutative=True,
     ),
     Builtin(
         name="not",

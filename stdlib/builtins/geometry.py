@@ -76,7 +76,6 @@ ROWS = (
         doc="Inner product: the sum of the products of the lanes.",
         range=_inner,
         cost=1,
-        commutative=True,
     ),
     Builtin(
         name="cross",
@@ -99,7 +98,6 @@ ROWS = (
         doc="Distance of two points: length(x - y).",
         range=_apart,
         cost=7,
-        commutative=True,
     ),
     Builtin(
         name="normalize",

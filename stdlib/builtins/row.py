@@ -79,7 +79,6 @@ class Builtin:
     accuracy: Accuracy = INHERITED
     cost: int = 1
     """Rough price in ALU operations a lane, for choosing between a branch and a select."""
-    commutative: bool = False
     uniform_control_flow: bool = False
     """Needs neighbours' values (derivatives, implicit level of detail)."""
     samples: tuple[tuple[float, ...], ...] = field(default=())

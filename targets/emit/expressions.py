@@ -167,8 +167,8 @@ class Expressions:
         )
 
     def _call(self, node: Node) -> Text:
-        name, function = self._functions[node.operands[0].id]
-        return Text(f"{name}({self._arguments((*node.operands[1:], *function.captured))})")
+        name, _function = self._functions[node.operands[0].id]
+        return Text(f"{name}({self._arguments(node.operands[1:])})")
 
     def _formal(self, node: Node) -> Text:
         assert isinstance(node.data, Formal)

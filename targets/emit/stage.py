@@ -73,9 +73,6 @@ class StagePrinter:
         names = [namer.declare(formal.name) for formal, _type in function.parameters]
         for name, (formal, _type) in zip(names, function.parameters, strict=True):
             expressions.formals[formal] = name
-        if function.captured:
-            captured = zip(function.captured, names[-len(function.captured) :], strict=True)
-            expressions.bound.update((node.id, name) for node, name in captured)
         types = [type_ for _formal, type_ in function.parameters]
         lines = statements.lines(function.region)
         self.traced += statements.traced

@@ -160,6 +160,45 @@ def placing(
     return made, varyings
 
 
+def shading(make: Maker, power: Parameter) -> Function:
+    """What one light contributes."""
+    to_light = Formal("to_light")
+    light = make.formal(to_light, VEC3)
+    passed = tuple(Formal(name) for name in ("normal", "to_eye", "tint"))
+    n, to_eye, tint = (make.formal(formal, VEC3) for formal in passed)
+    zero = make.number(0.0)
+    cosine = make.native("dot", FLOAT, n, light)
+    mirrored = make.native("reflect", VEC3, make.native("neg", VEC3, light), n)
+    shine = make.native(
+        "pow",
+        FLOAT,
+        make.native("saturate", FLOAT, make.native("dot", FLOAT, mirrored, to_eye)),
+        make.parameter(power),
+    )
+    highlight = make.graph.node(
+        "select", FLOAT, (make.native("gt", BOOL, cosine, zero), shine, zero)
+    )
+    shaded = make.native(
+        "add",
+        VEC3,
+        make.native("mul", VEC3, tint, make.native("saturate", FLOAT, cosine)),
+        build.splat(make.graph, highlight, 3),
+    )
+    return Function(
+        name="shade",
+        doc="What one light contributes.",
+        parameters=tuple((formal, VEC3) for formal in (to_light, *passed)),
+        body=shaded,
+        region=Region(
+            (
+                Let("n_dot_l", cosine),
+                Branch("highlight", highlight, Region((Let("mirrored", mirrored),)), Region(())),
+            )
+        ),
+        value=shaded,
+    )
+
+
 def plastic() -> Program:
     """A textured surface under a directional light and a loop of point lights."""
     make = Maker()
@@ -182,7 +221,7 @@ def plastic() -> Program:
     vertex, varyings = placing(make, make.parameter(world), make.parameter(to_clip), (view, draw))
     position_world, normal_world, uv = (varying.values[0] for varying in varyings)
     fields = tuple(varying.field for varying in varyings)
-    one, zero = make.number(1.0), make.number(0.0)
+    one = make.number(1.0)
     n = make.native("normalize", VEC3, make.crossing(normal_world))
     p = make.crossing(position_world)
     to_eye = make.native("normalize", VEC3, make.native("sub", VEC3, make.parameter(eye), p))
@@ -194,48 +233,11 @@ def plastic() -> Program:
     )
     ambient = make.native("mul", VEC3, tint, make.number(0.1))
 
-    to_light = Formal("to_light")
-    light = make.formal(to_light, VEC3)
-    cosine = make.native("dot", FLOAT, n, light)
-    mirrored = make.native("reflect", VEC3, make.native("neg", VEC3, light), n)
-    shine = make.native(
-        "pow",
-        FLOAT,
-        make.native("saturate", FLOAT, make.native("dot", FLOAT, mirrored, to_eye)),
-        make.parameter(power),
-    )
-    highlight = make.graph.node(
-        "select", FLOAT, (make.native("gt", BOOL, cosine, zero), shine, zero)
-    )
-    shaded = make.native(
-        "add",
-        VEC3,
-        make.native("mul", VEC3, tint, make.native("saturate", FLOAT, cosine)),
-        build.splat(make.graph, highlight, 3),
-    )
-    body = shaded
-    shade = Function(
-        name="shade",
-        doc="What one light contributes.",
-        parameters=(
-            (to_light, VEC3),
-            (Formal("normal"), VEC3),
-            (Formal("to_eye"), VEC3),
-            (Formal("tint"), VEC3),
-        ),
-        captured=(n, to_eye, tint),
-        body=body,
-        region=Region(
-            (
-                Let("n_dot_l", cosine),
-                Branch("highlight", highlight, Region((Let("mirrored", mirrored),)), Region(())),
-            )
-        ),
-        value=shaded,
-    )
+    shade = shading(make, power)
+    body = shade.body
 
     def call(direction: Node) -> Node:
-        return make.graph.node("apply", VEC3, (body, direction))
+        return make.graph.node("apply", VEC3, (body, direction, n, to_eye, tint))
 
     from_sun = call(make.native("neg", VEC3, make.parameter(sun)))
     index = Formal("i")
