@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
 from ...frozen import frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
-from .types import Type
+from .types import BOOL, UINT, VEC4, Type
 
 InterpolationMode = Literal["perspective", "flat"]
 
@@ -47,3 +48,12 @@ class Attribute:
 
     name: str
     type: Type
+
+
+PIPELINE_TYPES: Mapping[str, Type] = {
+    "frag_coord": VEC4,
+    "front_facing": BOOL,
+    "vertex_index": UINT,
+    "instance_index": UINT,
+}
+"""The values that the pipeline supplies, with the types that Burnish gives them."""

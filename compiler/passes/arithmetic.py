@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ..ir import build
 from ..ir.node import Node, Op
 from ..ir.types import Matrix, Scalar, Type, Vector, scalar_kind, width
+from ..reference.operations import constant_lanes
 
 if TYPE_CHECKING:
     from .simplify import Simplifier
@@ -19,10 +20,13 @@ if TYPE_CHECKING:
 BuiltinRule = Callable[["Simplifier", Op, Type, tuple[Node, ...]], Node | None]
 
 
-def _lane(node: Node) -> float | int | bool | None:
-    from .simplify import uniform_lane
-
-    return uniform_lane(node)
+def uniform_lane(node: Node) -> float | int | bool | None:
+    """The value in every lane of a constant, if they are all the same."""
+    if node.op != "constant" or isinstance(node.type, Matrix):
+        return None
+    lanes = constant_lanes(node.type, node.data)
+    first: float | int | bool = lanes[0]
+    return first if all(lane == first for lane in lanes) else None
 
 
 def _is_call(node: Node, name: str) -> bool:
@@ -61,7 +65,7 @@ def _equal_lane(s: Simplifier, node: Node) -> Node | None:
         return node
     if node.op == "splat":
         return node.operands[0]
-    value = _lane(node)
+    value = uniform_lane(node)
     kind = scalar_kind(node.type)
     if value is None or kind is None:
         return None
@@ -70,9 +74,9 @@ def _equal_lane(s: Simplifier, node: Node) -> Node | None:
 
 def _add(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
     left, right = operands
-    if _lane(left) == 0:
+    if uniform_lane(left) == 0:
         return _fits(s, right, type_)
-    if _lane(right) == 0:
+    if uniform_lane(right) == 0:
         return _fits(s, left, type_)
     if _is_call(right, "neg") and right.type == type_:
         return s.call("sub", type_, left, right.operands[0])
@@ -108,9 +112,9 @@ def _has_matrix(node: Node) -> bool:
 
 def _sub(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
     left, right = operands
-    if _lane(right) == 0:
+    if uniform_lane(right) == 0:
         return _fits(s, left, type_)
-    if _lane(left) == 0 and scalar_kind(type_) != "uint":
+    if uniform_lane(left) == 0 and scalar_kind(type_) != "uint":
         fitted = _fits(s, right, type_)
         return None if fitted is None else s.call("neg", type_, fitted)
     if left is right and not isinstance(type_, Matrix):
@@ -123,7 +127,7 @@ def _mul(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node
     if isinstance(type_, Matrix) or any(isinstance(o.type, Matrix) for o in operands):
         return None
     for one, other in ((left, right), (right, left)):
-        value = _lane(one)
+        value = uniform_lane(one)
         if value == 0:
             return s.constant(type_, 0)
         if value == 1:
@@ -137,9 +141,9 @@ def _div(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node
     left, right = operands
     if isinstance(type_, Matrix):
         return None
-    if _lane(right) == 1:
+    if uniform_lane(right) == 1:
         return _fits(s, left, type_)
-    if _lane(left) == 0 and scalar_kind(type_) == "float":
+    if uniform_lane(left) == 0 and scalar_kind(type_) == "float":
         return s.constant(type_, 0)
     return _scalar_form(s, "div", type_, operands) if op == "call" else None
 
@@ -169,7 +173,11 @@ def _clamp(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> N
     x, low, high = operands
     if s.ranges.of(x).within(s.ranges.of(low).hi, s.ranges.of(high).lo):
         return _fits(s, x, type_)
-    if scalar_kind(type_) == "float" and (_lane(low), _lane(high)) == (0, 1) and x.type == type_:
+    if (
+        scalar_kind(type_) == "float"
+        and (uniform_lane(low), uniform_lane(high)) == (0, 1)
+        and x.type == type_
+    ):
         return s.call("saturate", type_, x)
     return None
 
@@ -189,7 +197,7 @@ def _normalize(s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) 
 
 def _pow(s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
     base, exponent = operands
-    return base if _lane(exponent) == 1 and s.ranges.of(base).lo >= 0 else None
+    return base if uniform_lane(exponent) == 1 and s.ranges.of(base).lo >= 0 else None
 
 
 def _transpose(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:

@@ -25,6 +25,9 @@ BRANCH = "branch"
 """Data of a select that has to become a branch: one of its sides is safe only behind it."""
 
 
+VARYING = frozenset({"interpolate", "attribute", "formal", "input", "resource"})
+"""What may differ between the vertices or pixels of a draw."""
+
 OUTLINED = 3
 """Expansions of at least so many operations become functions where they are used repeatedly."""
 
@@ -59,6 +62,7 @@ class Guarding(Simplifier):
         """By the id of the ``call`` that was expanded."""
         self._at: Span | None = None
         self._expanded: dict[int, Node] = {}
+        self._varying: dict[int, bool] = {}
         self._functions: dict[tuple[Template, tuple[Type, ...]], tuple[Node, Formals]] = {}
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
@@ -139,15 +143,18 @@ class Guarding(Simplifier):
 
     def _varies(self, root: Node) -> bool:
         """Whether a value may differ between vertices or pixels."""
-        pending, seen = [root], set()
+        pending = [root]
         while pending:
-            node = pending.pop()
-            if node.op in ("interpolate", "attribute", "formal", "input", "resource"):
-                return True
-            if node.id not in seen:
-                seen.add(node.id)
-                pending += node.operands
-        return False
+            node = pending[-1]
+            missing = [o for o in node.operands if o.id not in self._varying]
+            if node.id not in self._varying and missing and node.op not in VARYING:
+                pending += missing
+                continue
+            pending.pop()
+            self._varying[node.id] = node.op in VARYING or any(
+                self._varying[operand.id] for operand in node.operands
+            )
+        return self._varying[root.id]
 
     def _lane(self, operand: Node, lane: int) -> Node:
         if not isinstance(operand.type, Vector):

@@ -15,6 +15,7 @@ from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
 from ..ir.node import Node, reachable
 from ..ir.types import Scalar
+from .arithmetic import OPPOSITES
 from .ranges import Ranges
 
 FARTHEST = 16
@@ -96,8 +97,8 @@ class Paths:
                 pending.append((node.operands[0], not truth))
             elif (name, truth) in (("and", True), ("or", False)):
                 pending.extend((operand, truth) for operand in node.operands)
-            elif name in _NEGATED and about in node.operands:
-                fact = fact.meet(self._compared(name if truth else _NEGATED[name], node, about))
+            elif name in OPPOSITES and about in node.operands:
+                fact = fact.meet(self._compared(name if truth else OPPOSITES[name], node, about))
         return fact
 
     def _compared(self, name: str, node: Node, about: Node) -> Fact:
@@ -120,7 +121,6 @@ class Paths:
                 return Fact(nonzero=True) if (bound.lo, bound.hi) == (0.0, 0.0) else UNKNOWN
 
 
-_NEGATED = {"lt": "ge", "ge": "lt", "gt": "le", "le": "gt", "eq": "ne", "ne": "eq"}
 _MIRRORED = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le", "eq": "eq", "ne": "ne"}
 
 

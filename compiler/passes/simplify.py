@@ -13,10 +13,10 @@ from ...stdlib.builtins import BUILTINS
 from ..ir import build
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Node, Op
-from ..ir.types import INT, Matrix, Scalar, Type, Vector, scalar_kind, width
+from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
-from .arithmetic import BUILTIN_RULES, OPPOSITES
+from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
 from .ranges import Ranges
 from .rewrite import rewrite
 
@@ -56,15 +56,6 @@ class Simplifier:
         lane = float(value) if scalar_kind(type_) == "float" else value
         lanes = width(type_)
         return build.constant(self.graph, type_, lane if lanes == 1 else (lane,) * lanes)
-
-
-def uniform_lane(node: Node) -> float | int | bool | None:
-    """The value in every lane of a constant, if they are all the same."""
-    if node.op != "constant" or isinstance(node.type, Matrix):
-        return None
-    lanes = constant_lanes(node.type, node.data)
-    first: float | int | bool = lanes[0]
-    return first if all(lane == first for lane in lanes) else None
 
 
 # --- builtins ------------------------------------------------------------------------------------

@@ -13,8 +13,9 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Span
+from ..ir.leaves import PIPELINE_TYPES
 from ..ir.node import Formal, Node
-from ..ir.types import BOOL, VEC4, Texture, Type
+from ..ir.types import Texture, Type
 from ..syntax import ast
 from ..trampoline import Step
 from .declared import declared_type
@@ -25,7 +26,7 @@ from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replace
 if TYPE_CHECKING:
     from .lower import Lowering
 
-INPUTS: Mapping[str, Type] = {"frag_coord": VEC4, "front_facing": BOOL}
+INPUTS: Mapping[str, Type] = {name: PIPELINE_TYPES[name] for name in ("frag_coord", "front_facing")}
 """What the pipeline supplies to the fragment stage: pixel centres at .5, y down, w = 1 / clip w;
 and whether the counter-clockwise side is seen."""
 

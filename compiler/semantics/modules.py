@@ -18,6 +18,7 @@ from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Source, Span
 from ..syntax import ast
+from .overloads import WRITTEN_FAMILIES
 from .typenames import described
 from .unique import check_once
 
@@ -84,7 +85,7 @@ class Module:
 _NOT_IMPORTED = frozenset({"prelude", "meaning"})
 """Library files that every file sees, or none."""
 
-FAMILIES = ("floats", "vectors", "numbers", "integers", "scalars", "matrices")
+FAMILIES = (*WRITTEN_FAMILIES, "matrices")
 """What a type parameter may range over."""
 
 Read = Callable[[Path, Report, str], Source | None]

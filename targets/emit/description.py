@@ -22,7 +22,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal
 
-from ...compiler.ir.types import BOOL, UINT, VEC4, ScalarKind, Type
+from ...compiler.ir.types import ScalarKind, Type
 from ...frozen import EMPTY, frozen
 from .reserved import Reserved
 
@@ -110,14 +110,6 @@ class PipelineInput:
     """A loose uniform of type float that ``read`` needs and the host has to set."""
 
 
-PIPELINE_TYPES: Mapping[str, Type] = {
-    "frag_coord": VEC4,
-    "front_facing": BOOL,
-    "vertex_index": UINT,
-    "instance_index": UINT,
-}
-"""The values that the pipeline supplies, with the types that Burnish gives them."""
-
 GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
 """Bind group of each parameter group: WebGPU guarantees four."""
 
@@ -196,6 +188,8 @@ class Target:
     """How each of ``PIPELINE_TYPES`` is spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
+    registers: bool = False
+    """Places are registers by kind (``b0``, ``t1``, ``s2``), which the reflection then lists."""
     global_members: bool = True
     """Members of blocks are names of the whole file, so they must differ from all others."""
     global_fields: bool = False

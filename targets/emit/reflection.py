@@ -84,5 +84,5 @@ def _point(
 ) -> BindingPoint:
     if not profile.explicit_bindings:
         return BindingPoint(identifier, members=members or {})
-    shown = f"{register}{slot.binding}" if target.name == "hlsl" else ""
+    shown = f"{register}{slot.binding}" if target.registers else ""
     return BindingPoint(identifier, slot.set, slot.binding, shown, members or {})

@@ -79,6 +79,7 @@ SM6 = Profile(
 
 TARGET = Target(
     name="hlsl",
+    registers=True,
     title="HLSL",
     folder=FOLDER,
     template="shader.hlsl.j2",

@@ -6,10 +6,10 @@ import re
 
 import pytest
 
+from burnish.compiler.ir.leaves import PIPELINE_TYPES
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.row import Builtin, nowhere
 from burnish.targets import registry
-from burnish.targets.emit.description import PIPELINE_TYPES
 from burnish.targets.emit.natives import spelling_of
 from burnish.targets.emit.precedence import INFIX, PREFIX
 
