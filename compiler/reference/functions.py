@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
-from . import floats, integers, logic, matrices, scalars, vectors
+from . import derivatives, floats, integers, logic, matrices, scalars, vectors
 from .namespace import Lane, Lanes, Namespace
 
 LaneKind = Literal["float", "int", "uint", "bool"]
@@ -97,6 +97,8 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "faceforward": vectors.faceforward,
     "lit": vectors.lit,
     "sample": vectors.sample,
+    "ddx": derivatives.ddx,
+    "ddy": derivatives.ddy,
     "transpose": matrices.transpose,
     "determinant": matrices.determinant,
     "inverse": matrices.inverse,

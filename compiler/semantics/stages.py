@@ -51,7 +51,8 @@ class Stages:
         found = next(filter(_fragment_only, reachable((inner,))), None)
         if found is None:
             return inner
-        what = f"`{found.data}`" if found.op == "input" else "a texture read without a level"
+        read = found.op == "call" and found.data == "sample"
+        what = "a texture read without a level" if read else f"`{found.data}`"
         labels = [Label(self._notes.spans.get(found.id, span), "read here")]
         self._report.add(rules.NOT_AT_VERTEX, span, what=what, labels=labels)
         return FAILURE

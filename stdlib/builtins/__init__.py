@@ -10,6 +10,7 @@ from . import (
     common,
     comparison,
     conversion,
+    derivative,
     exponential,
     geometry,
     matrix,
@@ -28,6 +29,7 @@ _THEMES = (
     matrix,
     conversion,
     texture,
+    derivative,
 )
 
 BUILTINS: Mapping[str, Builtin] = MappingProxyType(

@@ -29,11 +29,16 @@ class Context:
     @property
     def natives(self) -> Mapping[str, str | Spelling]:
         """Spellings of builtins under the profile."""
-        return {**self.target.natives, **self.profile.natives}
+        turned = self.profile.natives_rows_up if self._rows_up else {}
+        return {**self.target.natives, **self.profile.natives, **turned}
 
     @property
     def inputs(self) -> Mapping[str, PipelineInput]:
         """How the pipeline's values are read under the profile."""
-        upside_down = self.profile.rows_up and not self.flip_y
-        turned = self.profile.inputs_rows_up if upside_down else {}
+        turned = self.profile.inputs_rows_up if self._rows_up else {}
         return {**self.target.inputs, **self.profile.inputs, **turned}
+
+    @property
+    def _rows_up(self) -> bool:
+        """Whether the picture's rows count upwards, against Burnish's own y."""
+        return self.profile.rows_up and not self.flip_y

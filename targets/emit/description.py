@@ -140,6 +140,8 @@ class Profile:
     """Inputs that this profile has otherwise than its target."""
     inputs_rows_up: Mapping[str, PipelineInput] = EMPTY
     """Those that have to be turned upside down while rows count upwards."""
+    natives_rows_up: Mapping[str, str | Spelling] = EMPTY
+    """Likewise, of spellings."""
     texture: str = ""
     """Replaces ``Forms.texture``."""
     sets: Mapping[str, int] = GROUP_SETS

@@ -28,6 +28,8 @@ NATIVES: Mapping[str, str | Spelling] = {
     "to_int": "{type}({0})",
     "to_uint": "{type}({0})",
     "sample": "texture",
+    "ddx": "dFdx",
+    "ddy": "dFdy",
 }
 
 INPUTS = {
@@ -42,6 +44,9 @@ FRAG_COORD_FROM_TOP = PipelineInput(
     "vec4(gl_FragCoord.x, viewport_height - gl_FragCoord.y, gl_FragCoord.zw)",
     host_uniform="viewport_height",
 )
+
+DOWNWARDS = {"ddy": "(-dFdy({0}))"}
+"""Where rows count upwards, so does ``dFdy``."""
 
 VULKAN = Profile(
     name="vulkan",
@@ -66,6 +71,7 @@ OPENGL = Profile(
     rows_up=True,
     varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
+    natives_rows_up=DOWNWARDS,
     checkers=("glslang-gl330",),
 )
 
@@ -85,6 +91,7 @@ ES = Profile(
     rows_up=True,
     varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
+    natives_rows_up=DOWNWARDS,
     checkers=("glslang-es300",),
 )
 

@@ -39,6 +39,8 @@ NATIVES: Mapping[str, str | Spelling] = {
     "to_int": "{type}({0})",
     "to_uint": "{type}({0})",
     "sample": "textureSample({0}, {sampler}, {1})",
+    "ddx": "dpdx",
+    "ddy": "dpdy",
 }
 
 INPUTS = {

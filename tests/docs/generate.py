@@ -16,6 +16,7 @@ from burnish.stdlib.builtins import (
     common,
     comparison,
     conversion,
+    derivative,
     exponential,
     geometry,
     matrix,
@@ -70,6 +71,7 @@ THEMES = (
     ("Matrices", matrix.ROWS),
     ("Conversion", conversion.ROWS),
     ("Textures", texture.ROWS),
+    ("Derivatives", derivative.ROWS),
 )
 
 WORDS: Mapping[str, str] = {"and": "and", "or": "or", "not": "not", "mod": "mod"}

@@ -64,7 +64,7 @@ def instances(result: Type) -> tuple[tuple[str, tuple[Type, ...]], ...]:
     return tuple(
         (name, operands)
         for name in BUILTINS
-        if name != "sample"
+        if not BUILTINS[name].uniform_control_flow
         for operands in fitting(name)
         if result_type(name, operands) == result
     )
