@@ -33,7 +33,7 @@ lint: $(VENV)/dev build/mypy/burnish ## Check style and types
 bench: tools ## Measure: a table, and build/bench.json
 	$(BIN)/python -m tests.bench
 
-tools: $(VENV)/dev ## Install the downstream compilers
+tools: $(VENV)/dev ## Install the downstream compilers, the drivers and the browser
 	$(BIN)/python -m burnish.targets.toolchain.install
 
 clean: ## Remove everything that was made in the checkout
@@ -44,7 +44,7 @@ $(BIN)/python:
 	.ci/venv $(PYTHON) $(VENV)
 
 $(VENV)/installed: pyproject.toml setup.py | $(BIN)/python
-	$(PIP) install --editable .
+	$(PIP) install --editable '.[render]'
 	@touch $@
 
 $(VENV)/dev: $(VENV)/installed

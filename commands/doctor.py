@@ -1,8 +1,9 @@
-"""``burnish doctor``: which of the external tools are there."""
+"""``burnish doctor``: which of the external tools are there, and what can be drawn with them."""
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import click
@@ -12,37 +13,64 @@ from .console import FAILED, wants_color
 if TYPE_CHECKING:
     from ..targets.toolchain.tools import ToolState
 
+_INDENT = " " * 10
+
 
 @click.command()
 def doctor() -> None:
-    """Look for the tools that `--validate` and the tests use.
+    """Look for the tools that `--validate`, `render`, `conform` and the tests use.
 
-    Compiling needs none of them. For each that is missing the command that installs it is shown;
-    the exit code is 1 if one is.
+    Compiling needs none of them. For each that is missing the command that installs it is shown,
+    and what there is not without it; the exit code is 1 if one is. Below stand the routes by which
+    pictures are drawn, and which of them can run.
 
     \b
     Example:
         burnish doctor
         burnish compile plastic.burnish --validate -o build/
     """
-    from concurrent.futures import ThreadPoolExecutor
+    from ..targets.toolchain.tools import inspect_all
 
-    from ..targets.toolchain.tools import TOOLS, inspect
-
-    with ThreadPoolExecutor() as threads:
-        states = list(threads.map(inspect, TOOLS))
+    states = inspect_all()
     color = wants_color(sys.stdout)
-    for state in states:
-        click.echo(_described(state), color=color)
-    if any(state.problem for state in states):
+    for line in (*_tools(states), "", *_routes(states)):
+        click.echo(line, color=color)
+    if any(state.problem for state in states.values()):
         click.get_current_context().exit(FAILED)
 
 
-def _described(state: ToolState) -> str:
-    tool = state.tool
-    if state.problem is None:
-        mark = click.style("ok     ", fg="green")
-        return f"{mark}  {tool.name:<11}  {state.version:<8}  {state.paths[0]}"
-    what = "unusable" if state.paths else "missing"
-    mark = click.style(f"{what:<7}", fg="red")
-    return f"{mark}  {tool.name:<11}  {tool.purpose}\n         install it with: {tool.install}"
+def _tools(states: Mapping[str, ToolState]) -> Iterator[str]:
+    width = max(map(len, states))
+    versions = max(len(state.version or "") for state in states.values())
+    for name, state in states.items():
+        if state.problem is None:
+            mark = click.style(f"{'ok':<8}", fg="green")
+            yield f"{mark}  {name:<{width}}  {state.version:<{versions}}  {state.paths[0]}"
+        else:
+            mark = click.style(f"{'unusable' if state.paths else 'missing':<8}", fg="red")
+            yield f"{mark}  {name:<{width}}  {state.tool.purpose}"
+            yield from (f"{_INDENT}{line}" for line in _remedy(state))
+
+
+def _remedy(state: ToolState) -> Iterator[str]:
+    """How to get a tool, and why one should."""
+    from ..targets.runner.routes import routes_needing
+    from ..targets.toolchain.checkers import checkers_needing
+
+    yield f"install it with: {state.tool.install}"
+    if checkers := checkers_needing(state.tool.name):
+        yield f"without it nothing is checked by {', '.join(checkers)}"
+    if routes := routes_needing(state.tool.name):
+        yield f"without it nothing is drawn by {', '.join(routes)}"
+
+
+def _routes(states: Mapping[str, ToolState]) -> Iterator[str]:
+    from ..targets.runner.routes import ROUTES
+
+    width = max(map(len, ROUTES))
+    for name, route in ROUTES.items():
+        lacking = [tool for tool in route.needs if states[tool].problem]
+        mark = click.style(f"{'no' if lacking else 'draws':<8}", fg="red" if lacking else "green")
+        reason = f"  (needs {', '.join(lacking)})" if lacking else ""
+        yield f"{mark}  {name:<{width}}  {route.title}{reason}"
+    yield "Direct3D itself draws nothing here: its HLSL is drawn on Vulkan, and checked as DXIL."

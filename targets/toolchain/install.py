@@ -21,6 +21,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from .sources import Debian, Extra, OwnInstaller
 from .tools import DXC_LIBRARY, TOOLS, Tool, cache_folder, inspect, judge, tool_named
 
 PARTIAL = ".partial-"
@@ -29,11 +30,6 @@ DXC_ARCHIVE = "compushady==0.17.5"
 DXC_ARCHIVE_HASH = "sha256:5052caf9e955d8e7a48e22f536e82b44b72e83af46e824a9e99157c7809de691"
 DXC_MEMBER = "compushady/backends/libdxcompiler_{machine}.so.3.7"
 
-APT_PACKAGES = {
-    "glslang": ("glslang-tools",),
-    "spirv-tools": ("spirv-tools",),
-    "node": ("nodejs", "npm"),
-}
 CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; this one keeps up with the browsers it builds."""
 APT_LOCK_SECONDS = 300
@@ -75,7 +71,8 @@ def _ensure(tool: Tool) -> bool:
 
 def _is_there(tool: Tool) -> bool:
     """Whether a tool needs no installing. A pinned one has to be in the cache, not just on PATH."""
-    paths = tool.find_in(cache_folder() / tool.folder) if tool.pinned else tool.find()
+    pinned = isinstance(tool.source, OwnInstaller)
+    paths = tool.find_in(cache_folder() / tool.folder) if pinned else tool.find()
     state = judge(tool, paths)
     if state.problem is None:
         print(f"{tool.name}: {state.version} at {state.paths[0]}")
@@ -94,15 +91,21 @@ def _lock() -> Iterator[None]:
 
 
 def _install(tool: Tool) -> None:
-    if tool.name in APT_PACKAGES:
-        _apt(*APT_PACKAGES[tool.name])
-        state = inspect(tool)
-        if state.problem:
-            raise InstallError(state.problem)
-        return
+    match tool.source:
+        case Debian(packages):
+            _apt(*packages)
+            if problem := inspect(tool).problem:
+                raise InstallError(problem)
+        case Extra():
+            raise InstallError(f"it is a package for {sys.executable}: {tool.install}")
+        case OwnInstaller(version):
+            _install_into_cache(tool, version)
+
+
+def _install_into_cache(tool: Tool, version: str) -> None:
     partial = Path(tempfile.mkdtemp(prefix=PARTIAL, dir=cache_folder()))
     try:
-        INTO_CACHE[tool.name](tool, partial)
+        INTO_CACHE[tool.name](version, partial)
         state = judge(tool, tool.find_in(partial))
         if state.problem:
             raise InstallError(f"what was installed does not work: {state.problem}")
@@ -129,19 +132,19 @@ def _apt(*names: str) -> None:
         _run("apt-get", *patience, "install", "-y", *packages)
 
 
-def _cargo_naga(tool: Tool, folder: Path) -> None:
+def _cargo_naga(version: str, folder: Path) -> None:
     if not shutil.which("cargo"):
         _apt(*CARGO_PACKAGES)
-    wanted = ("naga-cli", "--locked", "--version", tool.pinned)
+    wanted = ("naga-cli", "--locked", "--version", version)
     _run("cargo", "install", *wanted, "--root", str(folder))
 
 
-def _npm_webgpu(tool: Tool, folder: Path) -> None:
+def _npm_webgpu(version: str, folder: Path) -> None:
     quiet = ("--no-audit", "--no-fund", "--ignore-scripts")
-    _run("npm", "install", f"webgpu@{tool.pinned}", "--prefix", str(folder), *quiet)
+    _run("npm", "install", f"webgpu@{version}", "--prefix", str(folder), *quiet)
 
 
-def _pip_dxc(_tool: Tool, folder: Path) -> None:
+def _pip_dxc(_version: str, folder: Path) -> None:
     """Takes DXC out of the source archive of a Python package that carries it, unbuilt."""
     with tempfile.TemporaryDirectory() as name:
         downloads = Path(name)
@@ -185,7 +188,7 @@ def _run(*command: str) -> None:
         raise InstallError(f"{command[0]} ended with {ended.returncode}:\n{ended.stdout}")
 
 
-INTO_CACHE: dict[str, Callable[[Tool, Path], None]] = {
+INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "dxc": _pip_dxc,
     "naga": _cargo_naga,
     "tint": _npm_webgpu,

@@ -30,10 +30,14 @@ class Op(IntEnum):
     MEMBER_NAME = 6
     LINE = 8
     ENTRY_POINT = 15
+    TYPE_INT = 21
+    TYPE_FLOAT = 22
+    TYPE_VECTOR = 23
     TYPE_MATRIX = 24
     TYPE_ARRAY = 28
     TYPE_STRUCT = 30
     TYPE_POINTER = 32
+    CONSTANT = 43
     FUNCTION = 54
     FUNCTION_PARAMETER = 55
     FUNCTION_END = 56
@@ -119,7 +123,7 @@ def optimise(spirv: bytes) -> bytes:
 
     Raises ``SpirvError`` when spirv-opt is missing or fails.
     """
-    tool = program("spirv-opt")
+    tool = program("spirv-tools", "spirv-opt")
     if tool is None:
         raise SpirvError("spirv-opt is not installed")
     arguments = [str(tool), "--strip-debug", "-O", "-", "-o", "-"]

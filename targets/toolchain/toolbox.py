@@ -26,6 +26,10 @@ class Toolbox:
         """Why a tool cannot be used; None when it can."""
         return self._state(tool).problem
 
+    def version(self, tool: str) -> str:
+        """A tool's version; empty where it is missing."""
+        return self._state(tool).version or ""
+
     def run(
         self, tool: str, *arguments: str, stdin: bytes = b"", folder: Path | None = None
     ) -> Outcome:

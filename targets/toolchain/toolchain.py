@@ -47,6 +47,10 @@ class Toolchain:
         problems = (self._toolbox.problem(tool) for tool in CHECKERS[checker].needs)
         return "; ".join(problem for problem in problems if problem) or None
 
+    def versions(self, checker: str) -> tuple[str, ...]:
+        """The versions of the tools that a checker needs; empty for those that are missing."""
+        return tuple(self._toolbox.version(tool) for tool in CHECKERS[checker].needs)
+
     def check(self, jobs: Sequence[Job], *, keep_spirv: bool = False) -> list[Verdict]:
         """A verdict for each job, in the jobs' order.
 

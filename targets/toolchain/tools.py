@@ -1,49 +1,53 @@
-"""The external tools, one row each, and where they are found.
+"""The external tools: one row each, and what is known of them on this machine.
 
-A tool is looked for in Burnish's cache folder first (``BURNISH_TOOLS`` moves it), then on PATH.
+A tool is whatever Burnish needs and does not bring: compilers, drivers, a browser, the Python
+packages that talk to them. It is looked for in Burnish's cache folder first (``BURNISH_TOOLS``
+moves it), then where the system has it.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import re
-import shutil
-from collections.abc import Callable
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from .process import run
-
-VERSION_LIMIT = 20.0
-"""Seconds a tool may take to say its version."""
+from .places import (
+    AnyProgram,
+    FolderFiles,
+    Paths,
+    Place,
+    Programs,
+    PythonPackage,
+    SystemFiles,
+    libraries,
+    vulkan_files,
+)
+from .sources import Debian, Extra, OwnInstaller, Source
+from .versions import (
+    Version,
+    browser_beside,
+    in_folder_name,
+    of_python_package,
+    says,
+    stated,
+    written_in,
+)
 
 DXC_LIBRARY = "libdxcompiler.so"
 TINT_PACKAGE = "node_modules/webgpu/package.json"
 
-
-def _says(option: str, pattern: str) -> Callable[[Path], str | None]:
-    """A version read from what a program says."""
-
-    def version(path: Path) -> str | None:
-        outcome = run([str(path), option], time_limit=VERSION_LIMIT)
-        found = re.search(pattern, outcome.log) if outcome.ending == "ended" else None
-        return found[1] if found else None
-
-    return version
-
-
-def _package_version(manifest: Path) -> str | None:
-    """The version of an npm package, read from its ``package.json``."""
-    version = json.loads(manifest.read_text())["version"]
-    return version if isinstance(version, str) else None
-
-
-def _folder_version(path: Path) -> str | None:
-    """The version in the name of the cache folder: ``dxc-3.7`` holds 3.7."""
-    return path.parent.name.partition("-")[2]
+VULKAN_LOADER = libraries("libvulkan.so.1")
+MESA_SAYS = rb"Mesa (\d+\.\d+\.\d+)"
+CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+CHROMIUM_FOLDERS = (
+    "usr/lib/chromium", "usr/lib64/chromium", "usr/lib/chromium-browser",
+    "usr/lib64/chromium-browser", "opt/google/chrome",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,39 +56,34 @@ class Tool:
 
     name: str
     purpose: str
-    files: tuple[str, ...]
-    """What has to be there: programs, or paths inside the tool's cache folder."""
-    version: Callable[[Path], str | None]
-    """Reads the version off the first of the files."""
-    install: str
-    """The command that installs it."""
-    pinned: str = ""
-    """The version that the installer puts into the cache; empty for a system package."""
+    place: Place
+    """Where its files are looked for."""
+    version: Version
+    """Reads the version off the files."""
+    source: Source
+    """Where it comes from."""
     minimum: tuple[int, ...] = ()
     """The oldest version that behaves; empty when any does."""
-    on_path: bool = True
-    """Whether its files are programs, so that PATH may hold them too."""
+
+    @property
+    def install(self) -> str:
+        """The command that installs it."""
+        return self.source.command(self.name)
 
     @property
     def folder(self) -> str:
         """Its folder's name in the cache; a new version gets a new folder."""
-        return f"{self.name}-{self.pinned}" if self.pinned else self.name
+        if isinstance(self.source, OwnInstaller):
+            return f"{self.name}-{self.source.pinned}"
+        return self.name
 
-    def find(self) -> tuple[Path, ...] | None:
-        """The paths of all its files, in the cache or on PATH; None when one is missing."""
-        return self.find_in(cache_folder() / self.folder) or self._find_on_path()
+    def find(self) -> Paths | None:
+        """The paths of all its files, in the cache or on the system; None when one is missing."""
+        return self.find_in(cache_folder() / self.folder) or self.place.outside()
 
-    def find_in(self, folder: Path) -> tuple[Path, ...] | None:
+    def find_in(self, folder: Path) -> Paths | None:
         """The paths of all its files in a folder laid out like the cache's; None if incomplete."""
-        base = folder / "bin" if self.on_path else folder
-        paths = tuple(base / file for file in self.files)
-        return paths if all(path.is_file() for path in paths) else None
-
-    def _find_on_path(self) -> tuple[Path, ...] | None:
-        if not self.on_path:
-            return None
-        paths = tuple(Path(path) for file in self.files if (path := shutil.which(file)))
-        return paths if len(paths) == len(self.files) else None
+        return self.place.inside(folder)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,66 +91,124 @@ class ToolState:
     """What is known of a tool on this machine."""
 
     tool: Tool
-    paths: tuple[Path, ...]
+    paths: Paths
     """Of the tool's files, in their order; empty when it is missing."""
     version: str | None
     problem: str | None
     """Why the tool cannot be used; None when it can."""
 
 
-def _own_installer(name: str) -> str:
-    return f"python -m burnish.targets.toolchain.install {name}"
+def _python_package(name: str, extra: str, purpose: str) -> Tool:
+    return Tool(name, purpose, PythonPackage(name), of_python_package(name), Extra(extra))
 
 
 TOOLS: tuple[Tool, ...] = (
     Tool(
         name="glslang",
         purpose="compiles GLSL, and HLSL, to SPIR-V",
-        files=("glslangValidator",),
-        version=_says("--version", r"Glslang Version: (?:\d+:)?(\S+)"),
-        install="apt-get install -y --no-install-recommends glslang-tools",
+        place=Programs(("glslangValidator",)),
+        version=says("--version", r"Glslang Version: (?:\d+:)?(\S+)"),
+        source=Debian(("glslang-tools",)),
     ),
     Tool(
         name="spirv-tools",
         purpose="validates, optimises and prints SPIR-V",
-        files=("spirv-val", "spirv-opt", "spirv-dis"),
-        version=_says("--version", r"SPIRV-Tools v(\S+)"),
-        install="apt-get install -y --no-install-recommends spirv-tools",
+        place=Programs(("spirv-val", "spirv-opt", "spirv-dis")),
+        version=says("--version", r"SPIRV-Tools v(\S+)"),
+        source=Debian(("spirv-tools",)),
     ),
     Tool(
         name="dxc",
         purpose="compiles HLSL to DXIL and to SPIR-V",
-        files=(DXC_LIBRARY,),
-        version=_folder_version,
-        install=_own_installer("dxc"),
-        pinned="3.7",
-        on_path=False,
+        place=FolderFiles((DXC_LIBRARY,)),
+        version=in_folder_name,
+        source=OwnInstaller("3.7"),
     ),
     Tool(
         name="naga",
         purpose="validates WGSL and compiles it to SPIR-V; the WebGPU front end of Firefox",
-        files=("naga",),
-        version=_says("--version", r"(\d+\.\d+\.\d+)"),
-        install=_own_installer("naga"),
-        pinned="30.0.1",
+        place=Programs(("naga",)),
+        version=says("--version", r"(\d+\.\d+\.\d+)"),
+        source=OwnInstaller("30.0.1"),
         minimum=(30,),
     ),
     Tool(
         name="node",
         purpose="runs tint",
-        files=("node",),
-        version=_says("--version", r"v(\S+)"),
-        install="apt-get install -y --no-install-recommends nodejs npm",
+        place=Programs(("node",)),
+        version=says("--version", r"v(\S+)"),
+        source=Debian(("nodejs", "npm")),
     ),
     Tool(
         name="tint",
         purpose="validates WGSL; the WebGPU front end of Chromium",
-        files=(TINT_PACKAGE,),
-        version=_package_version,
-        install=_own_installer("tint"),
-        pinned="0.6.2",
-        on_path=False,
+        place=FolderFiles((TINT_PACKAGE,)),
+        version=stated("version"),
+        source=OwnInstaller("0.6.2"),
     ),
+    Tool(
+        name="lavapipe",
+        purpose="Mesa's Vulkan driver that draws on the CPU",
+        place=SystemFiles(
+            (
+                (
+                    *vulkan_files("icd.d/lvp_icd.{machine}.json"),
+                    *vulkan_files("icd.d/lvp_icd.json"),
+                ),
+                libraries("libvulkan_lvp.so"),
+                VULKAN_LOADER,
+            )
+        ),
+        version=written_in(1, MESA_SAYS),
+        source=Debian(("mesa-vulkan-drivers", "libvulkan1")),
+        minimum=(22, 3),  # the oldest that was tried
+    ),
+    # It has no version of its own: it is built with the browser.
+    Tool(
+        name="swiftshader",
+        purpose="Chromium's Vulkan driver that draws on the CPU",
+        place=SystemFiles(
+            (
+                tuple(f"{folder}/vk_swiftshader_icd.json" for folder in CHROMIUM_FOLDERS),
+                VULKAN_LOADER,
+            )
+        ),
+        version=browser_beside(CHROMIUMS),
+        source=Debian(("chromium", "libvulkan1")),
+    ),
+    Tool(
+        name="vulkan-validation",
+        purpose="the Khronos validation layers, which say what is wrong in calls of Vulkan",
+        place=SystemFiles((vulkan_files("explicit_layer.d/VkLayer_khronos_validation.json"),)),
+        version=stated("layer", "api_version"),
+        source=Debian(("vulkan-validationlayers",)),
+    ),
+    Tool(
+        name="llvmpipe",
+        purpose="Mesa's OpenGL driver that draws on the CPU, without a window by EGL",
+        place=SystemFiles(
+            (
+                (*libraries("libgallium-*.so"), *libraries("dri/swrast_dri.so")),
+                libraries("libEGL.so.1"),
+                libraries("libEGL_mesa.so.0"),
+            )
+        ),
+        version=written_in(0, MESA_SAYS),
+        source=Debian(("libegl1", "libegl-mesa0", "libgl1-mesa-dri")),
+    ),
+    Tool(
+        name="chromium",
+        purpose="a browser, for WebGPU and WebGL 2 as they are on the web",
+        place=AnyProgram(CHROMIUMS),
+        version=says("--version", r"Chrom\w* (\d+(?:\.\d+)+)"),
+        source=Debian(("chromium",)),
+        minimum=(113,),  # the first with WebGPU
+    ),
+    _python_package("numpy", "render", "arrays, for the reference pictures"),
+    _python_package("pillow", "render", "writes and reads pictures"),
+    _python_package("vulkan", "run", "calls Vulkan from Python"),
+    _python_package("moderngl", "run", "calls OpenGL from Python"),
+    _python_package("playwright", "run", "drives the browser"),
 )
 
 
@@ -171,11 +228,17 @@ def inspect(tool: Tool) -> ToolState:
     return judge(tool, tool.find())
 
 
-def judge(tool: Tool, paths: tuple[Path, ...] | None) -> ToolState:
+def inspect_all(tools: Iterable[Tool] = TOOLS) -> dict[str, ToolState]:
+    """Finds several tools at once; what is known of each, by its name, in their order."""
+    with ThreadPoolExecutor() as threads:
+        return {state.tool.name: state for state in threads.map(inspect, tools)}
+
+
+def judge(tool: Tool, paths: Paths | None) -> ToolState:
     """Asks a tool that was found at ``paths`` for its version, and says whether it will do."""
     if paths is None:
         return ToolState(tool, (), None, f"{tool.name} is missing; to install it: {tool.install}")
-    version = tool.version(paths[0])
+    version = tool.version(paths)
     return ToolState(tool, paths, version, _version_problem(tool, version))
 
 
@@ -189,8 +252,7 @@ def _version_problem(tool: Tool, version: str | None) -> str | None:
     return None
 
 
-def program(file: str) -> Path | None:
-    """The path of a tool's program by its own name, e.g. ``spirv-opt``; None when missing."""
-    owner = next(tool for tool in TOOLS if file in tool.files)
-    paths = owner.find()
-    return paths[owner.files.index(file)] if paths else None
+def program(tool: str, name: str) -> Path | None:
+    """The path of one of a tool's programs, ``spirv-opt`` of ``spirv-tools``; None when missing."""
+    paths = tool_named(tool).find() or ()
+    return next((path for path in paths if path.name == name), None)

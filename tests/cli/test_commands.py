@@ -19,6 +19,7 @@ from burnish.commands import console
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.targets import registry
+from burnish.targets.runner.routes import ROUTES
 from burnish.targets.toolchain import TOOLS, ToolState, tools
 
 from .kit import PLAIN, invoke
@@ -97,18 +98,25 @@ def test_targets_for_programs() -> None:
 def test_doctor_finds_what_the_tests_need() -> None:
     result = invoke("doctor")
     assert result.exit_code == 0, result.stdout
-    assert [line.split()[:2] for line in result.stdout.splitlines()] == [
+    found, _, drawn = result.stdout.partition("\n\n")
+    assert [line.split()[:2] for line in found.splitlines()] == [
         ["ok", tool.name] for tool in TOOLS
     ]
+    *routes, direct3d = drawn.splitlines()
+    assert [line.split()[:2] for line in routes] == [["draws", name] for name in ROUTES]
+    assert direct3d.startswith("Direct3D itself draws nothing here")
 
 
-def test_doctor_says_how_to_install(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("BURNISH_TOOLS", str(tmp_path))
-    monkeypatch.setenv("PATH", "")
+@pytest.mark.usefixtures("no_tools")
+def test_doctor_says_how_to_install() -> None:
     result = invoke("doctor")
     assert result.exit_code == 1
     for tool in TOOLS:
         assert f"install it with: {tool.install}\n" in result.stdout
+    for route in ROUTES.values():
+        assert f"{route.title}  (needs {', '.join(route.needs)})\n" in result.stdout
+    assert "nothing is checked by dxc-spirv, dxc-dxil\n" in result.stdout
+    assert "nothing is drawn by chromium:webgpu, chromium:webgl2\n" in result.stdout
 
 
 def test_doctor_tells_old_from_missing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -53,7 +53,11 @@ DOOR = ("api", "cli", "commands")
         ("compiler", (*DOOR, "targets")),
         ("targets", DOOR),
         ("targets/emit", ("targets.toolchain", *(f"targets.{name}" for name in BACKENDS))),
-        ("targets/toolchain", ("targets.emit", *(f"targets.{name}" for name in BACKENDS))),
+        (
+            "targets/toolchain",
+            ("targets.emit", "targets.runner", *(f"targets.{name}" for name in BACKENDS)),
+        ),
+        ("targets/runner", ("targets.emit", *(f"targets.{name}" for name in BACKENDS))),
         ("api.py", ("cli", "commands", "targets.toolchain")),
         ("__init__.py", ("cli", "commands", "targets")),
         *(
@@ -80,8 +84,10 @@ COMPILE = """
 import sys
 import burnish
 burnish.compile("material M { color = vec3(1) }", targets=("wgsl",)).materials[0].reflection
-for name in ("numpy", "click", "burnish.cli", "burnish.targets.toolchain", "burnish.targets.glsl"):
+for name in ("numpy", "click", "burnish.cli", "burnish.targets.glsl"):
     assert name not in sys.modules, name
+for name in ("toolchain", "runner"):
+    assert f"burnish.targets.{name}" not in sys.modules, name
 """
 
 

@@ -20,14 +20,6 @@ def toolchain() -> Iterator[Toolchain]:
 
 
 @pytest.fixture
-def no_tools(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A machine with an empty cache and nothing on PATH; returns the cache folder."""
-    monkeypatch.setenv("BURNISH_TOOLS", str(tmp_path))
-    monkeypatch.setenv("PATH", "")
-    return tmp_path
-
-
-@pytest.fixture
 def plant_tool(no_tools: Path) -> PlantTool:
     """Puts a shell script into the cache that says a version and otherwise does as told."""
 

@@ -3,29 +3,30 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
 import time
 from pathlib import Path
 
 import pytest
 
 from burnish.targets.toolchain import install
-from burnish.targets.toolchain.tools import DXC_LIBRARY, Tool
+from burnish.targets.toolchain.tools import DXC_LIBRARY
 
 
-def _no_install(_tool: Tool, _folder: Path) -> None:
+def _no_install(_version: str, _folder: Path) -> None:
     raise AssertionError("it was there already")
 
 
-def _good_install(_tool: Tool, folder: Path) -> None:
+def _good_install(_version: str, folder: Path) -> None:
     (folder / DXC_LIBRARY).write_text("a library")
 
 
-def _broken_install(_tool: Tool, folder: Path) -> None:
+def _broken_install(_version: str, folder: Path) -> None:
     (folder / "half").write_text("of it")
     raise install.InstallError("the line went dead")
 
 
-def _empty_install(_tool: Tool, folder: Path) -> None:
+def _empty_install(_version: str, folder: Path) -> None:
     (folder / "something-else").write_text("")
 
 
@@ -69,11 +70,11 @@ def test_what_a_killed_run_left_behind_is_cleared_away(
     assert _folders(no_tools) == {"dxc-3.7"}
 
 
-def _count_and_install(_tool: Tool, folder: Path) -> None:
+def _count_and_install(_version: str, folder: Path) -> None:
     with (folder.parent / "runs").open("a") as runs:
         runs.write("x")
     time.sleep(0.2)
-    _good_install(_tool, folder)
+    _good_install(_version, folder)
 
 
 def _install_in_child() -> None:
@@ -102,3 +103,55 @@ def test_without_apt_it_says_what_to_do(capsys: pytest.CaptureFixture[str]) -> N
 def test_without_cargo_it_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     assert install.main(["naga"]) == 1
     assert "it needs cargo" in capsys.readouterr().err
+
+
+APT = """#!/bin/sh
+echo "$*" >> {folder}/calls
+case "$*" in
+    *update*) : > {folder}/lists ;;
+    *install*)
+        [ -e {folder}/lists ] || exit 100
+        printf '#!/bin/sh\\necho Glslang Version: 11:12.0.0\\n' > {folder}/glslangValidator
+        /bin/chmod +x {folder}/glslangValidator ;;
+esac
+"""
+"""Installs nothing before it has lists, as on a fresh system."""
+
+
+@pytest.mark.parametrize(("fresh", "wanted"), [(True, "iui"), (False, "i")])
+def test_lists_of_packages_are_fetched_only_when_needed(
+    no_tools: Path, monkeypatch: pytest.MonkeyPatch, fresh: bool, wanted: str
+) -> None:
+    folder = no_tools / "bin"
+    folder.mkdir()
+    (folder / "apt-get").write_text(APT.format(folder=folder))
+    (folder / "apt-get").chmod(0o755)
+    if not fresh:
+        (folder / "lists").write_text("")
+    monkeypatch.setenv("PATH", str(folder))
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    assert install.main(["glslang"]) == 0
+    calls = (folder / "calls").read_text().splitlines()
+    assert "".join("u" if call.endswith("update") else "i" for call in calls) == wanted
+    assert calls[-1].endswith("install -y --no-install-recommends glslang-tools")
+    assert install.main(["glslang"]) == 0
+    assert (folder / "calls").read_text().splitlines() == calls
+
+
+@pytest.mark.usefixtures("no_tools")
+@pytest.mark.parametrize(
+    ("tool", "way_out"),
+    [
+        ("chromium", "it needs chromium: "),
+        ("lavapipe", "it needs mesa-vulkan-drivers, libvulkan1: "),
+        ("moderngl", "pip install 'burnish[run]'"),
+    ],
+)
+def test_what_cannot_be_installed_is_not_passed_over(
+    tool: str, way_out: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    assert install.main([tool]) == 1
+    said = capsys.readouterr().err
+    assert way_out in said
+    assert f"NOT installed: {tool}" in said

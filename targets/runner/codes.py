@@ -1,0 +1,176 @@
+"""From a material's texts to what a route's driver takes: SPIR-V by the real compilers, or text.
+
+Compilers run in parallel, and what they made is kept: the same text, flags and tools give the same
+module. Nothing that was refused is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Literal, Protocol
+
+from ...compiler.diagnostics.source import Span
+from ..toolchain import Job, Message, Toolchain, Verdict
+from ..toolchain import __file__ as toolchain_file
+from .draw import Code
+from .routes import Route
+from .store import Store, digest, digest_of_sources
+
+Stage = Literal["vertex", "fragment"]
+
+STORE = "spirv"
+"""The name of the store that keeps modules."""
+
+_STAGES: Mapping[Stage, str] = {"vertex": "vert", "fragment": "frag"}
+"""The checkers' words for the stages."""
+
+
+class ShaderFile(Protocol):
+    """An emitted text, as ``burnish.compile`` returns it."""
+
+    @property
+    def name(self) -> str:
+        """``Rubber.frag.glsl``."""
+
+    @property
+    def target(self) -> str:
+        """``glsl``."""
+
+    @property
+    def profile(self) -> str:
+        """``vulkan``."""
+
+    @property
+    def entry_points(self) -> Mapping[Stage, str]:
+        """Entry point of each stage in the text."""
+
+    @property
+    def text(self) -> str:
+        """All of it."""
+
+    @property
+    def spans(self) -> Mapping[int, Span]:
+        """By 1-based line of the text, what in the material it computes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """One material to be compiled for one route."""
+
+    route: Route
+    files: Sequence[ShaderFile]
+    """Its texts; those of other profiles are passed over."""
+
+
+@dataclass(frozen=True, slots=True)
+class Codes:
+    """Both stages as a driver takes them."""
+
+    vertex: Code
+    fragment: Code
+
+
+class CodeError(Exception):
+    """A route's compiler made nothing of a text; says why, and of what in the material."""
+
+
+def compile_one(route: Route, files: Sequence[ShaderFile], toolchain: Toolchain) -> Codes:
+    """Both stages of one material for one route.
+
+    Raises ``CodeError`` if the route's compiler is missing, breaks down or refuses a text, and
+    ``KeyError`` if the files have no text for the route.
+    """
+    (result,) = compile_all([Request(route, files)], toolchain)
+    if isinstance(result, CodeError):
+        raise result
+    return result
+
+
+def compile_all(requests: Sequence[Request], toolchain: Toolchain) -> list[Codes | CodeError]:
+    """Both stages for each request, or why there are none; the compilers run at the same time.
+
+    Raises ``KeyError`` if a request's files have no text for its route.
+    """
+    jobs = [
+        _job(request, stage) for request in requests if request.route.compiler for stage in _STAGES
+    ]
+    made = _make(list(dict.fromkeys(jobs)), toolchain)
+    return [_codes(request, made) for request in requests]
+
+
+def _make(jobs: Sequence[Job], toolchain: Toolchain) -> dict[Job, bytes | Verdict]:
+    """A module for each job, or the verdict of the compiler that made none."""
+    store = Store(STORE)
+    versions = {name: toolchain.versions(name) for name in {job.checker for job in jobs}}
+    names = {job: _digest(job, versions[job.checker]) for job in jobs}
+    kept = {job: store.read(name) for job, name in names.items()}
+    made: dict[Job, bytes | Verdict] = {job: data for job, data in kept.items() if data is not None}
+    verdicts = toolchain.check([job for job in jobs if job not in made], keep_spirv=True)
+    for verdict in verdicts:
+        made[verdict.job] = verdict.spirv or verdict
+        if verdict.spirv:
+            store.write(names[verdict.job], verdict.spirv)
+    return made
+
+
+def _codes(request: Request, made: Mapping[Job, bytes | Verdict]) -> Codes | CodeError:
+    codes: dict[Stage, Code] = {}
+    for stage in _STAGES:
+        file = _file(request, stage)
+        entry = file.entry_points[stage]
+        if request.route.compiler is None:
+            codes[stage] = Code(entry, text=file.text)
+            continue
+        module = made[_job(request, stage)]
+        if isinstance(module, Verdict):
+            return CodeError(_refusal(request.route, file, module))
+        codes[stage] = Code(entry, spirv=module)
+    return Codes(**codes)
+
+
+def _file(request: Request, stage: Stage) -> ShaderFile:
+    profile = request.route.profile
+    for file in request.files:
+        if f"{file.target}:{file.profile}" == profile and stage in file.entry_points:
+            return file
+    raise KeyError(f"no {stage} text for {profile}, which {request.route.name} draws")
+
+
+def _job(request: Request, stage: Stage) -> Job:
+    route, file = request.route, _file(request, stage)
+    entry = file.entry_points[stage]
+    return Job(route.compiler or "", _STAGES[stage], file.text, entry, file.name, route.flags)
+
+
+def _digest(job: Job, versions: Sequence[str]) -> str:
+    return digest(
+        _toolchain_digest(), *versions, job.checker, job.stage, job.entry, *job.flags, job.text
+    )
+
+
+@cache
+def _toolchain_digest() -> str:
+    """Changes with the code that puts together the compilers' command lines."""
+    return digest_of_sources(Path(toolchain_file).parent)
+
+
+def _refusal(route: Route, file: ShaderFile, verdict: Verdict) -> str:
+    checker = verdict.job.checker
+    if verdict.status != "rejected":
+        return f"{route.name}: {checker} on {file.name}: {verdict.status}: {verdict.log.strip()}"
+    errors = [message for message in verdict.messages if message.severity == "error"]
+    lines = [line for message in errors for line in _located(file, message)]
+    return "\n".join([f"{route.name}: {checker} rejects {file.name}", *lines])
+
+
+def _located(file: ShaderFile, message: Message) -> Iterator[str]:
+    """A compiler's message, and the line of the material that it is about."""
+    place = ":".join(str(part) for part in (file.name, message.line, message.column) if part)
+    yield f"  {place}: {message.text}"
+    span = file.spans.get(message.line) if message.line else None
+    if span is not None:
+        number, _ = span.source.position(span.start)
+        yield f"    from {span}: {span.source.line(number).strip()}"

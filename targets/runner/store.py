@@ -1,0 +1,117 @@
+"""Bytes that are costly to make and never change: files named after all that they depend on.
+
+Beside ``compiler/cache.py`` because what lies here decides whether a test passes: names are 160
+bits long and not 64, so that nobody has to think about two that agree by chance, and there is much
+of it, so that what has not been used for longest is deleted. A store is a convenience only: where
+it cannot be read or written, there is nothing in it.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import suppress
+from hashlib import blake2b
+from pathlib import Path
+from tempfile import NamedTemporaryFile
+
+from ...compiler.cache import folder as cache_folder
+
+LIMIT = 1 << 30
+"""Bytes that a store may hold, about."""
+KEPT = 0.75
+"""Part of the limit that is left after deleting, so that it is not done at every write."""
+CHECK_EVERY = 1 << 26
+"""Bytes after which a process that writes looks at the whole folder again."""
+
+_DIGEST_SIZE = 20
+
+
+def digest(*ingredients: str | bytes) -> str:
+    """The name of what depends on these, in this order, and on nothing else."""
+    total = blake2b(digest_size=_DIGEST_SIZE)
+    for item in ingredients:
+        data = item.encode() if isinstance(item, str) else item
+        total.update(len(data).to_bytes(8, "little"))
+        total.update(data)
+    return total.hexdigest()
+
+
+def digest_of_sources(*folders: Path) -> str:
+    """The digest of the Python files below some folders, for what their code has a part in."""
+    paths = (path for folder in folders for path in sorted(folder.rglob("*.py")))
+    return digest(*(path.read_bytes() for path in paths))
+
+
+class Store:
+    """A folder of results. Several processes may use it at the same time."""
+
+    def __init__(self, name: str, limit: int = LIMIT) -> None:
+        """The store called ``name`` in Burnish's cache folder; ``limit`` is in bytes."""
+        self.folder = Path(cache_folder()) / name
+        self._limit = limit
+        self._unchecked: int | None = None
+        """Bytes written since the folder was looked at; None before the first time."""
+
+    def read(self, name: str) -> bytes | None:
+        """What was written under a digest, if it is there and undamaged."""
+        path = self._path(name)
+        try:
+            content = path.read_bytes()
+        except OSError:
+            return None
+        data = content[_DIGEST_SIZE:]
+        if _checksum(data) != content[:_DIGEST_SIZE]:
+            return None
+        with suppress(OSError):
+            os.utime(path)
+        return data
+
+    def write(self, name: str, data: bytes) -> None:
+        """Keeps data under a digest; no reader ever sees half of it."""
+        path = self._path(name)
+        with suppress(OSError):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            _replace(path, _checksum(data) + data)
+        if self._unchecked is None or self._unchecked > min(CHECK_EVERY, self._limit):
+            self.prune()
+            self._unchecked = 0
+        self._unchecked += len(data)
+
+    def prune(self) -> None:
+        """Deletes what has not been used for longest, if there is more than the limit."""
+        files = sorted(self._files(), reverse=True)
+        if sum(size for _, size, _ in files) <= self._limit:
+            return
+        total = 0
+        for _, size, path in files:
+            total += size
+            if total > KEPT * self._limit:
+                with suppress(OSError):
+                    path.unlink()
+
+    def _path(self, name: str) -> Path:
+        return self.folder / name[:2] / name[2:]
+
+    def _files(self) -> Iterator[tuple[int, int, Path]]:
+        """When each file was last used, its size and path; what a killed process left, too."""
+        for path in self.folder.glob("*/*"):
+            with suppress(OSError):
+                status = path.stat()
+                yield status.st_mtime_ns, status.st_size, path
+
+
+def _checksum(data: bytes) -> bytes:
+    return blake2b(data, digest_size=_DIGEST_SIZE).digest()
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """Writes a file in one step; raises ``OSError`` and leaves nothing where that fails."""
+    with NamedTemporaryFile(dir=path.parent, delete=False) as file:
+        try:
+            file.write(content)
+            file.flush()
+            Path(file.name).replace(path)
+        except BaseException:
+            Path(file.name).unlink(missing_ok=True)
+            raise

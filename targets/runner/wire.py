@@ -1,0 +1,54 @@
+"""Jobs and pictures as JSON, for the way to a driver's own process and back."""
+
+from __future__ import annotations
+
+import base64
+import dataclasses
+import types
+import typing
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+
+def to_json(value: Any) -> Any:
+    """A record of ``draw``, or a part of one, as JSON; bytes become base64."""
+    if isinstance(value, bytes):
+        return base64.b64encode(value).decode("ascii")
+    if isinstance(value, tuple):
+        return [to_json(item) for item in value]
+    if dataclasses.is_dataclass(value):
+        fields = dataclasses.fields(value)
+        return {field.name: to_json(getattr(value, field.name)) for field in fields}
+    return value
+
+
+def from_json(kind: type[T], data: Mapping[str, Any]) -> T:
+    """The record of class ``kind`` that ``to_json`` made ``data`` of."""
+    hints = _hints(kind)
+    return kind(**{name: _read(hints[name], value) for name, value in data.items()})
+
+
+@cache
+def _hints(kind: type) -> dict[str, Any]:
+    return typing.get_type_hints(kind)
+
+
+def _read(hint: Any, value: Any) -> Any:
+    if value is None:
+        return None
+    if hint is bytes:
+        return base64.b64decode(value)
+    if typing.get_origin(hint) is tuple:
+        return _read_tuple(typing.get_args(hint), value)
+    if isinstance(hint, types.UnionType):
+        (hint,) = (part for part in typing.get_args(hint) if part is not type(None))
+    return from_json(hint, value) if dataclasses.is_dataclass(hint) else value
+
+
+def _read_tuple(parts: tuple[Any, ...], values: list[Any]) -> tuple[Any, ...]:
+    if parts[-1] is Ellipsis:
+        return tuple(_read(parts[0], value) for value in values)
+    return tuple(_read(part, value) for part, value in zip(parts, values, strict=True))

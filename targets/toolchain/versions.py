@@ -1,0 +1,79 @@
+"""Readers of versions: each takes the paths of a tool's files; None when it finds none."""
+
+from __future__ import annotations
+
+import json
+import mmap
+import re
+from collections.abc import Callable
+from importlib.metadata import version as installed_version
+
+from .places import Paths
+from .process import run
+
+Version = Callable[[Paths], str | None]
+
+VERSION_LIMIT = 20.0
+"""Seconds a tool may take to say its version."""
+
+
+def says(option: str, pattern: str) -> Version:
+    """What the first file, a program, says."""
+
+    def version(paths: Paths) -> str | None:
+        return _said([str(paths[0]), option], pattern)
+
+    return version
+
+
+def browser_beside(programs: tuple[str, ...]) -> Version:
+    """What one of the ``programs`` says that came with the first file, in the same folder."""
+
+    def version(paths: Paths) -> str | None:
+        beside = (paths[0].parent / name for name in programs)
+        program = next((path for path in beside if path.is_file()), None)
+        return _said([str(program), "--version"], r"(\d+(?:\.\d+)+)") if program else None
+
+    return version
+
+
+def written_in(number: int, pattern: bytes) -> Version:
+    """What is written in a binary, the file of that number; megabytes take milliseconds."""
+
+    def version(paths: Paths) -> str | None:
+        with (
+            paths[number].open("rb") as file,
+            mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content,
+        ):
+            found = re.search(pattern, content)
+            return found[1].decode() if found else None
+
+    return version
+
+
+def stated(*keys: str) -> Version:
+    """What the first file, a JSON document, has under its ``keys``, one inside the other."""
+
+    def version(paths: Paths) -> str | None:
+        value = json.loads(paths[0].read_text("utf-8"))
+        for key in keys:
+            value = value.get(key) if isinstance(value, dict) else None
+        return value if isinstance(value, str) else None
+
+    return version
+
+
+def in_folder_name(paths: Paths) -> str | None:
+    """The version in the name of the cache folder: ``dxc-3.7`` holds 3.7."""
+    return paths[0].parent.name.partition("-")[2]
+
+
+def of_python_package(name: str) -> Version:
+    """What an installed Python package's metadata say."""
+    return lambda _paths: installed_version(name)
+
+
+def _said(command: list[str], pattern: str) -> str | None:
+    outcome = run(command, time_limit=VERSION_LIMIT)
+    found = re.search(pattern, outcome.log) if outcome.ending == "ended" else None
+    return found[1] if found else None

@@ -1,0 +1,116 @@
+"""A reflection becomes a pipeline: names, places, formats and states."""
+
+from __future__ import annotations
+
+from typing import Any, get_args
+
+import pytest
+
+import burnish
+from burnish.compiler.semantics.elaborate import FORMATS as TARGET_FORMATS
+from burnish.targets.runner import draw
+from burnish.targets.runner.codes import Codes
+from burnish.targets.runner.draw import BlockSlot, Code, Place, Target, TextureSlot, VertexInput
+from burnish.targets.runner.pipeline import EXACT, FORMATS, VERTEX_FORMATS, pipeline
+from burnish.targets.runner.routes import ROUTES
+
+CODES = Codes(Code("vs", text="vertex"), Code("fs", text="fragment"))
+PROFILES = sorted({route.profile for route in ROUTES.values()})
+
+TEXT = """
+material Painted {
+    attribute shade : vec4
+    attribute place : vec2
+    param gain : float = 1
+    map albedo : texture2d = white with { filter = nearest, wrap = mirror }
+    uv = place
+    value = vec4(shade.rgb * gain, frag_coord.y)
+}
+
+pass Both : Forward blend add {
+    target color : r16f = albedo(uv).r
+    target more : rgba8_srgb = value blend alpha
+}
+"""
+
+
+def reflection(text: str = TEXT, pass_: str | None = "Both", **options: Any) -> dict[str, Any]:
+    (material,) = burnish.compile(text, PROFILES, pass_=pass_, **options).materials
+    return material.reflection
+
+
+def test_every_table_is_whole() -> None:
+    assert FORMATS.keys() == TARGET_FORMATS.keys()
+    assert set(FORMATS.values()) <= set(get_args(draw.TargetFormat))
+    assert EXACT.keys() == {str(type_) for type_ in TARGET_FORMATS.values()}
+    assert set(VERTEX_FORMATS.values()) == set(get_args(draw.VertexFormat))
+
+
+def test_where_places_are_numbers() -> None:
+    made = pipeline(reflection(), ROUTES["lavapipe:hlsl-dxc"], CODES)
+    assert (made.vertex, made.fragment) == (CODES.vertex, CODES.fragment)
+    assert {(each.identifier, each.format) for each in made.inputs} >= {
+        ("shade", "float32x4"),
+        ("place", "float32x2"),
+        ("vertex_position", "float32x3"),
+    }
+    assert len({each.location for each in made.inputs}) == len(made.inputs)
+    assert BlockSlot(Place("Material", 2, 0), 16) in made.blocks
+    assert made.textures == (
+        TextureSlot(
+            Place("albedo", 2, 1), Place("albedo_sampler", 2, 2), "nearest", "linear", "mirror"
+        ),
+    )
+    assert made.targets == (Target("r16float", "add"), Target("rgba8unorm-srgb", "alpha"))
+    assert (made.cull, made.front_face, made.first_row) == ("none", "ccw", "top")
+    assert made.host_uniforms == ()
+
+
+def test_where_places_are_names() -> None:
+    made = pipeline(reflection(), ROUTES["llvmpipe:gl330"], CODES, cull="back")
+    assert BlockSlot(Place("Material", None, None), 16) in made.blocks
+    (texture,) = made.textures
+    assert (texture.texture, texture.sampler) == (Place("albedo", None, None), None)
+    assert (made.cull, made.first_row) == ("back", "bottom")
+    assert made.host_uniforms == ("viewport_height",)
+
+
+def test_a_flipped_material() -> None:
+    made = pipeline(reflection(flip_y=True), ROUTES["llvmpipe:gl330"], CODES)
+    assert (made.front_face, made.first_row) == ("cw", "top")
+
+
+@pytest.mark.parametrize("route", ROUTES.values(), ids=lambda route: route.name)
+def test_exact_targets_keep_what_is_written(route: Any) -> None:
+    described = reflection()
+    made = pipeline(described, route, CODES, exact=True)
+    assert made.targets == (Target("r32float", "add"), Target("rgba32float", "alpha"))
+    assert [slot.size for slot in made.blocks] == [row["size"] for row in described["blocks"]]
+    identifiers = [slot.place.identifier for slot in made.blocks]
+    assert identifiers == [
+        described["backends"][route.profile]["blocks"][row["name"]]["identifier"]
+        for row in described["blocks"]
+    ]
+
+
+def test_names_that_a_language_reserves() -> None:
+    text = (
+        "material Odd {\n attribute sample : uint\n attribute float4 : ivec2\n"
+        " color = vec3(float(sample) * float(float4.x))\n}"
+    )
+    described = reflection(text, None)
+    rows = {route: pipeline(described, ROUTES[route], CODES).inputs for route in ROUTES}
+    (number,) = {row["location"] for row in described["vertex_inputs"] if row["name"] == "sample"}
+    assert VertexInput("sample", number, "uint32") not in rows["lavapipe:hlsl-dxc"]
+    assert VertexInput("sample", number, "uint32") in rows["lavapipe:wgsl-naga"]
+
+
+def test_a_profile_that_was_not_compiled() -> None:
+    (material,) = burnish.compile(TEXT, "wgsl").materials
+    with pytest.raises(KeyError, match="glsl:vulkan"):
+        pipeline(material.reflection, ROUTES["lavapipe:glsl"], CODES)
+
+
+def test_a_texture_that_no_stage_reads_has_no_slot() -> None:
+    made = pipeline(reflection(pass_="Forward"), ROUTES["lavapipe:glsl"], CODES)
+    assert made.textures == ()
