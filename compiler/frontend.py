@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import product
 from pathlib import Path
 
 from .diagnostics import rules
@@ -46,6 +47,15 @@ class Frontend:
     ) -> list[Shader]:
         """The shaders of all concrete materials, or of the one named; errors are in the report."""
         return self._elaborate(module, self._materials(module, material), rig, pass_)
+
+    def variants(self, module: Module) -> Iterator[tuple[str | None, str | None]]:
+        """Names of a rig and a pass under which the module's materials can be drawn.
+
+        Each of its own rigs, with each of its own passes and the library's (``None``).
+        """
+        rigs: list[str | None] = [symbol.name for symbol in _rigs(module)]
+        passes = (symbol.name for symbol in records_of(module, "pass", abstract=False))
+        yield from product(rigs or (None,), (None, *passes))
 
     def check(self, module: Module, rig: str | None, pass_: str | None) -> None:
         """Report what is wrong with a file, which needs no materials: it may be for importing."""

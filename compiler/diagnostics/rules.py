@@ -387,8 +387,9 @@ UNKNOWN_RATE = _error(
 NOT_AT_VERTEX = _error(
     "B0502",
     "{what} is not available at the vertex",
-    "Texture reads and derivatives compare neighbouring pixels, and `frag_coord` and `front_facing` are a pixel's "
-    "own. Move them out of `@vertex`, and out of what `clip_position` is computed from.",
+    "Texture reads and derivatives compare neighbouring pixels, and `frag_coord` and "
+    "`front_facing` are a pixel's own. Move them out of `@vertex`, and out of what "
+    "`clip_position` is computed from.",
 )
 
 CANNOT_CROSS = _error(

@@ -1,7 +1,8 @@
 """Differences between neighbouring pixels.
 
 Arrays hold quads of 2 × 2 pixels in their last two axes, rows downwards and then columns; a plain
-number is the same in all of them. The difference is that of the pixel's own row or column.
+number, and what is along an axis of length 1, is the same in all of them. The difference is that of
+the pixel's own row or column.
 """
 
 from __future__ import annotations
@@ -18,6 +19,6 @@ def ddy(_xp: Namespace, v: Lanes) -> Lanes:
 
 
 def _difference(lane: Lane, axis: int) -> Lane:
-    if not hasattr(lane, "take"):
+    if not hasattr(lane, "take") or lane.shape[axis] == 1:
         return 0.0
     return (lane.take([1], axis) - lane.take([0], axis)).repeat(2, axis)

@@ -18,13 +18,17 @@ from .functions import evaluate as builtin
 from .namespace import Lanes, Namespace
 from .operations import NotConstantError, apply, chosen
 
-__all__ = ["Evaluator", "Leaves", "NotConstantError", "evaluate"]
+__all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "evaluate"]
 
 Leaves = Callable[[Node], Lanes | None]
 """The value of a leaf; ``None`` where it has none. A texture's one lane is a function of ``u, v``.
 
 It is asked about crossings (``interpolate``) too: one without a value has that of its operand.
 """
+
+Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
+"""Sees every operation that is computed, with the values of its operands and its own; the answer is
+the value to go on with."""
 
 _LEAVES = frozenset({"parameter", "resource", "attribute", "input", "interpolate"})
 
@@ -51,9 +55,15 @@ class _Frame:
 class Evaluator:
     """Evaluates roots that share nodes; each node once for each value of the variables in it."""
 
-    def __init__(self, leaves: Leaves | None = None, xp: Namespace = scalars) -> None:
+    def __init__(
+        self,
+        leaves: Leaves | None = None,
+        xp: Namespace = scalars,
+        observer: Observer | None = None,
+    ) -> None:
         self._leaves = leaves
         self._xp = xp
+        self._observer = observer
         self._outermost = _Frame()
         self._variables: dict[int, frozenset[Formal]] = {}
 
@@ -122,7 +132,8 @@ class Evaluator:
             return folded
         body = body_of(node)
         if body is None:
-            return apply(node, operands, self._xp)
+            value = apply(node, operands, self._xp)
+            return value if self._observer is None else self._observer(node, operands, value)
         result: Lanes = yield self._value(body, _inner(node, frame, tuple(operands)))
         return result
 

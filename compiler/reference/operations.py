@@ -41,6 +41,8 @@ def constant_lanes(type_: Type, data: Any) -> Lanes:
 
 def chosen(xp: Namespace, condition: Lane, then: Any, otherwise: Any) -> Any:
     """``then`` where the condition holds, else ``otherwise``; of values of any one type."""
+    if isinstance(condition, bool):
+        return then if condition else otherwise
     if isinstance(then, tuple):
         pairs = zip(then, otherwise, strict=True)
         return tuple(chosen(xp, condition, a, b) for a, b in pairs)

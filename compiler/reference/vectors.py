@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import add, mul
+
 from . import floats
 from .namespace import Lane, Lanes, Namespace
 
@@ -13,7 +16,7 @@ def scaled(v: Lanes, factor: Lane) -> Lanes:
 
 def inner(x: Lanes, y: Lanes) -> Lane:
     """The inner product, as a lane."""
-    return sum(a * b for a, b in zip(x, y, strict=True))
+    return reduce(add, map(mul, x, y))
 
 
 def dot(_xp: Namespace, x: Lanes, y: Lanes) -> Lanes:

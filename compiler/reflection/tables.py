@@ -68,6 +68,6 @@ class BackendTable:
     flip_y: bool = False
     """Whether the text negates clip y."""
     front_face: Literal["ccw", "cw"] = "ccw"
-    """Clockwise where the text negates clip y."""
+    """What a host has to set as front: clockwise where the text turns the picture over."""
     first_row: Literal["top", "bottom"] = "top"
     """Which row of the picture comes first in the framebuffer's memory."""

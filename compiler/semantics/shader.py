@@ -60,6 +60,11 @@ class TargetInfo:
     doc: str
     span: Span
 
+    @property
+    def fixed_point(self) -> bool:
+        """Whether the format holds 0..1 in equal steps, and no floats."""
+        return not self.format.endswith("f")
+
 
 @dataclass(slots=True)
 class Notes:

@@ -1,0 +1,9 @@
+"""Whole pictures by the reference: rasterisation, filtering and blending in double precision.
+
+Needs NumPy, so nothing on the way of a compile imports it.
+"""
+
+from .drawing import draw
+from .scene import Expected, Geometry, RasterRules, Texels
+
+__all__ = ["Expected", "Geometry", "RasterRules", "Texels", "draw"]

@@ -1,0 +1,84 @@
+"""Clipping in homogeneous clip space, against near (0 <= z), far (z <= w) and the eye (0 < w).
+
+The sides of the picture need no clipping in double precision, but some devices do it, and snap the
+corners that it makes. Sutherland and Hodgman,
+"Reentrant polygon clipping", 1974.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .scene import Bools, Floats, Ints
+
+_SMALLEST_W = 1e-6
+"""Of a triangle's largest w: nearer to the eye, quotients would lose too many digits."""
+
+
+@dataclass(frozen=True, slots=True)
+class Clipped:
+    """Triangles inside the planes."""
+
+    triangle: Ints
+    """(faces,) the triangle that each is a part of, ascending."""
+    weights: Floats
+    """(faces, 3, 3): each corner as a sum of the triangle's corners."""
+    made: Bools
+    """(faces, 3): corners that clipping has made."""
+
+
+def clip(corners: Floats, *, sides: bool = False) -> Clipped:
+    """The parts inside of triangles with clip positions ``corners``, (triangles, 3, 4).
+
+    ``sides`` are those of the picture: |x| <= w and |y| <= w. What is not finite is dropped.
+    """
+    inside = _distances(corners, sides) >= 0
+    finite = np.isfinite(corners).reshape(-1, 12).all(axis=1)
+    kept: Bools = np.asarray(finite & inside.any(axis=1).all(axis=-1))
+    whole: Bools = kept & inside.reshape(len(corners), -1).all(axis=1)
+    crossing = np.flatnonzero(kept & ~whole)
+    parts = [_parts(corners[i], sides) for i in crossing]
+    pieces = [piece for part in parts for piece in part]
+    cut = np.array(pieces, dtype=np.float64).reshape(-1, 3, 3)
+    triangle = np.concatenate(
+        [np.flatnonzero(whole), np.repeat(crossing, [len(part) for part in parts])]
+    ).astype(np.int64)
+    weights = np.concatenate([np.broadcast_to(np.eye(3), (int(whole.sum()), 3, 3)), cut])
+    order = np.argsort(triangle, kind="stable")
+    made: Bools = np.asarray((weights < 1).all(axis=2))
+    return Clipped(triangle[order], weights[order], made[order])
+
+
+def _distances(corners: Floats, sides: bool) -> Floats:
+    """(…, corners, planes): not negative inside."""
+    x, y, z, w = np.moveaxis(corners, -1, 0)
+    nearest = _SMALLEST_W * np.abs(w).max(axis=-1, keepdims=True)
+    nearest = np.maximum(nearest, np.finfo(np.float64).tiny)
+    planes = [z, w - z, w - nearest]
+    if sides:
+        planes += [w + x, w - x, w + y, w - y]
+    return np.stack(planes, axis=-1)
+
+
+def _parts(corners: Floats, sides: bool) -> list[Floats]:
+    """A fan of triangles, each by its corners' weights (3, 3); none if nothing is left."""
+    distances = _distances(corners, sides)
+    polygon = list(np.eye(3))
+    for plane in range(distances.shape[-1]):
+        polygon = _inside(polygon, distances[:, plane])
+    return [np.stack([polygon[0], *polygon[i : i + 2]]) for i in range(1, len(polygon) - 1)]
+
+
+def _inside(polygon: list[Floats], distances: Floats) -> list[Floats]:
+    """What is left of a polygon in front of a plane at these distances from the three corners."""
+    found = []
+    for corner, following in zip(polygon, polygon[1:] + polygon[:1], strict=True):
+        here, there = float(corner @ distances), float(following @ distances)
+        if here >= 0:
+            found.append(corner)
+        if (here >= 0) != (there >= 0):
+            share = here / (here - there)
+            found.append(corner + share * (following - corner))
+    return found

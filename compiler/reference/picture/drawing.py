@@ -1,0 +1,128 @@
+"""A picture of a shader, from values and geometry to pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from ...ir.types import width
+from ...semantics.shader import Shader
+from ..namespace import Lanes
+from .coverage import Fragments, fragments_of
+from .faces import Faces, assemble
+from .quads import Barycentric, Quads, depth_of, quads_of
+from .resolve import Canvas, Shades, nearest, with_missing
+from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
+from .stages import Stages, Vertices
+
+_LANES = 1 << 14
+"""Pixels that are shaded at once: few enough for their values to stay in the cache."""
+
+
+def draw(
+    shader: Shader,
+    values: Mapping[str, Lanes],
+    textures: Mapping[str, Texels],
+    geometry: Geometry,
+    rules: RasterRules,
+    clear: Sequence[Sequence[float]],
+    progress: Callable[[float], None] | None = None,
+) -> Expected:
+    """What every implementation has to draw, up to rounding.
+
+    ``values`` are by parameter name in the evaluator's form: a tuple of lanes, of a matrix's
+    columns, of an array's elements, of a struct's members. ``clear`` has four lanes for each
+    target, and the depth buffer begins at 1. ``progress`` is told the share that is done.
+
+    Raises ``ValueError`` for a parameter, texture or vertex attribute without a (fitting) value.
+    Values that are not finite do no harm beyond the triangles and pixels that they belong to.
+    """
+    with np.errstate(all="ignore"):
+        return _Drawing(shader, values, textures, geometry, rules, clear).drawn(progress)
+
+
+class _Drawing:
+    """One picture under way."""
+
+    def __init__(
+        self,
+        shader: Shader,
+        values: Mapping[str, Lanes],
+        textures: Mapping[str, Texels],
+        geometry: Geometry,
+        rules: RasterRules,
+        clear: Sequence[Sequence[float]],
+    ) -> None:
+        self._rules = rules
+        self._stages = Stages(shader, values, textures, rules)
+        self._vertices: Vertices = self._stages.vertices(geometry)
+        self._faces: Faces = assemble(self._vertices.positions, geometry.triangles, rules)
+        self._lanes = [width(target.value.type) for target in shader.targets]
+        blends = [target.blend != "none" for target in shader.targets]
+        self._opaque = shader.discard is None and not any(blends)
+        pixels = rules.width * rules.height
+        self._canvas = Canvas(pixels, len(self._stages.ways), clear, shader.targets)
+
+    def drawn(self, progress: Callable[[float], None] | None) -> Expected:
+        canvas = self._canvas
+        fragments, canvas.undecided[:] = fragments_of(self._faces, self._rules)
+        depth = depth_of(self._faces, fragments, self._rules.width)
+        if self._opaque:
+            winners, close = nearest(fragments, depth)
+            canvas.undecided[close] = True
+            fragments = Fragments(fragments.face[winners], fragments.pixel[winners])
+            depth = depth[winners]
+        canvas.draw(fragments.pixel, depth, self._shaded(fragments, progress))
+        return self._expected()
+
+    def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:
+        """The fragments' colours, computed some quads at a time."""
+        quads, lane = quads_of(fragments, self._rules.width, self._stages.side)
+        ways, count = len(self._stages.ways), len(lane)
+        colours = [np.empty((ways, count, 4)) for _ in self._lanes]
+        shades = Shades(colours, np.empty(count, dtype=np.bool_), np.empty(count, dtype=np.bool_))
+        order = np.argsort(lane, kind="stable")
+        step = max(_LANES // quads.side**2 // ways, 1)
+        for begin in range(0, len(quads), step):
+            limits = np.array([begin, begin + step]) * quads.side**2
+            first, last = np.searchsorted(lane, limits, sorter=order)
+            members = order[first:last]
+            self._shade(quads.part(begin, begin + step), lane[members] - limits[0], members, shades)
+            if progress is not None:
+                progress(last / count)
+        return shades
+
+    def _shade(self, quads: Quads, lane: Ints, members: Ints, into: Shades) -> None:
+        """Shades quads and keeps some of their lanes, as those members of all fragments."""
+        place = Barycentric(self._faces, quads)
+        shaded = self._stages.fragments(place, self._faces.front[quads.face], self._vertices)
+        shape = (len(quads), quads.side, quads.side)
+        unsure = self._vertices.undecided[self._faces.corners[quads.face]]
+        corners = (unsure.any(axis=1) | self._faces.loose[quads.face]).reshape(-1, 1, 1)
+        into.undecided[members] = (shaded.undecided | corners).ravel()[lane]
+        discarded = np.asarray(shaded.discarded)
+        discarded = discarded[0] if discarded.ndim > len(shape) else discarded
+        into.discarded[members] = np.broadcast_to(discarded, shape).ravel()[lane]
+        for colours, lanes in zip(into.colours, shaded.targets, strict=True):
+            for i, values in enumerate(with_missing(lanes, len(lanes))):
+                whole = np.broadcast_to(values, (len(colours), *shape))
+                colours[:, members, i] = whole.reshape(len(colours), -1)[:, lane]
+
+    def _expected(self) -> Expected:
+        canvas, shape = self._canvas, (self._rules.height, self._rules.width)
+
+        def picture(pixels: Floats) -> Floats:
+            return pixels.reshape(*shape, 4)
+
+        def mask(pixels: Bools) -> Bools:
+            return pixels.reshape(shape)
+
+        return Expected(
+            targets=tuple(picture(target[0]) for target in canvas.targets),
+            covered=mask(canvas.covered),
+            undecided=mask(canvas.undecided),
+            radius=tuple(
+                picture(np.abs(target - target[0]).max(axis=0)) for target in canvas.targets
+            ),
+        )

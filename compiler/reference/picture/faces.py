@@ -1,0 +1,140 @@
+"""From clip positions to triangles in the window: viewport, snapping, facing and culling."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .clip import clip
+from .scene import Bools, Floats, Ints, RasterRules
+
+_FLOAT32_STEPS = 5e-7
+"""Some roundings to float32, relative to the size of the picture."""
+
+
+@dataclass(frozen=True, slots=True)
+class Faces:
+    """Triangles in the window, x right, y down, in pixels; none is of area zero."""
+
+    corners: Ints
+    """(faces, 3) numbers of the vertices of the triangle that each is a part of."""
+    weights: Floats
+    """(faces, 3, 3): each corner as a sum of the triangle's corners."""
+    whole: Bools
+    """(faces,): whether nothing was clipped off, and ``weights`` is the identity."""
+    x: Floats
+    y: Floats
+    """(faces, 3): the places that decide on coverage."""
+    area: Floats
+    """(faces,): twice the signed area; positive where the corners go clockwise on the screen."""
+    unsure: Floats
+    """(faces, 3): by how many pixels rounding to float32 may move a corner."""
+    loose: Bools
+    """(faces,): whether rounding may move the places between which values are interpolated."""
+    plane_x: Floats
+    plane_y: Floats
+    """(faces, 3): the places between which values are interpolated."""
+    z: Floats
+    """(faces, 3): depth."""
+    per_w: Floats
+    """(faces, 3): 1 / clip w."""
+
+    @property
+    def front(self) -> Bools:
+        """(faces,): whether it is seen from the front, counter-clockwise."""
+        return self.area < 0
+
+    def only(self, kept: Bools) -> Faces:
+        """Some of the faces."""
+        return Faces(*(getattr(self, name)[kept] for name in self.__slots__))
+
+
+def assemble(positions: Floats, triangles: Ints, rules: RasterRules) -> Faces:
+    """The faces of triangles whose vertices have these clip positions, (vertices, 4)."""
+    clipped = clip(positions[triangles], sides=rules.clips_sides)
+    corners = triangles[clipped.triangle]
+    places = clipped.weights @ positions[corners]
+    across, down = _window(places, rules)
+    snapped_x, snapped_y = _snapped(across, rules), _snapped(down, rules)
+    area = _twice_area(snapped_x, snapped_y)
+    planes = across, down
+    if rules.interpolates_snapped:
+        planes = _on_snapped(positions[corners], clipped.weights, rules)
+    # Snapping may turn a sliver over; then only the snapped places make sense.
+    turned = (_twice_area(*planes) * area <= 0)[:, None]
+    whole = _window(positions[corners], rules)
+    loose = (_unsure(*whole, rules) > 0) & rules.interpolates_snapped
+    faces = Faces(
+        corners=corners,
+        weights=clipped.weights,
+        whole=np.asarray(~clipped.made.any(axis=1)),
+        x=snapped_x,
+        y=snapped_y,
+        area=area,
+        unsure=_unsure(across, down, rules),
+        loose=np.asarray(loose.any(axis=1)),
+        plane_x=np.where(turned, snapped_x, planes[0]),
+        plane_y=np.where(turned, snapped_y, planes[1]),
+        z=places[..., 2] / places[..., 3],
+        per_w=1.0 / places[..., 3],
+    )
+    return faces.only(_kept(faces, rules))
+
+
+def _window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
+    """x and y in pixels, from the left and from the top, of clip positions (…, 4)."""
+    x, y, _, w = np.moveaxis(positions, -1, 0)
+    return (x / w * 0.5 + 0.5) * rules.width, (0.5 - y / w * 0.5) * rules.height
+
+
+def _on_snapped(corners: Floats, weights: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
+    """Where the corners of the parts lie after the corners of whole triangles have been snapped.
+
+    A part has no planes of its own: values are interpolated over the triangle it was cut from.
+    """
+    shares = weights * corners[:, None, :, 3]
+    shares /= shares.sum(axis=2, keepdims=True)
+    x, y = (_snapped(places, rules) for places in _window(corners, rules))
+    return (shares @ x[..., None])[..., 0], (shares @ y[..., None])[..., 0]
+
+
+def _kept(faces: Faces, rules: RasterRules) -> Bools:
+    kept: Bools = np.isfinite(faces.area) & np.isfinite(faces.x + faces.y).all(axis=1)
+    kept &= faces.area != 0
+    if rules.cull != "none":
+        kept &= faces.front == (rules.cull == "back")
+    return kept
+
+
+def _twice_area(x: Floats, y: Floats) -> Floats:
+    ux, uy = x[:, 1] - x[:, 0], y[:, 1] - y[:, 0]
+    vx, vy = x[:, 2] - x[:, 0], y[:, 2] - y[:, 0]
+    return ux * vy - uy * vx
+
+
+def _snapped(places: Floats, rules: RasterRules) -> Floats:
+    """Rounded to the nearest binary fraction of a pixel."""
+    if rules.subpixel_bits is None:
+        return places
+    return np.ldexp(np.rint(np.ldexp(places, rules.subpixel_bits)), -rules.subpixel_bits)
+
+
+def _reach(rules: RasterRules) -> float:
+    """How far a vertex moves if it is snapped to its other neighbour in x and in y; in pixels."""
+    if rules.subpixel_bits is None:
+        return _FLOAT32_STEPS * max(rules.width, rules.height)
+    return float(np.ldexp(np.sqrt(2.0), -rules.subpixel_bits))
+
+
+def _unsure(x: Floats, y: Floats, rules: RasterRules) -> Floats:
+    """By how many pixels a vertex at (x, y) may come to lie elsewhere on a device."""
+    reach = _reach(rules)
+    if rules.subpixel_bits is None:
+        return np.full_like(x, reach)
+    margin = _FLOAT32_STEPS * max(rules.width, rules.height) * 2.0**rules.subpixel_bits
+    ambiguous = np.zeros(x.shape, dtype=np.bool_)
+    for places in (x, y):
+        units = np.ldexp(places, rules.subpixel_bits)
+        ambiguous |= np.abs(units - np.floor(units) - 0.5) < margin
+    return np.where(ambiguous, reach, 0.0)

@@ -1,0 +1,238 @@
+"""Where a value hangs on a decision that rounding to float32 may tip.
+
+Comparisons, roundings and the like jump. A pixel that comes close to a jump is undecided, unless
+what is compared there is steady: a uniform, or a value at the end of its range, such as the zero
+that ``max(dot(n, l), 0)`` is on the whole dark side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import reduce
+from typing import Any
+
+import numpy as np
+
+from ...ir.node import Node
+from ...ir.types import scalar_kind
+from ..namespace import Lane, Lanes
+from ..vectors import inner
+from .scene import Bools
+
+ABSOLUTE_MARGIN = 1e-5
+RELATIVE_MARGIN = 1e-5
+"""How close to a jump, absolutely and relative to the operands, is too close."""
+
+Jump = tuple[Lane, Lane]
+"""A function that jumps at zero or at whole numbers, and how far float32 may be off."""
+
+
+def margin(*lanes: Lane) -> Lane:
+    """How far lanes may be off in float32."""
+    largest: Lane = 0.0
+    for lane in lanes:
+        largest = np.maximum(largest, np.abs(lane))
+    return ABSOLUTE_MARGIN + RELATIVE_MARGIN * largest
+
+
+def _difference(x: Lane, y: Lane) -> Jump:
+    return x - y, margin(x, y)
+
+
+def _itself(x: Lane) -> Jump:
+    return x, margin(x)
+
+
+def _middle(x: Lane) -> Jump:
+    return x + 0.5, margin(x)
+
+
+def _towards_zero(x: Lane) -> Jump:
+    """Zero itself is no jump."""
+    return np.maximum(np.abs(x), 0.5), margin(x)
+
+
+def _quotient(x: Lane, y: Lane) -> Jump:
+    return x / y, margin(x) / np.abs(y)
+
+
+def _narrow_step(low: Lane, high: Lane, x: Lane) -> Jump:
+    """A smooth step without width."""
+    narrow = np.abs(high - low) <= margin(low, high)
+    return np.where(narrow, x - low, np.inf), margin(x, low)
+
+
+def _behind(y: Lane, x: Lane) -> Jump:
+    """The cut of the angle along the negative axis."""
+    return np.where(x < margin(x), y, np.inf), margin(y)
+
+
+def _total_reflection(incident: Lanes, normal: Lanes, ratio: Lanes) -> Jump:
+    (eta,), cosine = ratio, inner(normal, incident)
+    return 1.0 - eta * eta * (1.0 - cosine * cosine), margin(1.0, eta * eta)
+
+
+def _facing(_normal: Lanes, incident: Lanes, reference: Lanes) -> Jump:
+    return inner(reference, incident), margin(1.0)
+
+
+def _lit_side(diffuse: Lanes, specular: Lanes, _power: Lanes) -> Jump:
+    """The highlight ends where the light goes under."""
+    (nl,), (nh,) = diffuse, specular
+    return np.where(nh < 0, np.inf, nl), margin(nl)
+
+
+_AT_ZERO: Mapping[str, Callable[..., Jump]] = {
+    **dict.fromkeys(("lt", "le", "gt", "ge", "eq", "ne", "step"), _difference),
+    "sign": _itself,
+    "smoothstep": _narrow_step,
+    "atan2": _behind,
+}
+_AT_WHOLE: Mapping[str, Callable[..., Jump]] = {
+    **dict.fromkeys(("floor", "ceil", "fract"), _itself),
+    **dict.fromkeys(("trunc", "to_int", "to_uint"), _towards_zero),
+    "round": _middle,
+    "mod": _quotient,
+}
+"""Builtins of floats that jump, lane by lane."""
+
+_OF_VECTORS: Mapping[str, Callable[..., Jump]] = {
+    "refract": _total_reflection,
+    "faceforward": _facing,
+    "lit": _lit_side,
+}
+"""Builtins of whole vectors that jump at zero."""
+
+_NOT_BY_LANE = frozenset(
+    {"any", "all", "dot", "cross", "length", "distance", "normalize", "reflect", "transpose",
+     "determinant", "inverse", "sample", *_OF_VECTORS}
+)  # fmt: skip
+
+
+class Margins:
+    """Watches an evaluation on arrays of one shape, and marks what is undecided.
+
+    A leading axis of operands is one of variants: where they decide differently, it is undecided.
+    """
+
+    def __init__(self, shape: tuple[int, ...]) -> None:
+        self.undecided: Bools = np.zeros(shape, dtype=np.bool_)
+        self._steady: dict[int, tuple[Lane, Bools]] = {}
+        """By identity of the lane, kept alive for it; swizzles and the like hand lanes on."""
+
+    def watch(self, node: Node, operands: list[Lanes], value: Lanes) -> None:
+        """One operation that has been computed."""
+        if node.op == "select":
+            self._learn_choice(operands, value)
+        elif node.op in ("call", "native"):
+            self._called(str(node.data), node, operands, value)
+
+    def at_zero(self, value: Lane, allowed: Lane, steady: Bools | bool = False) -> None:
+        """Something jumps where ``value`` is zero."""
+        if np.ndim(value):
+            self._mark(~(np.abs(value) > allowed), value < 0, steady)
+
+    def at_whole(self, value: Lane, allowed: Lane, steady: Bools | bool = False) -> None:
+        """Something jumps where ``value`` is a whole number."""
+        if np.ndim(value):
+            close = ~(np.abs(value - np.rint(value)) > allowed)
+            self._mark(close, np.floor(value), steady)
+
+    def _mark(self, close: Bools, side: Lane, steady: Bools | bool) -> None:
+        if np.ndim(side) > self.undecided.ndim and len(side) > 1:
+            close = close | (side != side[:1])
+        close = np.asarray(close & ~np.asarray(steady))
+        if close.ndim > self.undecided.ndim:
+            close = np.asarray(close.any(axis=0))
+        self.undecided |= close
+
+    def _called(self, name: str, node: Node, operands: list[Lanes], value: Lanes) -> None:
+        if name in _OF_VECTORS:
+            self.at_zero(*_OF_VECTORS[name](*operands))
+        if name in _NOT_BY_LANE or isinstance(value[0], tuple):
+            return
+        wide = [lanes * len(value) if len(lanes) == 1 else lanes for lanes in operands]
+        jumps = scalar_kind(node.operands[0].type) == "float"
+        for lane, *given in zip(value, *wide, strict=True):
+            if np.ndim(lane):
+                steady = self._steadiness(name, given)
+                if jumps and name in _AT_ZERO:
+                    self.at_zero(*_AT_ZERO[name](*given), steady)
+                elif jumps and name in _AT_WHOLE:
+                    self.at_whole(*_AT_WHOLE[name](*given), steady)
+                self._learn(lane, steady)
+
+    # --- what is steady ---------------------------------------------------------------------------
+
+    def _learn(self, lane: Lane, steady: Bools | bool) -> None:
+        if not isinstance(steady, bool):
+            self._steady[id(lane)] = (lane, steady)
+
+    def _is_steady(self, lane: Lane) -> Bools | bool:
+        if not np.ndim(lane):
+            return True
+        known = self._steady.get(id(lane))
+        return False if known is None else known[1]
+
+    def _learn_choice(self, operands: list[Lanes], value: Lanes) -> None:
+        (condition,), then, otherwise = operands
+        if not np.ndim(condition) or isinstance(value[0], tuple):
+            return
+        for lane, a, b in zip(value, then, otherwise, strict=True):
+            sides = self._is_steady(a), self._is_steady(b)
+            if not all(side is False for side in sides):
+                self._learn(lane, np.where(condition, *sides))
+
+    def _steadiness(self, name: str, given: list[Any]) -> Bools | bool:
+        """Where an operation's value stays when its operands move a little."""
+        known = [self._is_steady(lane) for lane in given]
+        rule = _PINNED.get(name)
+        pinned = rule(given, known) if rule is not None else False
+        if any(mask is False for mask in known):
+            return pinned
+        return np.asarray(pinned | reduce(np.logical_and, known))
+
+
+def _at_end(given: list[Any], known: list[Any], low: int | None, high: int | None) -> Any:
+    """Where the first operand, beyond one of the others, is replaced by it."""
+    x = given[0]
+    pinned: Any = False
+    if low is not None and known[low] is not False:
+        pinned = pinned | ((x < given[low] - margin(given[low])) & known[low])
+    if high is not None and known[high] is not False:
+        pinned = pinned | ((x > given[high] + margin(given[high])) & known[high])
+    return pinned
+
+
+def _larger(given: list[Any], known: list[Any]) -> Any:
+    return _at_end(given, known, 1, None) | _at_end(given[::-1], known[::-1], 1, None)
+
+
+def _smaller(given: list[Any], known: list[Any]) -> Any:
+    return _at_end(given, known, None, 1) | _at_end(given[::-1], known[::-1], None, 1)
+
+
+def _clamped(given: list[Any], known: list[Any]) -> Any:
+    return _at_end(given, known, 1, 2)
+
+
+def _saturated(given: list[Any], known: list[Any]) -> Any:
+    return _at_end([given[0], 0.0, 1.0], [known[0], True, True], 1, 2)
+
+
+def _times_zero(given: list[Any], known: list[Any]) -> Any:
+    pinned: Any = False
+    for lane, steady in zip(given, known, strict=True):
+        if np.ndim(lane) and steady is not False:
+            pinned = pinned | ((lane == 0) & steady)
+    return pinned
+
+
+_PINNED: Mapping[str, Callable[[list[Any], list[Any]], Any]] = {
+    "max": _larger,
+    "min": _smaller,
+    "clamp": _clamped,
+    "saturate": _saturated,
+    "mul": _times_zero,
+}
+"""Where an operation is steady though its operands are not."""

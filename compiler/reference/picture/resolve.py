@@ -1,0 +1,122 @@
+"""From fragments to the picture: depth test, discarding and blending, in the order of drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...ir.types import width
+from ...semantics.shader import TargetInfo
+from .coverage import Fragments
+from .scene import Bools, Floats, Ints
+
+DEPTH_MARGIN = 1e-6
+"""Depths that differ by less may come out in either order."""
+_MISSING = (0.0, 0.0, 0.0, 1.0)
+"""The lanes that a format lacks."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shades:
+    """What has been computed for some fragments."""
+
+    colours: Sequence[Floats]
+    """For each target (variants, fragments, 4)."""
+    discarded: Bools
+    undecided: Bools
+
+
+class Canvas:
+    """The targets and the depth buffer, pixels in one row after the other."""
+
+    def __init__(
+        self,
+        pixels: int,
+        ways: int,
+        clear: Sequence[Sequence[float]],
+        targets: Sequence[TargetInfo],
+    ) -> None:
+        self._lanes = [width(target.value.type) for target in targets]
+        self._infos = targets
+        self.targets = [
+            np.tile(np.asarray(with_missing(colour, count), dtype=np.float64), (ways, pixels, 1))
+            for colour, count in zip(clear, self._lanes, strict=True)
+        ]
+        self.depth = np.ones(pixels)
+        self.covered = np.zeros(pixels, dtype=np.bool_)
+        self.undecided = np.zeros(pixels, dtype=np.bool_)
+
+    def draw(self, pixel: Ints, depth: Floats, shades: Shades) -> None:
+        """Fragments in the order of drawing; several may be of one pixel."""
+        rank = _ranks(pixel)
+        for layer in range(int(rank.max(initial=-1)) + 1):
+            self._draw_layer(pixel, depth, shades, np.flatnonzero(rank == layer))
+
+    def _draw_layer(self, pixel: Ints, depth: Floats, shades: Shades, members: Ints) -> None:
+        """At most one fragment a pixel."""
+        before, new = self.depth[pixel[members]], depth[members]
+        nearer, doubtful = new < before, np.abs(new - before) < DEPTH_MARGIN
+        hidden = ~nearer & ~doubtful
+        self.undecided[pixel[members]] |= doubtful | (shades.undecided[members] & ~hidden)
+        drawn = members[nearer & ~shades.discarded[members]]
+        place = pixel[drawn]
+        self.depth[place] = depth[drawn]
+        self.covered[place] = True
+        rows = zip(self.targets, shades.colours, self._infos, self._lanes, strict=True)
+        for target, colours, info, lanes in rows:
+            blended = _blended(info, colours[:, drawn], target[:, place])
+            target[:, place, :lanes] = blended[..., :lanes]
+
+
+def _blended(info: TargetInfo, source: Floats, behind: Floats) -> Floats:
+    """What a target holds after a colour is drawn over another, (…, 4) each.
+
+    Where it is in fixed point, colours are clamped first (Vulkan, 29.1 "Blending").
+    """
+    clamped = info.fixed_point and info.blend != "none"
+    return BLENDING[info.blend](np.clip(source, 0.0, 1.0) if clamped else source, behind)
+
+
+def nearest(fragments: Fragments, depth: Floats) -> tuple[Ints, Ints]:
+    """The fragments that win their pixel, and those pixels where that is a close call."""
+    order = np.lexsort((depth, fragments.pixel))
+    pixel, sorted_depth = fragments.pixel[order], depth[order]
+    first = np.ones(len(order), dtype=np.bool_)
+    first[1:] = pixel[1:] != pixel[:-1]
+    close = ~first[1:] & first[:-1] & (np.diff(sorted_depth) < DEPTH_MARGIN)
+    return np.sort(order[first]), pixel[1:][close]
+
+
+def with_missing(lanes: Sequence[float], count: int) -> tuple[float, ...]:
+    """Four lanes, of which a format has the first ``count``."""
+    return (*tuple(lanes)[:count], *_MISSING[count:])
+
+
+def _ranks(pixel: Ints) -> Ints:
+    """How many of the fragments before each are of the same pixel."""
+    order = np.argsort(pixel, kind="stable")
+    starts = np.flatnonzero(np.diff(pixel[order], prepend=-1))
+    counts = np.diff(starts, append=len(pixel))
+    ranks = np.empty(len(pixel), dtype=np.int64)
+    ranks[order] = np.arange(len(pixel)) - np.repeat(starts, counts)
+    return ranks
+
+
+def _over(source: Floats, behind: Floats) -> Floats:
+    """Alpha is covered likewise, but not multiplied by itself."""
+    alpha = source[..., 3:]
+    weight = np.concatenate([alpha, alpha, alpha, np.ones_like(alpha)], axis=-1)
+    mixed: Floats = source * weight + behind * (1.0 - alpha)
+    return mixed
+
+
+BLENDING: Mapping[str, Callable[[Floats, Floats], Floats]] = {
+    "none": lambda source, _: source,
+    "alpha": _over,
+    "premultiplied": lambda source, behind: source + behind * (1.0 - source[..., 3:]),
+    "add": lambda source, behind: source + behind,
+    "multiply": lambda source, behind: source * behind,
+}
+"""What a target holds after a colour is drawn over another, (…, 4) each."""

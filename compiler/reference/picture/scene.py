@@ -1,0 +1,70 @@
+"""What is drawn, under which rules, and what has to come out: plain data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+Cull = Literal["none", "back", "front"]
+
+
+@dataclass(frozen=True, slots=True)
+class Geometry:
+    """Indexed triangles."""
+
+    attributes: Mapping[str, NDArray[Any]]
+    """By attribute name, (vertices, lanes): float64, or int64 for integers."""
+    triangles: Ints
+    """(triangles, 3) numbers of vertices, in the order of drawing; the first one is provoking."""
+
+
+@dataclass(frozen=True, slots=True)
+class Texels:
+    """A texture with its mip levels."""
+
+    levels: tuple[Floats, ...]
+    """Each (height, width, 4) linear values, the first row on top. Every level halves the one
+    before, rounding down, to no less than 1."""
+
+
+@dataclass(frozen=True, slots=True)
+class RasterRules:
+    """The picture's size, and what an API leaves to the device or the pipeline's state."""
+
+    width: int
+    height: int
+    subpixel_bits: int | None = None
+    """To how many binary places of a pixel vertices are snapped; ``None`` leaves them alone."""
+    interpolates_snapped: bool = False
+    """Whether depth and attributes are interpolated between the snapped places of the vertices,
+    rather than between those from before; coverage always goes by the snapped ones."""
+    clips_sides: bool = False
+    """Whether triangles are cut off at the sides of the picture, before they are snapped."""
+    cull: Cull = "none"
+    subtexel_bits: int | None = None
+    """Binary places of a linear filter's weights; ``None``: exact, with a radius of 0."""
+    mip_bits: int | None = None
+    """Likewise, of the level of detail."""
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """The picture, and how sure it is."""
+
+    targets: tuple[Floats, ...]
+    """For each target (height, width, 4), not clamped to its format's range; lanes that the format
+    lacks are 0, 0, 1."""
+    covered: Bools
+    """(height, width): where at least one fragment was written."""
+    undecided: Bools
+    """(height, width): where rounding to float32 may tip a decision the value hangs on."""
+    radius: tuple[Floats, ...]
+    """For each target (height, width, 4): how far filtering with the device's bits may be off."""

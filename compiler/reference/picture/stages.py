@@ -1,0 +1,170 @@
+"""The two stages of a shader, evaluated: all vertices at once, then many quads at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...ir.leaves import Attribute, Parameter, Resource
+from ...ir.node import Node, reachable
+from ...ir.types import width
+from ...semantics.shader import Shader
+from ..evaluate import Evaluator
+from ..namespace import Lane, Lanes
+from .margins import Margins
+from .quads import Barycentric
+from .sampler import Image, Reader, Variants, variants
+from .scene import Bools, Floats, Geometry, RasterRules, Texels
+
+_COMPARES_NEIGHBOURS = ("sample", "ddx", "ddy")
+
+
+@dataclass(frozen=True, slots=True)
+class Vertices:
+    """What the vertex stage makes of all vertices."""
+
+    positions: Floats
+    """(vertices, 4) in clip space."""
+    crossings: Mapping[int, Lanes]
+    """By the id of the ``interpolate`` node: lanes of length (vertices,), or single numbers."""
+    undecided: Bools
+    """(vertices,)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shaded:
+    """What the fragment stage makes of some quads; a leading axis is one of variants."""
+
+    targets: tuple[Lanes, ...]
+    """Lanes that broadcast to (variants, quads, side, side)."""
+    discarded: Lane
+    undecided: Bools
+    """(quads, side, side)."""
+
+
+class Stages:
+    """A shader with the values of its parameters and its textures."""
+
+    def __init__(
+        self,
+        shader: Shader,
+        values: Mapping[str, Lanes],
+        textures: Mapping[str, Texels],
+        rules: RasterRules,
+    ) -> None:
+        self.values = values
+        self._position = shader.clip_position
+        self._targets = tuple(target.value for target in shader.targets)
+        self._discard = shader.discard
+        nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
+        self._crossings = [node for node in nodes if node.op == "interpolate"]
+        called = {str(node.data) for node in nodes if node.op in ("call", "native")}
+        self.side = 2 if called.intersection(_COMPARES_NEIGHBOURS) else 1
+        read = [node.data for node in nodes if isinstance(node.data, Resource)]
+        self.ways = _ways(read, textures, rules, bool(called & {"ddx", "ddy"}))
+        self._images = {r: Image(_texels(textures, r), r, self.ways) for r in read}
+
+    def vertices(self, geometry: Geometry) -> Vertices:
+        """The vertex stage."""
+        count = len(next(iter(geometry.attributes.values()), ()))
+        margins = Margins((count,))
+
+        def leaves(node: Node) -> Lanes | None:
+            if isinstance(node.data, Attribute):
+                return _attribute(geometry, node.data)
+            return self._parameter(node)
+
+        def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+            margins.watch(node, operands, value)
+            return value
+
+        evaluator = Evaluator(leaves, np, observer)
+        crossings = {node.id: evaluator.value(node.operands[0]) for node in self._crossings}
+        lanes = Evaluator(leaves, np).value(self._position)
+        positions = np.stack([np.broadcast_to(lane, (count,)) for lane in lanes], axis=-1)
+        return Vertices(positions.astype(np.float64), crossings, margins.undecided)
+
+    def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
+        """The fragment stage in quads; ``front`` says which of them face the eye."""
+        margins = Margins((len(front), self.side, self.side))
+        readers = {resource: Reader(image, margins) for resource, image in self._images.items()}
+        inputs = {
+            "frag_coord": (place.x, place.y, place.depth, place.per_w),
+            "front_facing": (front[:, None, None],),
+        }
+
+        def leaves(node: Node) -> Lanes | None:
+            if node.op == "interpolate":
+                crossed = place.flat if node.data == "flat" else place.perspective
+                return crossed(vertices.crossings[node.id])
+            if isinstance(node.data, Resource):
+                return (readers[node.data],)
+            return inputs[str(node.data)] if node.op == "input" else self._parameter(node)
+
+        def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+            margins.watch(node, operands, value)
+            if node.data in ("ddx", "ddy") and len(self.ways) > 1:
+                return _differences(value, self.ways, str(node.data))
+            return value
+
+        evaluator = Evaluator(leaves, np, observer)
+        discarded = evaluator.value(self._discard)[0] if self._discard else False
+        targets = tuple(evaluator.value(target) for target in self._targets)
+        return Shaded(targets, discarded, margins.undecided)
+
+    def _parameter(self, node: Node) -> Lanes | None:
+        if not isinstance(node.data, Parameter):
+            return None
+        name = node.data.name
+        if name not in self.values:
+            raise ValueError(f"The parameter `{name}` has no value.")
+        return self.values[name]
+
+
+def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
+    if resource.name not in textures:
+        raise ValueError(f"The texture `{resource.name}` has no picture.")
+    return textures[resource.name]
+
+
+def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
+    lanes = width(attribute.type)
+    array: Any = geometry.attributes.get(attribute.name)
+    if array is None or array.ndim != 2 or array.shape[1] != lanes:
+        what = "is missing" if array is None else f"has the shape {array.shape}"
+        raise ValueError(
+            f"The vertex attribute `{attribute.name}` {what}; it needs (vertices, {lanes})."
+        )
+    kind = np.float64 if array.dtype.kind == "f" else np.int64
+    return tuple(np.ascontiguousarray(array.T, dtype=kind))
+
+
+def _ways(
+    read: list[Resource], textures: Mapping[str, Texels], rules: RasterRules, derivatives: bool
+) -> Variants:
+    """The variants of reading that make a difference to a shader."""
+    varied = [r for r in read if any(level.size > 4 for level in _texels(textures, r).levels)]
+    smooth = any(dict(r.state)["filter"] == "linear" for r in varied)
+    mipped = any(dict(r.state)["mip"] != "none" for r in varied)
+    return variants(
+        rules.subtexel_bits if smooth else None,
+        rules.mip_bits if mipped or derivatives else None,
+    )
+
+
+def _differences(value: Lanes, ways: Variants, name: str) -> Lanes:
+    """A derivative under every variant: the pixel's own row or column, or a quad's common one."""
+    axis, choice = (-2, ways.row) if name == "ddx" else (-1, ways.column)
+    return tuple(
+        _in_common(lane, choice, axis) if np.ndim(lane) and lane.shape[axis] == 2 else lane
+        for lane in value
+    )
+
+
+def _in_common(lane: Any, choice: Any, axis: int) -> Any:
+    choice = choice[:, None, None, None]
+    first, second = lane.take([0], axis), lane.take([1], axis)
+    return np.where(choice < 0, lane, np.where(choice == 0, first, second))

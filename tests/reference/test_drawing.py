@@ -1,0 +1,346 @@
+"""Whole pictures: interpolation, depth, discarding, blending, jumps, and input that is unfit."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+
+from burnish.compiler.passes.pipeline import Options
+from burnish.compiler.reference.picture import Geometry, RasterRules
+from burnish.compiler.semantics.shader import Shader
+
+from ..passes.kit import history
+from .kit import columns, geometry, moved, perspective, picture, shader, sphere
+
+PASSING = """
+abstract material Base {
+    attribute place : vec4
+    clip_position : vec4 = place
+    value : vec4
+}
+"""
+"""Draws `value` where the vertices say, in clip space."""
+
+FULL = [(-1, -1, 0.5, 1), (3, -1, 0.5, 1), (-1, 3, 0.5, 1)]
+"""One triangle over the whole picture."""
+
+
+def passing(members: str, blend: str = "none", discard: str = "") -> Shader:
+    """A shader that draws `value`, which `members` define."""
+    return shader(
+        PASSING + f"material M : Base {{ {members} }}\n"
+        f"pass P {{ target t : rgba32f = material.value blend {blend}\n{discard} }}",
+        "P",
+    )
+
+
+def at(size: int = 4, **more: Any) -> RasterRules:
+    return RasterRules(size, size, **more)
+
+
+def triangles(*corners: Any, **attributes: Any) -> Geometry:
+    """Triangles one after the other."""
+    place = np.array(corners, dtype=np.float64).reshape(-1, 4)
+    arrays = {k: np.asarray(v).reshape(len(place), -1) for k, v in attributes.items()}
+    return geometry(np.arange(len(place)), place=place, **arrays)
+
+
+# --- interpolation -------------------------------------------------------------------------------
+
+
+def test_interpolation_is_correct_in_perspective() -> None:
+    """On a plane through the eye's view, the value is that of the point that each ray meets."""
+    given = passing("attribute s : vec2\nvalue = vec4(s, 0, 1)")
+    # In view space, x right, y up, z ahead: a tilted plane with z = 4 + x + y / 2.
+    places = [(-2.0, -2.0), (9.0, -2.0), (-2.0, 8.0)]
+    depths = [4 + x + y / 2 for x, y in places]
+    clip = [(x, y, 0.5 * z, z) for (x, y), z in zip(places, depths, strict=True)]
+    mesh = triangles(clip, s=places)
+    found = picture(given, mesh, at(8))
+    assert found.covered.any()
+    y, x = np.nonzero(found.covered)
+    ray_x, ray_y = (x + 0.5) / 4 - 1, 1 - (y + 0.5) / 4
+    z = 4 / (1 - ray_x - ray_y / 2)
+    expected = np.stack([ray_x * z, ray_y * z], axis=-1)
+    assert np.allclose(found.targets[0][y, x, :2], expected, rtol=1e-12)
+
+
+def test_a_clipped_triangle_keeps_its_values() -> None:
+    given = passing("attribute s : vec2\nvalue = vec4(s, frag_coord.w, frag_coord.z)")
+    world = [(-40.0, 30.0), (40.0, 30.0), (0.0, -30.0)]
+    # A floor at y = -1, seen along z; the last corner lies behind the eye.
+    mesh = triangles([(x, -1, z - 1, z) for x, z in world], s=world)
+    found = picture(given, mesh, at(16))
+    y, x = np.nonzero(found.covered)
+    assert len(y) > 20
+    z = -1 / (1 - (y + 0.5) / 8)
+    expected = np.stack([((x + 0.5) / 8 - 1) * z, z, 1 / z, 1 - 1 / z], axis=-1)
+    assert np.allclose(found.targets[0][y, x], expected, rtol=1e-9)
+    assert z.min() >= 1
+
+
+@pytest.mark.parametrize("behind", [False, True])
+def test_flat_values_are_those_of_the_first_vertex(behind: bool) -> None:
+    given = passing("attribute n : int\nvalue = vec4(float(n), 0, 0, 1)")
+    corners = [(-4, -4, 1, 4), (4, -4, 1, 4), (0, 8, 1, 4)]
+    if behind:
+        corners[0] = (-4, -4, -1, -1)
+    found = picture(given, triangles(corners, n=np.array([7, 8, 9])), at())
+    assert found.covered.any()
+    assert (found.targets[0][found.covered][:, 0] == 7).all()
+
+
+def test_inputs_of_the_pipeline() -> None:
+    given = passing("value = vec4(frag_coord.xyz, if front_facing then frag_coord.w else -1)")
+    clip = [(-2.0, -2.0, 0.5, 2.0), (6.0, -2.0, 0.5, 2.0), (-2.0, 6.0, 0.5, 2.0)]
+    found = picture(given, triangles(clip), at(2)).targets[0]
+    assert found[0, 1].tolist() == [1.5, 0.5, 0.25, 0.5]
+    assert found[1, 0].tolist() == [0.5, 1.5, 0.25, 0.5]
+    clip[1], clip[2] = clip[2], clip[1]
+    assert picture(given, triangles(clip), at(2)).targets[0][0, 0, 3] == -1
+
+
+def test_values_may_be_interpolated_between_snapped_places() -> None:
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    mesh = triangles([(-1, -1, 0, 1), (3.1, -1, 0, 1), (-1, 3.1, 0, 1)], s=[0, 4.1, 0])
+    exact = picture(given, mesh, at(1, subpixel_bits=0)).targets[0][0, 0, 0]
+    snapped = picture(given, mesh, at(1, subpixel_bits=0, interpolates_snapped=True))
+    assert exact == pytest.approx(1.0)
+    assert snapped.targets[0][0, 0, 0] == pytest.approx(4.1 / 4)
+
+
+def test_derivatives_reach_beyond_the_triangle() -> None:
+    given = passing("attribute s : float\nvalue = vec4(ddx(s), ddy(s), ddy(frag_coord.x), 1)")
+    # Only the pixel at the top left is covered.
+    corners = [(-1, 1, 0, 1), (0.2, 1, 0, 1), (-1, -0.2, 0, 1)]
+    found = picture(given, triangles(corners, s=[0, 3.6, 6]), at(2)).targets[0]
+    assert found[0, 0] == pytest.approx([3, 5, 0, 1])
+    assert not found[1, 1].any()
+
+
+def test_the_radius_of_a_derivative_is_that_of_the_quads_rows() -> None:
+    given = passing("attribute s : float\nvalue = vec4(ddx(s * frag_coord.y), 0, 0, 1)")
+    mesh = triangles(FULL, s=[0, 8, 0])
+    assert not picture(given, mesh, at()).radius[0].any()
+    found = picture(given, mesh, at(mip_bits=8))
+    # s grows by 1 a pixel, so the derivative is y, and the quad's other row is 1 further.
+    assert found.targets[0][:, 0, 0] == pytest.approx([0.5, 1.5, 2.5, 3.5])
+    assert np.allclose(found.radius[0][..., 0], 1)
+
+
+# --- depth, discarding, blending -----------------------------------------------------------------
+
+
+def layers(*rows: tuple[float, tuple[float, float, float, float]]) -> Geometry:
+    """Layers over the whole picture, each with its depth and colour."""
+    place = [(x, y, z, 1) for z, _ in rows for x, y, _, _ in FULL]
+    return triangles(place, c=[colour for _, colour in rows for _ in range(3)])
+
+
+COLOURED = "attribute c : vec4\nvalue = c"
+RED, GREEN, BLUE = (1, 0, 0, 1), (0, 1, 0, 1), (0, 0, 1, 1)
+
+
+@pytest.mark.parametrize("discard", ["", "discard when material.place.w < 0"])
+def test_the_nearest_wins_and_of_equals_the_first(discard: str) -> None:
+    given = passing(COLOURED, discard=discard)
+    found = picture(given, layers((0.6, RED), (0.2, GREEN), (0.4, BLUE)), at())
+    assert (found.targets[0] == GREEN).all()
+    assert not found.undecided.any()
+    equals = picture(given, layers((0.4, RED), (0.4, GREEN)), at())
+    assert (equals.targets[0] == RED).all()
+    assert equals.undecided.all()
+
+
+def test_the_far_plane_is_not_nearer_than_itself() -> None:
+    found = picture(passing(COLOURED), layers((1.0, RED)), at(), clear=BLUE)
+    assert (found.targets[0] == BLUE).all() and not found.covered.any()
+
+
+def test_what_is_discarded_writes_neither_colour_nor_depth() -> None:
+    given = passing(COLOURED, discard="discard when material.c.a < 0.5")
+    found = picture(given, layers((0.2, (0, 1, 0, 0.25)), (0.4, RED)), at())
+    assert (found.targets[0] == RED).all()
+
+
+@pytest.mark.parametrize(
+    ("blend", "expected"),
+    [
+        ("none", (0.5, 0.25, 1.0, 0.25)),
+        ("alpha", (0.725, 0.3625, 0.25, 0.625)),
+        ("premultiplied", (1.1, 0.55, 1.0, 0.625)),
+        ("add", (1.3, 0.65, 1.0, 0.75)),
+        ("multiply", (0.4, 0.1, 0.0, 0.125)),
+    ],
+)
+def test_blending(blend: str, expected: Any) -> None:
+    found = picture(
+        passing(COLOURED, blend=blend), layers((0.5, (0.5, 0.25, 1.0, 0.25))), at(),
+        clear=(0.8, 0.4, 0.0, 0.5),
+    )  # fmt: skip
+    assert found.targets[0][1, 2] == pytest.approx(expected)
+
+
+def test_blending_goes_in_the_order_of_drawing() -> None:
+    given = passing(COLOURED, blend="alpha")
+    rows = [(0.6, (1, 0, 0, 0.5)), (0.4, (0, 1, 0, 0.5)), (0.5, (0, 0, 1, 0.5))]
+    found = picture(given, layers(*rows), at(), clear=(0, 0, 0, 1))
+    # The last one is behind the second and is not drawn.
+    assert found.targets[0][0, 0] == pytest.approx([0.25, 0.5, 0, 1])
+
+
+def test_lanes_that_a_format_lacks() -> None:
+    given = shader(
+        PASSING + "material M : Base { value = vec4(3) }\n"
+        "pass P { target t : rg32f = material.value.xy\n target u : r32f = 2.0 }",
+        "P",
+    )
+    found = picture(given, triangles(FULL), at(1), clear=(9, 9, 9, 9))
+    assert [target[0, 0].tolist() for target in found.targets] == [[3, 3, 0, 1], [2, 0, 0, 1]]
+
+
+# --- what is undecided ---------------------------------------------------------------------------
+
+
+def crossing(members: str, **values: Any) -> Any:
+    """What is undecided of a row of pixels over which `s` grows from -4 to 4."""
+    given = passing("attribute s : float\n" + members)
+    mesh = triangles(FULL, s=[-4, 12, -4])
+    return picture(given, mesh, RasterRules(9, 1), **values).undecided[0].nonzero()[0].tolist()
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        ("if s < 0 then 1 else 0", [4]),
+        ("step(0.0, s)", [4]),
+        ("sign(s)", [4]),
+        ("floor(s * 9 / 16)", [0, 2, 4, 6, 8]),
+        ("round(s * 9 / 16 + 0.5)", [0, 2, 4, 6, 8]),
+        ("trunc(s * 9 / 16)", [0, 2, 6, 8]),
+        ("fract(s * 9 / 16)", [0, 2, 4, 6, 8]),
+        ("s * 9 / 16 mod 2", [0, 4, 8]),
+        ("float(int(s * 9 / 16))", [0, 2, 6, 8]),
+        ("max(s, 0)", []),
+        ("if max(s + 100, 0) > 0 then 1 else 0", []),
+        ("if max(s, 0) > 0 then 1 else 0", [4]),
+        ("if saturate(s) * 2 > 0 then 1 else 0", [4]),
+        ("if min(s, 0) * s >= 0 then 1 else 0", [4]),
+        ("if saturate(s) * (3 * s - 8) > 0 then 1 else 0", [4, 7]),
+        ("if 1 < 2 then s else 0", []),
+        ("if frag_coord.x < 4 then s else 0", []),
+    ],
+)
+def test_jumps_are_undecided_where_they_are_close(value: str, expected: list[int]) -> None:
+    # Pixel 4 is at 0; s·9/16 grows by a half a pixel, from -2 to 2.
+    assert crossing(f"value = vec4({value})") == expected
+
+
+def test_a_jump_at_a_vertex_leaves_its_triangles_undecided() -> None:
+    jumping = "value = @vertex vec4(if s < -4 then 1 else 0)"
+    assert crossing(jumping) == list(range(9))
+    assert crossing(jumping.replace("-4", "-5")) == []
+
+
+def test_a_phong_sphere_is_decided_nearly_everywhere() -> None:
+    given = shader(
+        "import std.terms\nmaterial M { color = lambert(vec3(0.5)) + phong(vec3(1), 20) }"
+    )
+    camera = columns(perspective(0.7, 0.1, 100) @ moved(0, 0, -4))
+    rules = RasterRules(128, 128, subpixel_bits=8, cull="back")
+    found = picture(given, sphere(), rules, view_projection=camera, eye=(0.0, 0.0, 4.0))
+    assert found.covered.mean() > 0.3
+    assert 0 < found.undecided.sum() < 0.01 * found.covered.sum()
+    assert not found.radius[0].any()
+    # The sphere is lit from above.
+    assert found.targets[0][30, 64, 0] > 3 * found.targets[0][98, 64, 0]
+
+
+# --- other forms of the graph --------------------------------------------------------------------
+
+
+def test_passes_keep_the_picture() -> None:
+    given = shader(
+        "import std.terms\nimport std.lights\n"
+        "material M { color = lambert(vec3(uv, 0.5)) + phong(vec3(1), 20) }\n"
+        "rig R { a : Directional; b : Spot }"
+    )
+    values: Any = {
+        "view_projection": columns(perspective(0.7, 0.1, 100) @ moved(0, 0, -4)),
+        "b.place": (0.0, 1.0, 4.0),
+        "b.axis": (0.0, 0.0, -1.0),
+    }
+    before = picture(given, sphere(16, 8), at(24), **values)
+    past = history(given, Options(hoist=False))
+    for name in ("open_binders", "fuse", "inline", "guard", "move_to_vertices"):
+        roots = past.roots[name]
+        given.clip_position = roots[0]
+        given.targets = tuple(
+            type(t)(t.name, t.format, t.blend, root, t.doc, t.span)
+            for t, root in zip(given.targets, roots[1:], strict=True)
+        )
+        after = picture(given, sphere(16, 8), at(24), **values)
+        apart = np.abs(after.targets[0] - before.targets[0]).max(axis=-1)
+        assert apart[~before.undecided].max() < 1e-9, name
+
+
+# --- input that is not as it should be -----------------------------------------------------------
+
+
+def test_there_may_be_nothing_to_draw() -> None:
+    given = passing(COLOURED)
+    empty = Geometry(
+        {"place": np.zeros((0, 4)), "c": np.zeros((0, 4))}, np.zeros((0, 3), dtype=np.int64)
+    )
+    found = picture(given, empty, at(), clear=BLUE)
+    assert (found.targets[0] == BLUE).all() and not found.covered.any()
+    culled = picture(given, layers((0.5, RED)), at(cull="front"), clear=BLUE)
+    assert (culled.targets[0] == BLUE).all()
+
+
+def test_what_is_not_finite_stays_where_it_is() -> None:
+    overflown = "if frag_coord.x < 1 then exp(800.0) - exp(800.0) else 1"
+    given = passing(f"attribute c : vec4\nvalue = c * ({overflown})")
+    nan, inf = np.nan, np.inf
+    bad = [(nan, 0, 0, 1), (inf, 0, 0, 1), (0, 0, 0, 0)]
+    place = np.array([*bad, *FULL, (0, 0, 0.5, 1), (1, 1, 0.5, 1)])
+    colours = np.array([(nan, inf, 0, 1), *[RED] * 7])
+    chosen = np.array([(0, 1, 2), (2, 3, 4), (3, 6, 7), (6, 6, 6), (3, 4, 5)])
+    mesh = geometry(chosen, place=place, c=colours)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = picture(given, mesh, at(3))
+    assert found.covered.all()
+    assert np.isnan(found.targets[0][:, 0]).all()
+    assert (found.targets[0][:, 1:] == RED).all()
+
+
+def test_one_pixel_with_everything_in_it() -> None:
+    given = shader("material M { map m : texture2d\n color = m(uv).rgb }")
+    camera = columns(perspective(0.7, 0.1, 100) @ moved(0, 0, -4))
+    found = picture(given, sphere(), at(1, subpixel_bits=8), view_projection=camera)
+    assert found.targets[0][0, 0].tolist() == [1, 1, 1, 1]
+
+
+def test_triangles_far_larger_than_the_picture() -> None:
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    big = 1e6
+    mesh = triangles([(-big, -big, 0, 1), (big, -big, 0, 1), (0, big, 0, 1)], s=[0, 0, 1])
+    found = picture(given, mesh, at(4, subpixel_bits=8))
+    assert found.covered.all()
+    assert np.allclose(found.targets[0][..., 0], 0.5, atol=1e-5)
+
+
+def test_missing_values_are_named() -> None:
+    given = shader("material M { map m : texture2d\n param p : float\n color = m(uv).rgb * p }")
+    with pytest.raises(ValueError, match="The parameter `p` has no value"):
+        picture(given, sphere(), at())
+    bare = geometry([(0, 1, 2)], vertex_position=np.eye(3))
+    with pytest.raises(ValueError, match="attribute `vertex_uv` is missing"):
+        picture(given, bare, at(), p=(1.0,))
+    odd = geometry([(0, 1, 2)], vertex_position=np.eye(3), vertex_uv=np.ones((3, 5)))
+    with pytest.raises(ValueError, match=r"`vertex_uv` has the shape \(3, 5\)"):
+        picture(given, odd, at(), p=(1.0,))

@@ -1,0 +1,214 @@
+"""Filtering, wrapping and levels of textures, against values computed by hand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from burnish.compiler.reference.picture import Expected, RasterRules, Texels
+
+from .kit import geometry, picture, shader
+
+WIDTH = 8
+
+
+def texels(*levels: Any) -> Texels:
+    """Levels whose red lanes are given as rows."""
+    pictures = [np.zeros((*np.shape(level), 4)) for level in levels]
+    for whole, level in zip(pictures, levels, strict=True):
+        whole[..., 0] = level
+    return Texels(tuple(pictures))
+
+
+def read(
+    texture: Texels,
+    state: str,
+    u: tuple[float, float] = (0.5, 0.5),
+    v: tuple[float, float] = (0.5, 0.5),
+    corners: Any = None,
+    **rules: Any,
+) -> Expected:
+    """A square picture of ``WIDTH`` pixels whose coordinates run from edge to edge as given.
+
+    Or with these coordinates at the top left, twice as far to the right, and twice as far down.
+    """
+    given = shader(f"""
+        abstract material Base {{
+            attribute place : vec4
+            clip_position : vec4 = place
+        }}
+        material M : Base {{
+            attribute s : vec2
+            map m : texture2d with {{ {state} }}
+        }}
+        pass P {{ target t : rgba32f = material.m(material.s) }}
+        """, "P")  # fmt: skip
+    place = np.array([(-1, 1, 0, 1), (3, 1, 0, 1), (-1, -3, 0, 1)], dtype=np.float64)
+    edges = [(u[0], v[0]), (2 * u[1] - u[0], v[0]), (u[0], 2 * v[1] - v[0])]
+    s = np.array(corners or edges, dtype=np.float64)
+    mesh = geometry([(0, 1, 2)], place=place, s=s)
+    return picture(given, mesh, RasterRules(WIDTH, WIDTH, **rules), {"m": texture})
+
+
+def row(texture: Texels, state: str, u: tuple[float, float], **rules: Any) -> list[float]:
+    """What the picture's first row reads along u."""
+    found: list[float] = read(texture, state, u, **rules).targets[0][0, :, 0].tolist()
+    return found
+
+
+FOUR = texels([[1.0, 2.0, 4.0, 8.0]])
+
+
+@pytest.mark.parametrize(
+    ("wrap", "expected"),
+    [
+        # Pixel centres at u = -7/16, -5/16 … 7/16 of [-1, 1] twice as wide: one texel each.
+        ("repeat", [1, 2, 4, 8, 1, 2, 4, 8]),
+        ("clamp", [1, 1, 1, 1, 1, 2, 4, 8]),
+        ("mirror", [8, 4, 2, 1, 1, 2, 4, 8]),
+    ],
+)
+def test_wrapping(wrap: str, expected: list[float]) -> None:
+    state = f"filter = nearest, mip = none, wrap = {wrap}"
+    assert row(FOUR, state, (-1, 1)) == expected
+    # At texels' centres a linear filter reads the same.
+    assert row(FOUR, f"mip = none, wrap = {wrap}", (-1, 1)) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("wrap", "expected"),
+    [
+        ("repeat", [4.5, 1.5, 3, 6, 4.5, 1.5, 3, 6]),
+        ("clamp", [1, 1, 1, 1, 1, 1.5, 3, 6]),
+        ("mirror", [8, 6, 3, 1.5, 1, 1.5, 3, 6]),
+    ],
+)
+def test_half_way_between_texels(wrap: str, expected: list[float]) -> None:
+    # Shifted by half a texel, every read is half way between two.
+    found = row(FOUR, f"mip = none, wrap = {wrap}", (-1.125, 0.875))
+    assert found == pytest.approx(expected)
+
+
+def test_the_first_texel_is_at_the_top_left() -> None:
+    texture = texels([[1.0, 2.0], [3.0, 4.0]])
+    found = read(texture, "filter = nearest", (0, 1), (0, 1)).targets[0][..., 0]
+    assert found[[0, 0, 7, 7], [0, 7, 0, 7]].tolist() == [1, 2, 3, 4]
+
+
+def test_weights_in_both_directions() -> None:
+    texture = texels([[0.0, 1.0], [10.0, 11.0]])
+    found = read(texture, "wrap = clamp", (0.25, 0.75), (0.25, 0.75)).targets[0][..., 0]
+    share = (np.arange(WIDTH) + 0.5) / WIDTH
+    assert np.allclose(found, share[None, :] + 10 * share[:, None])
+
+
+LEVELS = texels(np.full((8, 8), 0.0), np.full((4, 4), 1.0), np.full((2, 2), 2.0), [[3.0]])
+"""Every level tells its own number."""
+
+
+@pytest.mark.parametrize(
+    ("scale", "level"), [(0.5, 0.0), (1, 0.0), (2, 1.0), (4, 2.0), (8, 3.0), (64, 3.0), (3, None)]
+)
+def test_the_level_is_that_of_the_pixel_size(scale: float, level: float | None) -> None:
+    wanted = np.log2(3) if level is None else level
+    assert row(LEVELS, "", (0, scale)) == pytest.approx([wanted] * WIDTH)
+    assert row(LEVELS, "mip = nearest", (0, scale)) == pytest.approx([np.rint(wanted)] * WIDTH)
+    assert row(LEVELS, "mip = none", (0, scale)) == [0] * WIDTH
+
+
+def test_the_larger_of_both_directions_counts() -> None:
+    assert np.allclose(read(LEVELS, "", (0, 1), (0, 4)).targets[0][..., 0], 2)
+
+
+def test_levels_of_a_plane_that_leans_away() -> None:
+    """Under perspective the level grows as the square of the distance."""
+    given = shader("""
+        abstract material Base {
+            attribute place : vec4
+            attribute s : vec2
+            clip_position : vec4 = place
+            map m : texture2d
+        }
+        material M : Base {}
+        pass P { target t : rgba32f = material.m(material.s) }
+        """, "P")  # fmt: skip
+    size = 32
+    # A floor at y = -1 with the far end at z = 20: v is the distance, and u is across.
+    world = [(-60.0, 0.5), (60.0, 0.5), (0.0, 20.0)]
+    place = np.array([(x, -1, z / 2, z) for x, z in world])
+    mesh = geometry([(0, 1, 2)], place=place, s=np.array([(x / 64, z / 64) for x, z in world]))
+    numbers = [np.full((64 >> i, 64 >> i), float(i)) for i in range(7)]
+    found = picture(given, mesh, RasterRules(size, size), {"m": texels(*numbers)})
+    y, x = np.nonzero(found.covered)
+    # Derivatives are those of the quad's upper left pixel.
+    top = y // 2 * 2
+    z = -1 / (1 - (np.stack([top, top + 1]) + 0.5) * 2 / size)
+    left = x // 2 * 2
+    slope = (np.stack([left, left + 1]) + 0.5) * 2 / size - 1
+    along_x = np.abs(np.diff(slope, axis=0)[0] * z[0])
+    along_y = np.hypot(np.diff(z, axis=0)[0], slope[0] * np.diff(z, axis=0)[0])
+    level = np.clip(np.log2(np.maximum(along_x, along_y)), 0, 6)
+    inside = (z > 0).all(axis=0)
+    assert len(set(np.floor(level[inside]))) >= 3
+    assert np.allclose(found.targets[0][y, x, 0][inside], level[inside])
+
+
+def test_a_nearest_texel_at_its_border_is_undecided() -> None:
+    state = "filter = nearest, wrap = repeat"
+    # Shifted by half a texel, pixel centres lie on the borders of texels.
+    assert read(FOUR, state, (-1.125, 0.875)).undecided.all()
+    assert not read(FOUR, state, (-1, 1)).undecided.any()
+
+
+def test_a_nearest_level_half_way_is_undecided() -> None:
+    assert read(LEVELS, "mip = nearest", (0, 2**1.5)).undecided.all()
+    assert not read(LEVELS, "mip = nearest", (0, 2)).undecided.any()
+
+
+def test_the_radius_is_that_of_the_filters_bits() -> None:
+    exact = read(FOUR, "mip = none", (0, 1))
+    assert not exact.radius[0].any()
+    found = read(FOUR, "mip = none, wrap = clamp", (0.3, 0.32), subtexel_bits=4)
+    # Between the texels 1 and 2 apart by one, a sixteenth of a texel's width.
+    u = 0.3 + 0.02 * (np.arange(WIDTH) + 0.5) / WIDTH
+    assert ((u * 4 - 0.5 > 0.6) & (u * 4 - 0.5 < 0.9)).all()
+    assert np.allclose(found.radius[0][..., 0], 1 / 16)
+    assert not found.radius[0][..., 1:].any()
+    upright = texels([[1.0], [2.0], [4.0], [8.0]])
+    state = "mip = none, wrap = clamp"
+    downwards = read(upright, state, (0.5, 0.5), (0.3, 0.32), subtexel_bits=4)
+    assert np.allclose(downwards.radius[0][..., 0], 1 / 16)
+
+
+def test_the_radius_is_that_of_the_levels_bits() -> None:
+    found = read(LEVELS, "", (0, 3), mip_bits=6)
+    assert np.allclose(found.radius[0][..., 0], 2.0**-6)
+    # A step along x moves as far in u as in v; its length may be taken for the larger of the two
+    # or for their sum, half a level to either side.
+    turned = read(LEVELS, "", corners=[(0, 0), (6, 6), (-6, 6)], mip_bits=6)
+    assert np.allclose(turned.targets[0][..., 0], np.log2(3 * np.sqrt(2)))
+    assert np.allclose(turned.radius[0][..., 0], 0.5 + 2.0**-6)
+
+
+def test_a_decision_that_filtering_may_tip_is_undecided() -> None:
+    given = shader("""
+        material M {
+            map m : texture2d with { mip = none, wrap = clamp }
+            clip_position : vec4 = vec4(vertex_position, 1)
+            color = if m(uv).r < 1.5 then vec3(0) else vec3(1)
+        }""")
+    place = np.array([(-1, 1, 0), (3, 1, 0), (-1, -3, 0)], float)
+    uv = np.array([(0.125, 0.5), (1.125, 0.5), (0.125, 0.5)])
+    mesh = geometry([(0, 1, 2)], vertex_position=place, vertex_uv=uv)
+
+    def undecided(bits: int | None) -> list[int]:
+        rules = RasterRules(64, 1, subtexel_bits=bits)
+        found = picture(given, mesh, rules, {"m": FOUR}).undecided[0]
+        return list(map(int, found.nonzero()[0]))
+
+    # u grows by 1/128 a pixel, which is 1/32 texel; 1.5 is half way between two pixels.
+    assert undecided(None) == []
+    assert undecided(8) == []
+    assert undecided(5) == [15, 16]
