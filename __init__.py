@@ -13,7 +13,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .api import CompiledMaterial, CompileResult, OutputFile, check, compile
+    from .api import (
+        CompiledMaterial,
+        CompileResult,
+        Instance,
+        MissingValuesError,
+        OutputFile,
+        ParameterError,
+        PictureError,
+        Texture,
+        check,
+        compile,
+    )
     from .compiler.diagnostics.diagnostic import CompileError, Diagnostic
 
 __version__ = "0.1.0"
@@ -22,7 +33,12 @@ __all__ = [
     "CompileResult",
     "CompiledMaterial",
     "Diagnostic",
+    "Instance",
+    "MissingValuesError",
     "OutputFile",
+    "ParameterError",
+    "PictureError",
+    "Texture",
     "__version__",
     "check",
     "compile",

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from importlib import import_module
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
@@ -22,6 +23,25 @@ from .targets.emit.description import Profile, Target
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
 from .targets.emit.limits import excesses
 from .targets.emit.reflection import backend_table
+
+if TYPE_CHECKING:
+    from .targets.runner.instance import Instance, MissingValuesError
+    from .targets.runner.textures import PictureError, Texture
+    from .targets.runner.values import ParameterError
+
+__all__ = [
+    "CompileResult",
+    "CompiledMaterial",
+    "Instance",
+    "MissingValuesError",
+    "OutputFile",
+    "ParameterError",
+    "PictureError",
+    "Texture",
+    "check",
+    "compile",
+    "select_targets",
+]
 
 StageName = Literal["vertex", "fragment", "both"]
 
@@ -53,7 +73,8 @@ class CompiledMaterial:
     files: tuple[OutputFile, ...]
     guards: tuple[Guard, ...]
     """Operations whose operands could not be proven safe, so that a guard stays in the shader."""
-    _shader: Shader = field(repr=False)
+    shader: Shader = field(repr=False)
+    """What it means, before any pass: the reference draws this."""
     _staged: Staged = field(repr=False)
     _emissions: tuple[tuple[Target, Profile, Emission], ...] = field(repr=False)
     _flip_y: bool = field(repr=False)
@@ -81,7 +102,13 @@ class CompiledMaterial:
             for target, profile, emission in self._emissions
         }  # fmt: skip
         derived = {value.parameter: value.expression for value in self._staged.derived}
-        return reflect(self._shader, self._staged.program, tables, derived)
+        return reflect(self.shader, self._staged.program, tables, derived)
+
+    def instance(self) -> Instance:
+        """Named values to draw the material with, at first its defaults."""
+        from .targets.runner.instance import Instance
+
+        return Instance(self.reflection)
 
     def _files(self, target: Target, profile: Profile) -> dict[str, str]:
         return {
@@ -170,6 +197,23 @@ def check(
     return report.diagnostics
 
 
+def variants(
+    source: str | Path, *, search_path: Sequence[str | Path] = ()
+) -> tuple[tuple[str | None, str | None], ...]:
+    """Names of a rig and a pass for ``compile``: all under which a file's materials can be drawn.
+
+    They are the file's own, and the library's, which go by ``None``. Raises ``CompileError`` if the
+    file cannot be read.
+    """
+    report = Report()
+    frontend = Frontend(report, [Path(folder) for folder in search_path])
+    path, text = _path_or_text(source)
+    module = frontend.open_text(text, "<text>") if path is None else frontend.open_file(path)
+    if module is None or report.failed:
+        raise CompileError(report.diagnostics)
+    return tuple(frontend.variants(module))
+
+
 def select_targets(
     wanted: Iterable[str], report: Report, *, single_file: bool = False
 ) -> list[tuple[Target, Profile]]:
@@ -246,3 +290,20 @@ def _output(shader: Shader, target: Target, profile: Profile, file: EmittedFile)
         checkers=profile.checkers,
         spans={line: spans[node] for line, node in file.origins.items() if node in spans},
     )
+
+
+_RUNTIME = {
+    "Instance": "instance",
+    "MissingValuesError": "instance",
+    "ParameterError": "values",
+    "PictureError": "textures",
+    "Texture": "textures",
+}
+"""Where the names of the runtime live, which most programs do without: they only compile."""
+
+
+def __getattr__(name: str) -> Any:
+    """Load the runtime on first use."""
+    if name in _RUNTIME:
+        return getattr(import_module(f".targets.runner.{_RUNTIME[name]}", __package__), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,27 @@
+"""A value's bytes in a uniform block."""
+
+from __future__ import annotations
+
+import struct
+from typing import Any
+
+from .shapes import Kind, Numbers, Shape, part
+
+_CODES: dict[Kind, str] = {"float": "f", "int": "i", "uint": "I", "bool": "I"}
+
+
+def write(block: bytearray, offset: int, shape: Shape, value: Any) -> None:
+    """Writes a value, all of which is set, to where it lies; gaps stay as they are."""
+    if isinstance(shape, Numbers):
+        _write_numbers(block, offset, shape, value)
+        return
+    for position, inner in enumerate(value):
+        _, further, inner_shape = part(shape, position)
+        write(block, offset + further, inner_shape, inner)
+
+
+def _write_numbers(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
+    """Little-endian lanes of 32 bits side by side; of a matrix, column after column."""
+    code = f"<{shape.lanes}{_CODES[shape.kind]}"
+    for number, column in enumerate(lanes if shape.columns else (lanes,)):
+        struct.pack_into(code, block, offset + number * shape.column_stride, *column)

@@ -1,0 +1,230 @@
+"""A material instance: named values for one compiled material, as the bytes that a GPU reads.
+
+Everything that is known of the material comes from its reflection, so a host can read that from
+its file and needs nothing of the compiler's work. Nothing here imports NumPy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sized
+from typing import TYPE_CHECKING, Any
+
+from . import derived
+from .blocks import write
+from .names import Names
+from .parts import Part, Rig
+from .shapes import Elements, Numbers, shape_of
+from .texts import parse
+from .values import ParameterError, changed, filled, initial, plain, rounded, unset
+
+if TYPE_CHECKING:
+    from .textures import Texture
+
+FORMAT = 1
+"""The reflection's format that is read here."""
+
+
+class MissingValuesError(ValueError):
+    """Parameters that a shader reads have neither a value nor a default."""
+
+    def __init__(self, material: str, missing: Mapping[str, Numbers | Elements]) -> None:
+        rows = [
+            f"`{name}` : {shape.type}" + (f"   {shape.doc}" if shape.doc else "")
+            for name, shape in missing.items()
+        ]
+        super().__init__("\n  ".join([f"{material} needs values for", *rows]))
+        self.names = tuple(missing)
+
+
+class Instance:
+    """Named values for one compiled material.
+
+    Names are the reflection's: ``power``, ``torch.axis``, ``lamps[2].place``. Values start as the
+    declared defaults. Colours are linear, or literals such as ``"#b5651d"``; angles are radians, or
+    texts such as ``"30deg"``; a matrix is a sequence of its columns. A ``direction`` has to have
+    length one up to a thousandth, and then is given it.
+
+    Parameters are attributes too, parts and all: ``instance.torch.axis = (0, -1, 0)``.
+    """
+
+    def __init__(self, reflection: Mapping[str, Any]) -> None:
+        """Raises ``ValueError`` for a reflection of another format."""
+        if reflection.get("format") != FORMAT:
+            raise ValueError(f"this is no reflection of format {FORMAT}")
+        self._reflection = reflection
+        self._names = Names(reflection)
+        self._values = {name: initial(shape) for name, shape in self._names.shapes.items()}
+        self._textures: dict[str, Texture] = {}
+
+    @property
+    def reflection(self) -> Mapping[str, Any]:
+        """What the instance was made from."""
+        return self._reflection
+
+    @property
+    def rig(self) -> Rig:
+        """The lights, and what else is set per rig: ``instance.rig.torch.axis = (0, -1, 0)``."""
+        return Rig(self, self._names.rig)
+
+    def set(self, name: str, value: object) -> None:
+        """Set a parameter, a part of one, a light or a texture.
+
+        A light takes a mapping of its parameters, an array of lights a list of such; where their
+        number is counted at run time, the list also sets the count. What a mapping does not name
+        stays as it is.
+
+        Raises ``ParameterError`` if there is no such parameter, or it cannot have the value; then
+        nothing has changed.
+        """
+        if name in self._names.textures:
+            self._textures[name] = _texture(name, value)
+        else:
+            self._values |= self._changes(name, value)
+
+    def set_text(self, name: str, text: str) -> None:
+        """Set a parameter or texture to what a text says, as on a command line.
+
+        ``texts`` says how values are written; a texture is a picture's file, whose colours are
+        taken as sRGB if ``srgb:`` stands before its name, or a colour such as ``#b5651d``.
+
+        Raises ``ParameterError`` as ``set`` does, and ``PictureError`` for a picture that cannot be
+        read.
+        """
+        if name in self._names.textures:
+            from .textures import Texture
+
+            self._textures[name] = Texture.parse(text)
+        else:
+            self.set(name, parse(text, self._names.place(name).shape, name))
+
+    def get(self, name: str) -> Any:
+        """The value as stored, floats rounded to float32; ``None`` where there is none yet.
+
+        Vectors, matrices (columns) and arrays are tuples; structures and lights are mappings.
+        Raises ``ParameterError`` if there is no such parameter.
+        """
+        if name in self._names.textures:
+            return self._textures.get(name)
+        if members := self._names.light(name):
+            return {member: self.get(f"{name}.{member}") for member in members}
+        place = self._names.place(name)
+        value = self._values[place.parameter]
+        for position in place.path:
+            value = value[position]
+        return plain(place.shape, value)
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Names of what the blocks need and has no value."""
+        return tuple(self._missing())
+
+    def values(self) -> dict[str, Any]:
+        """Every parameter's value in the reference evaluator's form, as the GPU will see it.
+
+        A tuple of lanes (of one, for a number), of a matrix's columns, an array's elements or a
+        structure's members; floats are rounded to float32. What no shader reads, and has no value,
+        is zero. Raises ``MissingValuesError``.
+        """
+        missing = self._missing()
+        if missing:
+            raise MissingValuesError(self._reflection["material"], missing)
+        shapes = self._names.shapes
+        return {name: filled(shapes[name], value) for name, value in self._values.items()}
+
+    def blocks(self) -> dict[str, bytes]:
+        """The bytes of every block by name, derived ones included.
+
+        Raises ``MissingValuesError``.
+        """
+        shapes, values = self._names.shapes, self.values()
+        blocks = {row["name"]: bytearray(row["size"]) for row in self._reflection["blocks"]}
+        for row in self._reflection["parameters"]:
+            if row["block"] is not None:
+                name = row["name"]
+                write(blocks[row["block"]], row["offset"], shapes[name], values[name])
+        inputs = derived.Inputs(shapes, values)
+        for row in self._reflection["derived"]:
+            value = rounded(derived.compute(row["steps"], inputs))
+            write(blocks[row["block"]], row["offset"], shape_of(row), value)
+        return {name: bytes(block) for name, block in blocks.items()}
+
+    def textures(self) -> dict[str, Texture]:
+        """Every texture by name; what was not set is the declared default, of one texel."""
+        from .textures import default_texture
+
+        return {
+            row["name"]: self._textures.get(row["name"]) or default_texture(row["default"])
+            for row in self._reflection["textures"]
+        }
+
+    def __getattr__(self, name: str) -> Any:
+        """A parameter's value, or a ``Part`` if it has parts of its own."""
+        if name.startswith("_"):  # Copying asks for names before there are any attributes.
+            raise AttributeError(name)
+        return self._attribute(name)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Set a parameter."""
+        if name.startswith("_"):
+            super().__setattr__(name, value)
+        elif hasattr(type(self), name):
+            raise AttributeError(f"every instance has `{name}`: write set({name!r}, …)")
+        else:
+            self.set(name, value)
+
+    # --- inside ----------------------------------------------------------------------------------
+
+    def _attribute(self, name: str) -> Any:
+        """What stands for a name in Python. Raises ``AttributeError`` if nothing does."""
+        if self._names.light(name):
+            return Part(self, name)
+        if name in self._names.textures:
+            return self.get(name)
+        try:
+            place = self._names.place(name)
+        except ParameterError as error:
+            raise AttributeError(str(error)) from None
+        if isinstance(place.shape, Numbers):
+            return self.get(name)
+        return Part(self, name, place.shape.count if isinstance(place.shape, Elements) else None)
+
+    def _changes(self, name: str, value: object) -> dict[str, Any]:
+        """The new values of the parameters that setting ``name`` changes."""
+        if members := self._names.light(name):
+            return self._light_changes(name, members, value)
+        place = self._names.place(name)
+        shape, old = self._names.shapes[place.parameter], self._values[place.parameter]
+        changes = {place.parameter: changed(shape, old, place.path, value, name)}
+        if isinstance(shape, Elements) and shape.counter and not place.path:
+            assert isinstance(value, Sized)
+            changes[shape.counter] = (len(value),)
+        return changes
+
+    def _light_changes(self, name: str, members: tuple[str, ...], value: object) -> dict[str, Any]:
+        if not isinstance(value, Mapping):
+            listed = ", ".join(members)
+            raise ParameterError(name, f"`{name}` is a light and takes a mapping of {listed}")
+        changes: dict[str, Any] = {}
+        for member, inner in value.items():
+            changes |= self._changes(f"{name}.{member}", inner)
+        return changes
+
+    def _missing(self) -> dict[str, Numbers | Elements]:
+        found: dict[str, Numbers | Elements] = {}
+        for name in self._names.needed:
+            shape, value = self._names.shapes[name], self._values[name]
+            if isinstance(shape, Elements) and shape.counter:
+                value = value[: self._values[shape.counter][0]]
+            found.update(unset(shape, value, name))
+        return found
+
+
+def _texture(name: str, value: object) -> Texture:
+    from .textures import Texture
+
+    if not isinstance(value, Texture):
+        given = type(value).__name__
+        raise ParameterError(
+            name, f"`{name}` takes a Texture, and was given a value of type {given}"
+        )
+    return value

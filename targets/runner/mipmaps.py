@@ -1,0 +1,89 @@
+"""Texels to numbers and back, and the levels below them.
+
+The levels are made here and not by a driver, because drivers filter each in their own way.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .draw import TextureFormat
+
+Texels = NDArray[np.uint8 | np.float32]
+"""(height, width, 4), as stored."""
+
+Linear = NDArray[np.float64]
+"""(height, width, 4), as a shader reads it."""
+
+_SRGB_KNEE = 0.04045
+"""Encoded values up to this lie on the straight part of the curve (IEC 61966-2-1)."""
+
+_BAND = 256
+"""Rows that are worked on at a time."""
+
+
+def decoded(texels: Texels, format: TextureFormat) -> Linear:
+    """What a GPU reads from stored texels: 8-bit lanes over 255, sRGB-encoded ones made linear."""
+    if format == "rgba32float":
+        return texels.astype(np.float64)
+    table = np.arange(256) / 255.0
+    if format == "rgba8unorm":
+        lanes: Linear = table[texels]
+        return lanes
+    lanes = np.empty(texels.shape)
+    curve = np.where(table <= _SRGB_KNEE, table / 12.92, ((table + 0.055) / 1.055) ** 2.4)
+    lanes[..., :3] = curve[texels[..., :3]]
+    lanes[..., 3] = table[texels[..., 3]]
+    return lanes
+
+
+def encoded(lanes: Linear, format: TextureFormat) -> Texels:
+    """The nearest texels; lanes of 8 bits are limited to 0..1."""
+    if format == "rgba32float":
+        return lanes.astype(np.float32)
+    limited = np.clip(lanes, 0.0, 1.0)
+    if format == "rgba8unorm-srgb":
+        colors = limited[..., :3]
+        straight = colors <= _SRGB_KNEE / 12.92
+        curve = 1.055 * colors ** (1.0 / 2.4) - 0.055
+        limited[..., :3] = np.where(straight, colors * 12.92, curve)
+    return np.rint(limited * 255.0).astype(np.uint8)
+
+
+def levels(texels: Texels, format: TextureFormat) -> list[Texels]:
+    """All levels down to a single texel, the given one first, which stays as it is.
+
+    Each halves both sides, rounding down, and averages what its texels cover, in linear light.
+    """
+    found = [texels]
+    if texels.shape[:2] == (1, 1):
+        return found
+    # The whole first level as float64 would be gigabytes; half of its columns are bearable.
+    bands = (texels[start : start + _BAND] for start in range(0, len(texels), _BAND))
+    lanes = np.concatenate([_halved(decoded(band, format), 1) for band in bands])
+    lanes = _halved(lanes, 0)
+    found.append(encoded(lanes, format))
+    while lanes.shape[:2] != (1, 1):
+        lanes = _halved(_halved(lanes, 1), 0)
+        found.append(encoded(lanes, format))
+    return found
+
+
+def _halved(lanes: Linear, axis: int) -> Linear:
+    """Half as many rows (axis 0) or columns, each the mean of those it covers.
+
+    Half of an odd number covers two and a bit: of 2n + 1, the i-th covers n - i parts of the first,
+    n of the second, and i + 1 of the third, of which there are 2n + 1 altogether.
+    """
+    rows = np.moveaxis(lanes, axis, 0)
+    half = len(rows) // 2
+    if half == 0:
+        return lanes
+    if len(rows) % 2 == 0:
+        mean = (rows[0::2] + rows[1::2]) / 2.0
+    else:
+        i = np.arange(half).reshape(half, 1, 1)
+        first, second, third = rows[0:-1:2], rows[1::2], rows[2::2]
+        mean = ((half - i) * first + half * second + (i + 1) * third) / len(rows)
+    return np.moveaxis(mean, 0, axis)

@@ -1,0 +1,109 @@
+"""What a host's names stand for: parameters, parts of parameters, lights, textures."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ...compiler.diagnostics.nearest import suggestion
+from .shapes import Elements, Members, Shape, part, shape_of
+from .values import ParameterError
+
+_NAME = re.compile(r"\w+(\.\w+|\[\d+\])*")
+_STEP = re.compile(r"\w+|\[\d+\]")
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where in the values something stands."""
+
+    parameter: str
+    path: tuple[int, ...]
+    """Elements and members to go to, by their positions."""
+    shape: Shape
+
+
+class Names:
+    """The names of one reflection."""
+
+    def __init__(self, reflection: Mapping[str, Any]) -> None:
+        self.shapes: Mapping[str, Shape] = {
+            row["name"]: shape_of(row) for row in reflection["parameters"]
+        }
+        self.textures = frozenset(row["name"] for row in reflection["textures"])
+        self._lights = {
+            row["name"]: tuple(name.removeprefix(f"{row['name']}.") for name in row["parameters"])
+            for row in reflection["lights"]
+            if row["capacity"] is None
+        }
+        self._derived = {row["name"]: _inputs(row) for row in reflection["derived"]}
+        read = {name for inputs in self._derived.values() for name in inputs}
+        rows = reflection["parameters"]
+        self.needed = tuple(r["name"] for r in rows if r["block"] is not None or r["name"] in read)
+        """The parameters whose bytes, or derived values, a shader reads."""
+        self.rig = frozenset(row["name"] for row in reflection["lights"]) | {
+            row["name"] for row in rows if row["group"] == "rig"
+        }
+        """The lights, and the parameters beside them."""
+
+    def light(self, name: str) -> tuple[str, ...]:
+        """The parameters of a single light, without its own name; none of anything else."""
+        return self._lights.get(name, ())
+
+    def place(self, name: str) -> Place:
+        """The parameter, or the part of one. Raises ``ParameterError`` if there is none."""
+        steps = _STEP.findall(name) if _NAME.fullmatch(name) else []
+        for end in range(len(steps), 0, -1):
+            parameter = ".".join(steps[:end])
+            if parameter in self.shapes:
+                return self._inside(parameter, steps[end:], name)
+        raise ParameterError(name, self._unknown(name))
+
+    def _inside(self, parameter: str, steps: list[str], name: str) -> Place:
+        owner, shape, path = parameter, self.shapes[parameter], []
+        for step in steps:
+            position = _position(shape, step, owner, name)
+            text, _, shape = part(shape, position)
+            owner += text
+            path.append(position)
+        return Place(parameter, tuple(path), shape)
+
+    def _unknown(self, name: str) -> str:
+        if name in self._lights:
+            members = ", ".join(f"`{name}.{member}`" for member in self._lights[name])
+            return f"`{name}` is a light, whose parameters are {members}"
+        if inputs := self._derived.get(name):
+            listed = ", ".join(f"`{each}`" for each in inputs)
+            return f"`{name}` is not set but derived, from {listed}"
+        names = [*self.shapes, *self.textures, *self._lights]
+        root = name.partition(".")[0].partition("[")[0]
+        roots = dict.fromkeys(known.partition(".")[0] for known in names)
+        hint = suggestion(name, names) or suggestion(root, roots) or f"there are {', '.join(roots)}"
+        return f"there is no parameter `{name}`: {hint}"
+
+
+def _inputs(row: Mapping[str, Any]) -> tuple[str, ...]:
+    """The parameters that a derived value is computed from."""
+    read = (step["parameter"] for step in row["steps"] if step["op"] == "parameter")
+    return tuple(dict.fromkeys(read))
+
+
+def _position(shape: Shape, step: str, owner: str, name: str) -> int:
+    """Which element or member of ``owner`` a step goes to."""
+    if isinstance(shape, Elements) and step.startswith("["):
+        position = int(step[1:-1])
+        if position < shape.count:
+            return position
+        last = shape.count - 1
+        raise ParameterError(
+            name, f"there is no `{owner}{step}`: the last element is `{owner}[{last}]`"
+        )
+    if isinstance(shape, Members) and not step.startswith("["):
+        names = [member.name for member in shape.members]
+        if step in names:
+            return names.index(step)
+        hint = suggestion(step, names) or f"there are {', '.join(names)}"
+        raise ParameterError(name, f"`{owner}` has no member `{step}`: {hint}")
+    raise ParameterError(name, f"`{owner}` ({shape.type}) has no part `{step}`")

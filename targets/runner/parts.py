@@ -1,0 +1,84 @@
+"""Parameters as attributes: ``instance.torch.axis``, ``instance.lamps[2].place``, ``rig.torch``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from ...compiler.diagnostics.nearest import suggestion
+from .values import ParameterError
+
+if TYPE_CHECKING:
+    from .instance import Instance
+
+
+class Part:
+    """A light, a structure or an array, whose parts are read and set by their names."""
+
+    __slots__ = ("_count", "_instance", "_name")
+
+    def __init__(self, instance: Instance, name: str, count: int | None = None) -> None:
+        object.__setattr__(self, "_instance", instance)
+        object.__setattr__(self, "_name", name)
+        object.__setattr__(self, "_count", count)
+
+    def __getattr__(self, member: str) -> Any:
+        """A member, or of an array of lights the ``count``."""
+        if member.startswith("_"):  # Copying asks for names before there are any attributes.
+            raise AttributeError(member)
+        return self._instance._attribute(f"{self._name}.{member}")
+
+    def __setattr__(self, member: str, value: object) -> None:
+        """Set a member. Raises ``ParameterError``."""
+        self._instance.set(f"{self._name}.{member}", value)
+
+    def __getitem__(self, position: int) -> Any:
+        """An element of an array."""
+        return self._instance._attribute(f"{self._name}[{position}]")
+
+    def __setitem__(self, position: int, value: object) -> None:
+        """Set an element. Raises ``ParameterError``."""
+        self._instance.set(f"{self._name}[{position}]", value)
+
+    def __len__(self) -> int:
+        """How many elements there are, whether in use or not."""
+        if self._count is None:
+            raise TypeError(f"`{self._name}` is no array")
+        length: int = self._count
+        return length
+
+    def __iter__(self) -> Iterator[Any]:
+        """The elements."""
+        return (self[position] for position in range(len(self)))
+
+    def __repr__(self) -> str:
+        """The name, and the value as it is."""
+        return f"<{self._name}: {self._instance.get(self._name)}>"
+
+
+class Rig:
+    """The lights of an instance, and what else is set per rig."""
+
+    __slots__ = ("_instance", "_names")
+
+    def __init__(self, instance: Instance, names: frozenset[str]) -> None:
+        object.__setattr__(self, "_instance", instance)
+        object.__setattr__(self, "_names", names)
+
+    def __getattr__(self, name: str) -> Any:
+        """A light, or a parameter's value."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name not in self._names:
+            raise AttributeError(self._unknown(name))
+        return self._instance._attribute(name)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Set a light or a parameter. Raises ``ParameterError``."""
+        if name not in self._names:
+            raise ParameterError(name, self._unknown(name))
+        self._instance.set(name, value)
+
+    def _unknown(self, name: str) -> str:
+        hint = suggestion(name, self._names) or f"there are {', '.join(sorted(self._names))}"
+        return f"the rig has no `{name}`: {hint}"

@@ -1,0 +1,125 @@
+"""What a parameter's value has to be, and where its lanes lie: a row of the reflection, read.
+
+A value has the form in which the reference evaluator takes it: a number is a tuple of one lane, a
+vector of its lanes, a matrix of its columns, an array of its elements, a structure of its members.
+Numbers, vectors and matrices that nobody has set are ``None``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+Kind = Literal["float", "int", "uint", "bool"]
+
+_VECTOR = re.compile(r"([iub]?)vec[234]")
+_PREFIXES: dict[str, Kind] = {"": "float", "i": "int", "u": "uint", "b": "bool"}
+_SCALARS: dict[str, Kind] = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """A number, a vector or a matrix."""
+
+    type: str
+    """As written: ``rgb``, ``direction<world>``."""
+    kind: Kind
+    lanes: int
+    """Of a number, a vector, or a column."""
+    columns: int = 0
+    """Of a matrix; 0 of anything else."""
+    column_stride: int = 0
+    """Bytes from column to column."""
+    range: tuple[float, float] | None = None
+    """Lowest and highest value of each lane."""
+    default: Any = None
+    doc: str = ""
+
+    @property
+    def meaning(self) -> str:
+        """The written type without the spaces that it names: ``direction``."""
+        return self.type.partition("<")[0]
+
+    @property
+    def is_color(self) -> bool:
+        """Whether a colour literal can stand for it; as in the language, that is a vector."""
+        return self.kind == "float" and not self.columns and self.lanes in (3, 4)
+
+
+@dataclass(frozen=True, slots=True)
+class Elements:
+    """An array."""
+
+    type: str
+    element: Shape
+    count: int
+    stride: int
+    """Bytes from element to element."""
+    counter: str | None = None
+    """The parameter that says how many elements are in use; ``None`` where all are."""
+    doc: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Members:
+    """A structure."""
+
+    type: str
+    members: tuple[Member, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A structure's member, ``offset`` bytes into it."""
+
+    name: str
+    offset: int
+    shape: Shape
+
+
+Shape = Numbers | Elements | Members
+
+
+def shape_of(row: Mapping[str, Any]) -> Shape:
+    """The shape that a row of ``parameters``, ``derived`` or ``members`` describes."""
+    layout, type_ = row["layout"], row.get("type", row["representation"])
+    if "count" not in layout:
+        return _one(row, type_)
+    one = _one(row, type_.rpartition("[")[0])
+    return Elements(type_, one, layout["count"], layout["stride"], row.get("count"), row["doc"])
+
+
+def _one(row: Mapping[str, Any], type_: str) -> Numbers | Members:
+    """The shape of a row, or of the elements where it is an array's."""
+    layout, members = row["layout"], row.get("members")
+    if members:
+        parts = (Member(each["name"], each["offset"], shape_of(each)) for each in members)
+        return Members(type_, tuple(parts))
+    range_ = row.get("range")
+    return Numbers(
+        type=type_,
+        kind=kind_of(row["representation"].partition("[")[0]),
+        lanes=layout["lanes"],
+        columns=layout.get("columns", 0),
+        column_stride=layout.get("column_stride", 0),
+        range=(range_[0], range_[1]) if range_ else None,
+        default=row.get("default"),
+        doc=row["doc"],
+    )
+
+
+def kind_of(representation: str) -> Kind:
+    """The kind of the lanes of a number, vector or matrix; ``float`` for all other types."""
+    vector = _VECTOR.fullmatch(representation)
+    return _PREFIXES[vector[1]] if vector else _SCALARS.get(representation, "float")
+
+
+def part(shape: Shape, position: int) -> tuple[str, int, Shape]:
+    """Name behind its owner's (``[2]``, ``.place``), offset in bytes and shape of a part."""
+    if isinstance(shape, Elements):
+        return f"[{position}]", position * shape.stride, shape.element
+    assert isinstance(shape, Members)
+    member = shape.members[position]
+    return f".{member.name}", member.offset, member.shape

@@ -1,0 +1,52 @@
+"""Values written as text, as on a command line: ``32``, ``0,-1,0``, ``true``, ``#ff8800``.
+
+The numbers of a matrix stand column after column, those of an array element after element. What a
+text cannot mean is left as it is, for the check of the value to complain about.
+"""
+
+from __future__ import annotations
+
+import re
+
+from .shapes import Elements, Kind, Members, Numbers, Shape
+from .values import ParameterError
+
+_WORDS = {"true": True, "false": False, "1": True, "0": False}
+
+
+def parse(text: str, shape: Shape, name: str) -> object:
+    """What ``text`` says, in a form that ``values.accepted`` takes.
+
+    Raises ``ParameterError`` for what has no textual form, or another number of numbers.
+    """
+    words = re.split(r"[\s,]+", re.sub(r"^\((.*)\)$", r"\1", text.strip()).strip())
+    if isinstance(shape, Numbers):
+        return _numbers(words, shape)
+    if isinstance(shape, Members) or not isinstance(shape.element, Numbers):
+        raise ParameterError(name, f"`{name}` ({shape.type}) is set by its parts, each by its name")
+    return _elements(words, shape, shape.element, name)
+
+
+def _elements(words: list[str], shape: Elements, element: Numbers, name: str) -> object:
+    width = element.lanes * max(element.columns, 1)
+    if len(words) == shape.count and words[0].startswith("#"):
+        width = 1
+    if len(words) != width * shape.count:
+        raise ParameterError(
+            name, f"`{name}` ({shape.type}) takes {width * shape.count} numbers, not {len(words)}"
+        )
+    return [_numbers(words[at : at + width], element) for at in range(0, len(words), width)]
+
+
+def _numbers(words: list[str], shape: Numbers) -> object:
+    values = [_number(word, shape.kind) for word in words]
+    return values[0] if len(values) == 1 else values
+
+
+def _number(word: str, kind: Kind) -> object:
+    if kind == "bool":
+        return _WORDS.get(word, word)
+    try:
+        return float(word) if kind == "float" else int(word)
+    except ValueError:
+        return word

@@ -1,0 +1,298 @@
+"""From what a host hands in to lanes as a GPU will see them: shapes, kinds and contracts checked.
+
+Hosts are given the benefit of no doubt: a declared range, the length of a direction and the bounds
+of an array are promises on which the compiler has left guards away.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Collection, Iterator, Mapping, Set
+from typing import Any
+
+from ...compiler.diagnostics.nearest import suggestion
+from .literals import angle, color_lanes
+from .shapes import Elements, Kind, Members, Numbers, Shape, part
+
+Value = Any
+"""Nested tuples; see ``shapes``."""
+
+UNIT_TOLERANCE = 1e-3
+"""How far the length of a direction may be from one. It is stored with length one."""
+
+_ROUNDING = 2.0**-22
+"""How far rounding three lanes to float32 may take a length of one from it, with some room."""
+
+_LIMITS: Mapping[Kind, tuple[int, int]] = {"int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1)}
+
+
+class ParameterError(ValueError):
+    """A value that a parameter cannot have, or a name that no parameter has."""
+
+    def __init__(self, name: str, message: str) -> None:
+        super().__init__(message)
+        self.name = name
+        """The parameter, or the part of one: ``lamps[2].place``."""
+
+
+def initial(shape: Shape) -> Value:
+    """The value before a host sets one: what has a default has that."""
+    match shape:
+        case Numbers(default=None):
+            return None
+        case Numbers(default=default):
+            return accepted(shape, default, None, "default")
+        case Elements(element=element, count=count):
+            return (initial(element),) * count
+        case Members(members=members):
+            return tuple(initial(member.shape) for member in members)
+
+
+def changed(shape: Shape, old: Value, path: tuple[int, ...], given: object, name: str) -> Value:
+    """``old`` with the part at ``path`` set. Raises ``ParameterError`` as ``accepted`` does."""
+    if not path:
+        return accepted(shape, given, old, name)
+    position, *further = path
+    inner = changed(part(shape, position)[2], old[position], tuple(further), given, name)
+    return (*old[:position], inner, *old[position + 1 :])
+
+
+def accepted(shape: Shape, given: object, old: Value, name: str) -> Value:
+    """The value of ``shape`` that a host means by ``given``, floats rounded to float32.
+
+    Sequences, mappings (for structures), arrays that have ``tolist`` and numbers of all kinds are
+    taken. What a mapping does not name, and elements beyond the end of a shorter list of an array
+    whose elements are counted, keep their ``old`` value.
+
+    Raises ``ParameterError`` for what does not fit, and for what breaks a contract.
+    """
+    match shape:
+        case Numbers():
+            return _numbers(shape, given, name)
+        case Elements():
+            return _elements(shape, given, old, name)
+        case Members():
+            return _members(shape, given, old, name)
+
+
+def _elements(shape: Elements, given: object, old: Value, name: str) -> Value:
+    items = _items(given)
+    counted = shape.counter is not None
+    if items is None or len(items) > shape.count or (len(items) < shape.count and not counted):
+        most = f"at most {shape.count}" if counted else f"{shape.count}"
+        wanted = f"a list of {most} {_plural('element', shape.count)} ({shape.type})"
+        raise _misshapen(name, wanted, given, items)
+    new = [accepted(shape.element, item, old[i], f"{name}[{i}]") for i, item in enumerate(items)]
+    return (*new, *old[len(new) :])
+
+
+def _members(shape: Members, given: object, old: Value, name: str) -> Value:
+    names = [member.name for member in shape.members]
+    if not isinstance(given, Mapping):
+        raise _misshapen(name, f"a mapping of {', '.join(names)} ({shape.type})", given, None)
+    for key in given:
+        if key not in names:
+            hint = suggestion(str(key), names) or f"there are {', '.join(names)}"
+            raise ParameterError(f"{name}.{key}", f"`{name}` has no member `{key}`: {hint}")
+    return tuple(
+        accepted(member.shape, given[member.name], before, f"{name}.{member.name}")
+        if member.name in given
+        else before
+        for member, before in zip(shape.members, old, strict=True)
+    )
+
+
+def _numbers(shape: Numbers, given: object, name: str) -> Value:
+    if isinstance(given, str):
+        given = _literal(shape, given, name)
+    if not shape.columns:
+        return _vector(shape, given, name)
+    columns = _items(given)
+    if columns is not None and len(columns) == shape.columns * shape.lanes:
+        columns = _rows(columns, shape.lanes)
+    if columns is None or len(columns) != shape.columns:
+        wanted = f"{shape.columns} columns of {shape.lanes} numbers ({shape.type})"
+        raise _misshapen(name, wanted, given, columns)
+    return tuple(_vector(shape, column, name) for column in columns)
+
+
+def _vector(shape: Numbers, given: object, name: str) -> Value:
+    items = _items(given)
+    if shape.lanes == 1 and items is None:
+        lanes: tuple[Any, ...] = (_lane(shape, given, name),)
+    elif items is None or len(items) != shape.lanes or shape.lanes == 1:
+        amount = "one number" if shape.lanes == 1 else f"{shape.lanes} numbers"
+        what = "columns of " if shape.columns else ""
+        raise _misshapen(name, f"{what}{amount} ({shape.type})", given, items)
+    else:
+        lanes = tuple(_lane(shape, item, name) for item in items)
+    return _unit(lanes, name) if shape.meaning == "direction" and shape.lanes > 1 else lanes
+
+
+def _lane(shape: Numbers, given: object, name: str) -> Any:
+    """A lane of the kind that ``shape`` wants, within its range."""
+    given = _plain(given)
+    if shape.kind == "bool":
+        return _bool(given, shape, name)
+    value = _float(given, shape, name) if shape.kind == "float" else _integer(given, shape, name)
+    if shape.range is not None:
+        lo, hi = map(single, shape.range) if shape.kind == "float" else shape.range
+        if not lo <= value <= hi:
+            limits = f"{shown(shape.range[0])}..{shown(shape.range[1])}"
+            raise ParameterError(name, f"`{name}` is declared in {limits}: {shown(given)} is not")
+    return value
+
+
+def _bool(given: object, shape: Numbers, name: str) -> bool:
+    if isinstance(given, int) and given in (0, 1):
+        return bool(given)
+    raise _wrong_kind(given, shape, name)
+
+
+def _integer(given: object, shape: Numbers, name: str) -> int:
+    if isinstance(given, bool) or not isinstance(given, int | float) or given != given // 1:
+        raise _wrong_kind(given, shape, name)
+    lo, hi = _LIMITS[shape.kind]
+    if not lo <= given <= hi:
+        raise ParameterError(
+            name, f"`{name}` is a 32-bit {shape.kind}, {lo} to {hi}: {shown(given)} is not"
+        )
+    return int(given)
+
+
+def _float(given: object, shape: Numbers, name: str) -> float:
+    if isinstance(given, bool | str) or not hasattr(given, "__float__"):
+        raise _wrong_kind(given, shape, name)
+    try:
+        value = float(given)
+    except OverflowError:
+        value = math.inf
+    if math.isnan(value) or given in (math.inf, -math.inf):
+        raise ParameterError(name, f"`{name}` takes finite numbers, and {shown(given)} is none")
+    rounded = single(value)
+    if math.isinf(rounded):
+        raise ParameterError(name, f"`{name}` is a float32, and {shown(given)} is too large for it")
+    return rounded
+
+
+def _unit(lanes: tuple[float, ...], name: str) -> tuple[float, ...]:
+    """A direction of length one; one that already is, up to rounding, is left as it is."""
+    length = math.hypot(*lanes)
+    if abs(length - 1.0) <= _ROUNDING:
+        return lanes
+    if abs(length - 1.0) <= UNIT_TOLERANCE:
+        return tuple(single(lane / length) for lane in lanes)
+    message = f"`{name}` is a direction and has to be of length 1, not {length:.6g}"
+    if length > 0.0:
+        message += f": that would be ({', '.join(f'{lane / length:.6g}' for lane in lanes)})"
+    raise ParameterError(name, message)
+
+
+def unset(shape: Shape, value: Value, name: str) -> Iterator[tuple[str, Numbers | Elements]]:
+    """What has no value yet, by name; an array of numbers without any as a whole."""
+    if isinstance(shape, Numbers):
+        if value is None:
+            yield name, shape
+    elif isinstance(shape, Elements) and all(element is None for element in value) and value:
+        yield name, shape
+    else:
+        for position, inner in enumerate(value):
+            text, _, inner_shape = part(shape, position)
+            yield from unset(inner_shape, inner, name + text)
+
+
+def filled(shape: Shape, value: Value) -> Value:
+    """The value with zeros for what has none."""
+    if not isinstance(shape, Numbers):
+        return tuple(filled(part(shape, i)[2], inner) for i, inner in enumerate(value))
+    if value is not None:
+        return value
+    zero = {"float": 0.0, "bool": False}.get(shape.kind, 0)
+    column = (zero,) * shape.lanes
+    return (column,) * shape.columns if shape.columns else column
+
+
+def plain(shape: Shape, value: Value) -> Any:
+    """The value as hosts write it: numbers, tuples, and mappings for structures."""
+    match shape:
+        case Numbers():
+            return value[0] if value is not None and shape.lanes == 1 else value
+        case Elements(element=element):
+            return tuple(plain(element, inner) for inner in value)
+        case Members(members=members):
+            pairs = zip(members, value, strict=True)
+            return {member.name: plain(member.shape, inner) for member, inner in pairs}
+
+
+def rounded(value: Value) -> Value:
+    """Every float in a value as the nearest float32."""
+    if isinstance(value, tuple):
+        return tuple(map(rounded, value))
+    return single(value) if isinstance(value, float) else value
+
+
+def single(value: float) -> float:
+    """The nearest float32; infinite where there is none."""
+    try:
+        rounded: float = struct.unpack("<f", struct.pack("<f", value))[0]
+    except OverflowError:
+        return math.copysign(math.inf, value)
+    return rounded
+
+
+def _literal(shape: Numbers, text: str, name: str) -> object:
+    """What a text stands for where the language has a literal of its own: a colour, or an angle."""
+    if shape.is_color and text.startswith("#"):
+        lanes = color_lanes(text)
+        if lanes is None:
+            raise ParameterError(name, f"`{name}`: {text} is no colour, which would be #b5651d")
+        return lanes if len(lanes) >= shape.lanes else (*lanes, 1.0)
+    radians = angle(text) if shape.meaning == "angle" else None
+    if radians is None:
+        raise _wrong_kind(text, shape, name)
+    return radians
+
+
+# --- what is said --------------------------------------------------------------------------------
+
+
+def shown(given: object) -> str:
+    """A value in a message, cut short where it is long."""
+    given = _plain(given)
+    if isinstance(given, float) and given.is_integer() and abs(given) < 1e15:
+        return str(int(given))
+    text = repr(given)
+    return text if len(text) <= 40 else f"{text[:37]}..."
+
+
+def _wrong_kind(given: object, shape: Numbers, name: str) -> ParameterError:
+    return ParameterError(name, f"`{name}` ({shape.type}) cannot hold {shown(given)}")
+
+
+def _misshapen(
+    name: str, wanted: str, given: object, items: tuple[Any, ...] | None
+) -> ParameterError:
+    found = shown(given) if items is None else f"a list of {len(items)}"
+    return ParameterError(name, f"`{name}` takes {wanted}, and was given {found}")
+
+
+def _plural(noun: str, count: int) -> str:
+    return noun if count == 1 else f"{noun}s"
+
+
+def _plain(given: object) -> object:
+    """Arrays and their scalars, of whatever library, as lists and numbers of Python's own."""
+    return given.tolist() if hasattr(given, "tolist") else given
+
+
+def _items(given: object) -> tuple[Any, ...] | None:
+    """The items of what has them in an order."""
+    given = _plain(given)
+    if isinstance(given, str | bytes | bytearray | Mapping | Set):
+        return None
+    return tuple(given) if isinstance(given, Collection) else None
+
+
+def _rows(items: tuple[Any, ...], length: int) -> tuple[Any, ...]:
+    return tuple(items[at : at + length] for at in range(0, len(items), length))

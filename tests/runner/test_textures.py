@@ -1,0 +1,307 @@
+"""Textures: what is stored, what a shader reads, the levels below, and pictures of all kinds."""
+
+from __future__ import annotations
+
+import random
+import struct
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from PIL import Image
+
+import burnish
+from burnish import PictureError, Texture
+from burnish.compiler.semantics.lower import linear
+from burnish.compiler.semantics.parameters import TEXTURE_DEFAULTS
+from burnish.targets.runner.checks import level_size
+from burnish.targets.runner.textures import default_texture
+
+SOURCE = """
+material M {
+    map a : texture2d
+    map b : texture2d = flat_normal
+    color = a(uv).rgb + b(uv).rgb
+}
+"""
+
+
+def first(texture: Texture) -> np.ndarray[Any, Any]:
+    """The first level's bytes, (height, width, 4)."""
+    return np.frombuffer(texture.levels[0], np.uint8).reshape(texture.height, texture.width, 4)
+
+
+def texel(texture: Texture) -> tuple[int, ...]:
+    return tuple(texture.levels[0])
+
+
+# --- textures of an instance ---------------------------------------------------------------------
+
+
+def test_defaults_are_made_and_given_ones_are_kept() -> None:
+    instance = burnish.compile(SOURCE, ("wgsl",))["M"].instance()
+    assert {name: texel(t) for name, t in instance.textures().items()} == {
+        "a": (255, 255, 255, 255),
+        "b": (128, 128, 255, 255),
+    }
+    instance.a = Texture.solid("#102030")
+    assert texel(instance.textures()["a"]) == (16, 32, 48, 255)
+    assert instance.a is instance.textures()["a"]
+
+
+def test_every_default_of_the_language_is_a_texture() -> None:
+    for name in TEXTURE_DEFAULTS:
+        texture = default_texture(name)
+        assert (texture.width, texture.height, len(texture.levels)) == (1, 1, 1)
+    assert texel(default_texture("gray")) == (128, 128, 128, 255)
+    assert texel(default_texture("black")) == (0, 0, 0, 255)
+    assert texel(default_texture("transparent")) == (0, 0, 0, 0)
+
+
+# --- colours -------------------------------------------------------------------------------------
+
+
+def test_a_literal_is_srgb_and_numbers_are_linear() -> None:
+    literal = Texture.solid("#b5651d80")
+    assert (literal.format, texel(literal)) == ("rgba8unorm-srgb", (0xB5, 0x65, 0x1D, 0x80))
+    (level,) = literal.linear()
+    expected = [*map(linear, (0xB5, 0x65, 0x1D)), 0x80 / 255]
+    assert level[0, 0].tolist() == pytest.approx(expected, rel=1e-15)
+    numbers = Texture.solid((0.25, 0.5, 1))
+    assert (numbers.format, texel(numbers)) == ("rgba8unorm", (64, 128, 255, 255))
+
+
+@pytest.mark.parametrize("color", ["#12", "red", (1, 2), (0, 0, 1.5), (0, 0, float("nan"))])
+def test_what_is_no_colour(color: Any) -> None:
+    with pytest.raises(PictureError, match="colour"):
+        Texture.solid(color)
+
+
+# --- levels --------------------------------------------------------------------------------------
+
+
+def test_levels_halve_rounding_down() -> None:
+    texture = Texture.of_array(np.zeros((5, 12, 3), np.uint8))
+    sizes = [level.shape[:2] for level in texture.linear()]
+    assert sizes == [(5, 12), (2, 6), (1, 3), (1, 1)]
+    image = texture.image()
+    assert [level_size(image, n)[::-1] for n in range(len(image.levels))] == sizes
+    assert [len(level) for level in image.levels] == [4 * h * w for h, w in sizes]
+    assert (image.width, image.height, image.format) == (12, 5, "rgba8unorm")
+
+
+def test_a_level_is_the_mean_of_what_it_covers() -> None:
+    texture = Texture.of_array(np.array([[0, 100], [50, 10]], np.uint8))
+    assert tuple(texture.levels[1]) == (40, 40, 40, 255)
+
+
+def test_of_three_the_middle_counts_no_less() -> None:
+    texture = Texture.of_array(np.array([[0.0, 3.0, 9.0]]))
+    assert texture.linear()[1][0, 0].tolist() == [4.0, 4.0, 4.0, 1.0]
+    five = Texture.of_array(np.array([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0, 0.0]]))
+    assert five.linear()[1][0, :, 0].tolist() == pytest.approx([0.5 * 0.6, 0.5 * 0.2], rel=1e-7)
+
+
+def test_colours_are_averaged_as_light_and_alpha_as_it_is() -> None:
+    array = np.array([[[0, 0, 0, 0], [255, 255, 255, 255]]], np.uint8)
+    assert tuple(Texture.of_array(array).levels[1]) == (128, 128, 128, 128)
+    assert tuple(Texture.of_array(array, srgb=True).levels[1]) == (188, 188, 188, 128)
+
+
+def mean_over(lanes: np.ndarray[Any, Any], axis: int) -> np.ndarray[Any, Any]:
+    """Half the length by areas, on a grid fine enough for every border."""
+    size = lanes.shape[axis]
+    half = max(size // 2, 1)
+    fine = np.repeat(lanes, half, axis)
+    parts = np.split(fine, half, axis)
+    return np.concatenate([part.mean(axis, keepdims=True) for part in parts], axis)
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(1, 40), st.integers(1, 40), st.integers(0, 2**32 - 1))
+def test_all_levels_are_means_by_area(height: int, width: int, seed: int) -> None:
+    array = np.random.default_rng(seed).random((height, width, 4), np.float32)
+    expected = array.astype(np.float64)
+    for level in Texture.of_array(array).linear():
+        assert level == pytest.approx(expected, abs=1e-6)
+        expected = mean_over(mean_over(expected, 0), 1)
+    assert expected.shape[:2] == (1, 1)
+
+
+def test_bands_leave_no_seam() -> None:
+    array = np.random.default_rng(1).integers(0, 256, (1027, 3, 4)).astype(np.uint8)
+    lanes = Texture.of_array(array).linear()
+    expected = mean_over(mean_over(lanes[0], 1), 0)
+    assert np.abs(lanes[1] - expected).max() <= 0.5 / 255 + 1e-12
+
+
+def test_all_bytes_decode_to_themselves() -> None:
+    array = np.arange(256, dtype=np.uint8).reshape(16, 16)
+    for srgb in (False, True):
+        texture = Texture.of_array(array, srgb=srgb)
+        assert (first(texture)[..., 0] == array).all()
+        expected = [linear(c) if srgb else c / 255 for c in range(256)]
+        assert texture.linear()[0][..., 1].ravel().tolist() == pytest.approx(expected, rel=1e-15)
+        constant = Texture.of_array(np.repeat(np.repeat(array, 2, 0), 2, 1), srgb=srgb)
+        assert constant.levels[1] == texture.levels[0]
+
+
+# --- arrays --------------------------------------------------------------------------------------
+
+
+def test_sixteen_bits_are_rounded_to_eight() -> None:
+    array = np.array([[0, 128, 129, 65535]], np.uint16)
+    assert first(Texture.of_array(array))[0, :, 0].tolist() == [0, 0, 1, 255]
+
+
+@pytest.mark.parametrize(
+    ("array", "message"),
+    [
+        (np.zeros((2, 2, 2), np.uint8), "a texture has the shape (height, width) or (height, "
+         "width, 1, 3 or 4), not (2, 2, 2)"),
+        (np.zeros(4, np.uint8), "a texture has the shape (height, width) or (height, width, 1, 3 "
+         "or 4), not (4,)"),
+        (np.zeros((0, 2, 3), np.uint8), "a texture has the shape (height, width) or (height, "
+         "width, 1, 3 or 4), not (0, 2, 3)"),
+        (np.zeros((2, 2), np.int32), "texels are uint8, uint16 or floats, not int32"),
+        (np.full((2, 2), np.nan), "texels are finite float32 numbers, and some of these are not"),
+        (np.full((2, 2), 1e39), "texels are finite float32 numbers, and some of these are not"),
+        (np.zeros((1, 8193), np.uint8), "the array has 8193 x 1 texels, and no side may have more "
+         "than 8192"),
+    ],
+    ids=lambda value: str(value)[:20].replace("\n", " "),
+)  # fmt: skip
+def test_arrays_that_are_no_texture(array: Any, message: str) -> None:
+    with pytest.raises(PictureError) as caught:
+        Texture.of_array(array)
+    assert str(caught.value) == message
+
+
+def test_floats_are_not_srgb() -> None:
+    with pytest.raises(PictureError, match="floats are linear: only those of 8 bits can be sRGB"):
+        Texture.of_array(np.zeros((2, 2)), srgb=True)
+
+
+# --- pictures ------------------------------------------------------------------------------------
+
+
+def saved(path: Path, picture: Image.Image, **options: Any) -> Path:
+    picture.save(path, **options)
+    return path
+
+
+def test_pictures_of_every_mode(tmp_path: Path) -> None:
+    color = Image.new("RGB", (2, 1), (10, 20, 30))
+    palette = color.quantize(4)
+    transparent = Image.new("P", (1, 1), 0)
+    transparent.putpalette([200, 100, 50])
+    sixteen = Image.fromarray(np.array([[257 * 77]], np.uint16))
+    modes = {
+        "rgb": (saved(tmp_path / "rgb.png", color), (10, 20, 30, 255)),
+        "rgba": (
+            saved(tmp_path / "rgba.png", Image.new("RGBA", (1, 1), (1, 2, 3, 4))),
+            (1, 2, 3, 4),
+        ),
+        "palette": (saved(tmp_path / "palette.png", palette), (10, 20, 30, 255)),
+        "keyed": (saved(tmp_path / "keyed.png", transparent, transparency=0), (200, 100, 50, 0)),
+        "grey": (saved(tmp_path / "grey.png", Image.new("L", (1, 1), 77)), (77, 77, 77, 255)),
+        "grey alpha": (saved(tmp_path / "la.png", Image.new("LA", (1, 1), (7, 9))), (7, 7, 7, 9)),
+        "bits": (saved(tmp_path / "one.png", Image.new("1", (1, 1), 1)), (255,) * 4),
+        "sixteen": (saved(tmp_path / "sixteen.png", sixteen), (77, 77, 77, 255)),
+        "bmp": (saved(tmp_path / "rgb.bmp", color), (10, 20, 30, 255)),
+    }
+    for name, (path, expected) in modes.items():
+        texture = Texture.load(path)
+        assert texture.format == "rgba8unorm"
+        assert tuple(first(texture)[0, 0]) == expected, name
+
+
+def test_a_picture_of_floats_keeps_them(tmp_path: Path) -> None:
+    picture = Image.fromarray(np.array([[0.1, 7.5]], np.float32))
+    texture = Texture.load(saved(tmp_path / "floats.tiff", picture))
+    assert texture.format == "rgba32float"
+    assert texture.linear()[0][0, 1].tolist() == [7.5, 7.5, 7.5, 1.0]
+
+
+def test_the_first_row_is_on_top_and_cameras_may_lie(tmp_path: Path) -> None:
+    array = np.array([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [9, 9, 9]]], np.uint8)
+    picture = Image.fromarray(array)
+    assert (first(Texture.load(saved(tmp_path / "a.png", picture)))[..., :3] == array).all()
+    exif = picture.getexif()
+    exif[0x0112] = 3
+    turned = Texture.load(saved(tmp_path / "b.png", picture, exif=exif))
+    assert (first(turned)[..., :3] == array[::-1, ::-1]).all()
+
+
+def test_a_text_says_whether_colours_are_srgb(tmp_path: Path) -> None:
+    path = saved(tmp_path / "a.png", Image.new("RGB", (1, 1), (10, 20, 30)))
+    assert Texture.parse(str(path)).format == "rgba8unorm"
+    assert Texture.parse(f"srgb:{path}").format == "rgba8unorm-srgb"
+    assert Texture.parse(f"srgb:{path}") == Texture.load(path, srgb=True)
+    assert Texture.parse("#0a141e") == Texture.solid("#0a141e")
+
+
+def noise(path: Path) -> bytes:
+    array = np.random.default_rng(0).integers(0, 256, (64, 64, 3)).astype(np.uint8)
+    return saved(path, Image.fromarray(array)).read_bytes()
+
+
+def header(width: int, height: int) -> bytes:
+    """A PNG that says that it is large, and holds next to nothing."""
+    size = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    chunks = b"".join(
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        for kind, data in ((b"IHDR", size), (b"IDAT", zlib.compress(b"")), (b"IEND", b""))
+    )
+    return b"\x89PNG\r\n\x1a\n" + chunks
+
+
+def test_files_that_are_no_texture(tmp_path: Path, recwarn: pytest.WarningsRecorder) -> None:
+    path = tmp_path / "a.png"
+    whole = noise(path)
+    bad: dict[bytes, str] = {
+        b"": f"{path} is not a picture of a known format",
+        b"hello": f"{path} is not a picture of a known format",
+        whole[:20]: f"cannot read {path}: Truncated File Read",
+        whole[: len(whole) // 2]: f"cannot read {path}: image file is truncated",
+        whole.replace(b"IDAT", b"IDAX"): f"{path}",
+        header(10_000, 9_000): f"{path} has 10000 x 9000 texels, and no side may have more than "
+        "8192",
+        header(60_000, 60_000): f"{path} is too large: no side may have over 8192",
+    }
+    for content, message in bad.items():
+        path.write_bytes(content)
+        with pytest.raises(PictureError) as caught:
+            Texture.load(path)
+        assert message in str(caught.value)
+    assert not recwarn.list
+
+
+def test_files_that_cannot_be_opened(tmp_path: Path) -> None:
+    with pytest.raises(PictureError) as caught:
+        Texture.load(tmp_path / "none.png")
+    assert str(caught.value) == f"cannot read {tmp_path / 'none.png'}: No such file or directory"
+    with pytest.raises(PictureError) as caught:
+        Texture.load(tmp_path)
+    assert str(caught.value) == f"cannot read {tmp_path}: Is a directory"
+
+
+def test_damage_is_reported_and_nothing_else_happens(tmp_path: Path) -> None:
+    path = tmp_path / "a.png"
+    whole, chance = noise(path), random.Random(7)
+    refused = 0
+    for _ in range(200):
+        content = bytearray(whole)
+        for _ in range(chance.randint(1, 4)):
+            content[chance.randrange(60)] = chance.randrange(256)
+        path.write_bytes(content)
+        try:
+            Texture.load(path)
+        except PictureError as error:
+            assert str(path) in str(error)
+            refused += 1
+    assert refused > 100
