@@ -1,0 +1,114 @@
+"""Whether a job fits together, asked before a driver sees it.
+
+Drivers read past the end of a short buffer, or quietly take zeros for what nobody has bound, so
+none of this can be left to them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import get_args
+
+from .draw import BlockSlot, Draw, DriverError, Image, Job, Pipeline, TargetFormat
+
+TEXEL_SIZE = {"rgba8unorm": 4, "rgba8unorm-srgb": 4, "rgba32float": 16}
+"""Bytes of a texel of each ``TextureFormat``."""
+
+
+def check(job: Job) -> None:
+    """Raises ``DriverError`` where a draw's bytes do not fit the pipeline."""
+    for target in job.pipeline.targets:
+        if target.format not in get_args(TargetFormat):
+            raise DriverError(f"there is no render target of the format {target.format!r}")
+    for number, draw in enumerate(job.draws):
+        try:
+            _check_draw(job.pipeline, draw)
+        except DriverError as error:
+            raise DriverError(f"draw {number}: {error}") from None
+
+
+def check_names(pipeline: Pipeline) -> None:
+    """Raises ``DriverError`` where the text does not contain a name by which the job binds.
+
+    A driver cannot tell this from a block or texture that its linker has optimised away.
+    """
+    inputs = [slot.identifier for slot in pipeline.inputs]
+    blocks = [slot.place.identifier for slot in pipeline.blocks]
+    textures = [slot.texture.identifier for slot in pipeline.textures]
+    everything = pipeline.vertex.text + pipeline.fragment.text
+    _find("vertex attribute", inputs, pipeline.vertex.text)
+    _find("uniform block", blocks, everything)
+    _find("texture", textures, everything)
+    _find("uniform", pipeline.host_uniforms, everything)
+
+
+def _find(what: str, identifiers: Sequence[str], text: str) -> None:
+    for identifier in identifiers:
+        if not re.search(rf"\b{re.escape(identifier)}\b", text):
+            raise DriverError(f"the shader has no {what} {identifier!r}")
+
+
+def check_block_size(slot: BlockSlot, in_shader: int) -> None:
+    """Raises ``DriverError`` where a shader's block, as its driver lays it out, is the larger."""
+    if in_shader > slot.size:
+        raise DriverError(
+            f"uniform block {slot.place.identifier!r} has {in_shader} bytes in the shader,"
+            f" but only {slot.size} are bound"
+        )
+
+
+def lane_count(format: str) -> int:
+    """How many lanes a ``VertexFormat`` has."""
+    return int(format.partition("x")[2] or 1)
+
+
+def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
+    if draw.width < 1 or draw.height < 1:
+        raise DriverError(f"a picture of {draw.width} x {draw.height} pixels has none")
+    _same_number("vertex buffers", draw.vertices, pipeline.inputs)
+    _same_number("uniform blocks", draw.blocks, pipeline.blocks)
+    _same_number("textures", draw.textures, pipeline.textures)
+    _same_number("clear colours", draw.clear, pipeline.targets)
+    for vertex_input, data in zip(pipeline.inputs, draw.vertices, strict=True):
+        size = 4 * lane_count(vertex_input.format) * draw.vertex_count
+        _same_size(f"vertex attribute {vertex_input.identifier!r}", data, size)
+    for block, data in zip(pipeline.blocks, draw.blocks, strict=True):
+        _same_size(f"uniform block {block.place.identifier!r}", data, block.size)
+    for texture, image in zip(pipeline.textures, draw.textures, strict=True):
+        _check_image(f"texture {texture.texture.identifier!r}", image)
+    _check_indices(draw)
+
+
+def _same_number(what: str, given: Sequence[object], wanted: Sequence[object]) -> None:
+    if len(given) != len(wanted):
+        raise DriverError(f"{len(given)} {what} are given, and the pipeline has {len(wanted)}")
+
+
+def _same_size(what: str, data: bytes, size: int) -> None:
+    if len(data) != size:
+        raise DriverError(f"{what} is given {len(data)} bytes, and takes {size}")
+
+
+def _check_image(what: str, image: Image) -> None:
+    if image.format not in TEXEL_SIZE:
+        raise DriverError(f"{what} has the unknown format {image.format!r}")
+    if not 0 < len(image.levels) <= max(image.width, image.height).bit_length():
+        size = f"{image.width} x {image.height}"
+        raise DriverError(f"{what} of {size} texels cannot have {len(image.levels)} mip levels")
+    for level, data in enumerate(image.levels):
+        width, height = level_size(image, level)
+        _same_size(f"{what}, level {level},", data, width * height * TEXEL_SIZE[image.format])
+
+
+def level_size(image: Image, level: int) -> tuple[int, int]:
+    """Width and height of a mip level."""
+    return max(image.width >> level, 1), max(image.height >> level, 1)
+
+
+def _check_indices(draw: Draw) -> None:
+    if not draw.indices or len(draw.indices) % 12:
+        raise DriverError(f"{len(draw.indices)} bytes of indices are not whole triangles")
+    largest = max(memoryview(draw.indices).cast("I"))
+    if largest >= draw.vertex_count:
+        raise DriverError(f"index {largest} is beyond the {draw.vertex_count} vertices")

@@ -1,0 +1,53 @@
+"""From the texels of a render target to the float32 RGBA of a ``Picture``."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .draw import TargetFormat
+
+Lane = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]
+
+LANES: dict[TargetFormat, Lane] = {
+    "r32float": (1, np.dtype("<f4")),
+    "rg32float": (2, np.dtype("<f4")),
+    "rgba32float": (4, np.dtype("<f4")),
+    "r16float": (1, np.dtype("<f2")),
+    "rg16float": (2, np.dtype("<f2")),
+    "rgba16float": (4, np.dtype("<f2")),
+    "r8unorm": (1, np.dtype("u1")),
+    "rg8unorm": (2, np.dtype("u1")),
+    "rgba8unorm": (4, np.dtype("u1")),
+    "rgba8unorm-srgb": (4, np.dtype("u1")),
+}
+"""How many lanes a texel has, and what each one is."""
+
+
+def to_float(
+    texels: bytes,
+    format: TargetFormat,
+    width: int,
+    height: int,
+    first_row: Literal["top", "bottom"],
+) -> bytes:
+    """A target's tightly packed texels as a shader would read them: float32 RGBA, from the top."""
+    count, kind = LANES[format]
+    lanes = np.frombuffer(texels, kind).reshape(height, width, count)
+    picture = np.zeros((height, width, 4), np.float32)
+    picture[..., 3] = 1.0
+    picture[..., :count] = lanes / np.float32(255.0) if kind == np.uint8 else lanes
+    if format == "rgba8unorm-srgb":
+        picture[..., :3] = _decode_srgb(picture[..., :3])
+    return (picture[::-1] if first_row == "bottom" else picture).tobytes()
+
+
+def _decode_srgb(encoded: NDArray[np.float32]) -> NDArray[np.float64]:
+    """The transfer function of sRGB, IEC 61966-2-1."""
+    wide = encoded.astype(np.float64)
+    linear: NDArray[np.float64] = np.where(
+        wide <= 0.04045, wide / 12.92, ((wide + 0.055) / 1.055) ** 2.4
+    )
+    return linear

@@ -1,0 +1,127 @@
+"""Descriptors: where blocks, textures and samplers are bound, and what is bound there."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from typing import Any
+
+import vulkan as vk
+
+from ..draw import Pipeline, Place, TextureSlot
+from .device import Gpu
+from .memory import Buffer, make_buffer
+from .textures import READ, make_sampler
+
+STAGES = vk.VK_SHADER_STAGE_VERTEX_BIT | vk.VK_SHADER_STAGE_FRAGMENT_BIT
+BLOCK = vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+TEXTURE = vk.VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE
+SAMPLER = vk.VK_DESCRIPTOR_TYPE_SAMPLER
+COMBINED = vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+
+
+@dataclass(frozen=True, slots=True)
+class Bindings:
+    """The descriptor sets of a pipeline, whose contents change from draw to draw."""
+
+    slots: Pipeline
+    layouts: Sequence[Any]
+    """Of the sets, counted from 0 without a gap."""
+    sets: Sequence[Any]
+    blocks: Sequence[Buffer]
+    samplers: Sequence[Any]
+
+    def bind_blocks(self, contents: Sequence[bytes]) -> None:
+        """Replaces the bytes of all blocks."""
+        for buffer, data in zip(self.blocks, contents, strict=True):
+            buffer.write(data)
+
+    def bind_textures(self, gpu: Gpu, views: Sequence[Any]) -> None:
+        """Points the textures' descriptors to these views."""
+        for slot, sampler, view in zip(self.slots.textures, self.samplers, views, strict=True):
+            info = vk.VkDescriptorImageInfo(sampler=sampler, imageView=view, imageLayout=READ)
+            self._write(gpu, slot.texture, _texture_type(slot), pImageInfo=[info])
+
+    def fill(self, gpu: Gpu) -> None:
+        """Points the descriptors that stay the same to the blocks' buffers and the samplers."""
+        for block, buffer in zip(self.slots.blocks, self.blocks, strict=True):
+            part = vk.VkDescriptorBufferInfo(buffer=buffer.handle, range=buffer.size)
+            self._write(gpu, block.place, BLOCK, pBufferInfo=[part])
+        for slot, sampler in zip(self.slots.textures, self.samplers, strict=True):
+            if slot.sampler is not None:
+                info = vk.VkDescriptorImageInfo(sampler=sampler)
+                self._write(gpu, slot.sampler, SAMPLER, pImageInfo=[info])
+
+    def _write(self, gpu: Gpu, place: Place, kind: int, **what: Any) -> None:
+        assert place.group is not None
+        write = vk.VkWriteDescriptorSet(
+            dstSet=self.sets[place.group],
+            dstBinding=place.binding,
+            descriptorCount=1,
+            descriptorType=kind,
+            **what,
+        )
+        vk.vkUpdateDescriptorSets(gpu.device, 1, [write], 0, None)
+
+
+def make_bindings(owned: ExitStack, gpu: Gpu, pipeline: Pipeline) -> Bindings:
+    """Descriptor sets with a buffer for each block and a sampler for each texture."""
+    kinds = list(_descriptors(pipeline))
+    layouts = _layouts(owned, gpu, kinds)
+    block = vk.VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT
+    bindings = Bindings(
+        pipeline,
+        layouts,
+        _sets(owned, gpu, layouts, [kind for _, kind in kinds]),
+        [make_buffer(owned, gpu, block, slot.size) for slot in pipeline.blocks],
+        [make_sampler(owned, gpu, slot) for slot in pipeline.textures],
+    )
+    bindings.fill(gpu)
+    return bindings
+
+
+def _descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
+    """All descriptors with their types."""
+    for block in pipeline.blocks:
+        yield block.place, BLOCK
+    for slot in pipeline.textures:
+        yield slot.texture, _texture_type(slot)
+        if slot.sampler is not None:
+            yield slot.sampler, SAMPLER
+
+
+def _texture_type(slot: TextureSlot) -> int:
+    return int(COMBINED if slot.sampler is None else TEXTURE)
+
+
+def _layouts(owned: ExitStack, gpu: Gpu, kinds: Sequence[tuple[Place, int]]) -> list[Any]:
+    by_set: defaultdict[int, list[Any]] = defaultdict(list)
+    for place, kind in kinds:
+        assert place.group is not None
+        by_set[place.group].append(
+            vk.VkDescriptorSetLayoutBinding(
+                binding=place.binding, descriptorType=kind, descriptorCount=1, stageFlags=STAGES
+            )
+        )
+    count = max(by_set, default=-1) + 1
+    layouts = []
+    for number in range(count):
+        info = vk.VkDescriptorSetLayoutCreateInfo(pBindings=by_set[number])
+        layouts.append(vk.vkCreateDescriptorSetLayout(gpu.device, info, None))
+        owned.callback(vk.vkDestroyDescriptorSetLayout, gpu.device, layouts[-1], None)
+    return layouts
+
+
+def _sets(owned: ExitStack, gpu: Gpu, layouts: Sequence[Any], kinds: Sequence[int]) -> list[Any]:
+    if not layouts:
+        return []
+    sizes = [
+        vk.VkDescriptorPoolSize(type=kind, descriptorCount=kinds.count(kind)) for kind in set(kinds)
+    ]
+    pool_info = vk.VkDescriptorPoolCreateInfo(maxSets=len(layouts), pPoolSizes=sizes)
+    pool = vk.vkCreateDescriptorPool(gpu.device, pool_info, None)
+    owned.callback(vk.vkDestroyDescriptorPool, gpu.device, pool, None)
+    info = vk.VkDescriptorSetAllocateInfo(descriptorPool=pool, pSetLayouts=layouts)
+    return list(vk.vkAllocateDescriptorSets(gpu.device, info))

@@ -1,0 +1,139 @@
+"""The render targets of one size, and how their pictures get back to the host."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from typing import Any
+
+import vulkan as vk
+
+from ..draw import Picture, Target
+from ..readback import LANES, to_float
+from .device import Gpu
+from .formats import DEPTH, TARGETS
+from .memory import Buffer, ImageSpec, make_buffer, make_image
+
+DRAWN = vk.VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
+"""The layout in which the render pass leaves the targets."""
+
+TARGET_USAGE = vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+
+
+@dataclass(frozen=True, slots=True)
+class Canvas:
+    """Targets, a depth buffer, and a buffer for each target to read it back."""
+
+    width: int
+    height: int
+    targets: Sequence[Target]
+    framebuffer: Any
+    images: Sequence[Any]
+    buffers: Sequence[Buffer]
+
+    def read_back(self, commands: Any) -> None:
+        """Records that the targets are copied to where ``picture`` looks."""
+        part = vk.VkImageSubresourceLayers(aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, layerCount=1)
+        copy = vk.VkBufferImageCopy(
+            imageSubresource=part, imageExtent=vk.VkExtent3D(self.width, self.height, 1)
+        )
+        for image, buffer in zip(self.images, self.buffers, strict=True):
+            vk.vkCmdCopyImageToBuffer(commands, image, DRAWN, buffer.handle, 1, [copy])
+        barrier = vk.VkMemoryBarrier(
+            srcAccessMask=vk.VK_ACCESS_TRANSFER_WRITE_BIT, dstAccessMask=vk.VK_ACCESS_HOST_READ_BIT
+        )
+        before, after = vk.VK_PIPELINE_STAGE_TRANSFER_BIT, vk.VK_PIPELINE_STAGE_HOST_BIT
+        vk.vkCmdPipelineBarrier(commands, before, after, 0, 1, [barrier], 0, None, 0, None)
+
+    def picture(self) -> Picture:
+        """What was copied last."""
+        return Picture(
+            self.width,
+            self.height,
+            tuple(
+                to_float(buffer.mapped[:], target.format, self.width, self.height, "top")
+                for target, buffer in zip(self.targets, self.buffers, strict=True)
+            ),
+        )
+
+
+def make_canvas(
+    owned: ExitStack, gpu: Gpu, targets: Sequence[Target], render_pass: Any, size: tuple[int, int]
+) -> Canvas:
+    """A canvas of ``size`` (width, height) pixels for a render pass of these targets."""
+    width, height = size
+    made = [
+        make_image(owned, gpu, ImageSpec(TARGETS[target.format], width, height, TARGET_USAGE))
+        for target in targets
+    ]
+    depth = ImageSpec(
+        DEPTH, width, height, vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+        aspect=vk.VK_IMAGE_ASPECT_DEPTH_BIT,
+    )  # fmt: skip
+    _, depth_view = make_image(owned, gpu, depth)
+    info = vk.VkFramebufferCreateInfo(
+        renderPass=render_pass,
+        pAttachments=[*(view for _, view in made), depth_view],
+        width=width,
+        height=height,
+        layers=1,
+    )
+    framebuffer = vk.vkCreateFramebuffer(gpu.device, info, None)
+    owned.callback(vk.vkDestroyFramebuffer, gpu.device, framebuffer, None)
+    usage = vk.VK_BUFFER_USAGE_TRANSFER_DST_BIT
+    buffers = [
+        make_buffer(owned, gpu, usage, width * height * _texel_size(target)) for target in targets
+    ]
+    return Canvas(width, height, targets, framebuffer, [image for image, _ in made], buffers)
+
+
+def _texel_size(target: Target) -> int:
+    lanes, kind = LANES[target.format]
+    return lanes * int(kind.itemsize)
+
+
+def make_render_pass(owned: ExitStack, gpu: Gpu, targets: Sequence[Target]) -> Any:
+    """Clears targets and depth, draws, and leaves the targets ready to be copied."""
+    colours = [
+        _attachment(TARGETS[target.format], DRAWN, vk.VK_ATTACHMENT_STORE_OP_STORE)
+        for target in targets
+    ]
+    depth_layout = vk.VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
+    depth = _attachment(DEPTH, depth_layout, vk.VK_ATTACHMENT_STORE_OP_DONT_CARE)
+    references = [
+        vk.VkAttachmentReference(index, vk.VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL)
+        for index in range(len(targets))
+    ]
+    subpass = vk.VkSubpassDescription(
+        pipelineBindPoint=vk.VK_PIPELINE_BIND_POINT_GRAPHICS,
+        pColorAttachments=references,
+        pDepthStencilAttachment=vk.VkAttachmentReference(len(targets), depth_layout),
+    )
+    copied = vk.VkSubpassDependency(
+        srcSubpass=0,
+        dstSubpass=vk.VK_SUBPASS_EXTERNAL,
+        srcStageMask=vk.VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+        dstStageMask=vk.VK_PIPELINE_STAGE_TRANSFER_BIT,
+        srcAccessMask=vk.VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
+        dstAccessMask=vk.VK_ACCESS_TRANSFER_READ_BIT,
+    )
+    info = vk.VkRenderPassCreateInfo(
+        pAttachments=[*colours, depth], pSubpasses=[subpass], pDependencies=[copied]
+    )
+    render_pass = vk.vkCreateRenderPass(gpu.device, info, None)
+    owned.callback(vk.vkDestroyRenderPass, gpu.device, render_pass, None)
+    return render_pass
+
+
+def _attachment(vk_format: int, final_layout: int, store: int) -> Any:
+    return vk.VkAttachmentDescription(
+        format=vk_format,
+        samples=vk.VK_SAMPLE_COUNT_1_BIT,
+        loadOp=vk.VK_ATTACHMENT_LOAD_OP_CLEAR,
+        storeOp=store,
+        stencilLoadOp=vk.VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+        stencilStoreOp=vk.VK_ATTACHMENT_STORE_OP_DONT_CARE,
+        initialLayout=vk.VK_IMAGE_LAYOUT_UNDEFINED,
+        finalLayout=final_layout,
+    )

@@ -1,0 +1,190 @@
+"""Opens the instance and the device, never without the validation layer."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import vulkan as vk
+
+from ..draw import Device, DriverError
+from .errors import Messages, explained
+
+VALIDATION_LAYER = "VK_LAYER_KHRONOS_validation"
+INSTALL_LAYER = "apt-get install -y --no-install-recommends vulkan-validationlayers"
+EXTENSIONS = (vk.VK_EXT_DEBUG_UTILS_EXTENSION_NAME, vk.VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME)
+API_VERSION = vk.VK_MAKE_VERSION(1, 1, 0)
+"""The SPIR-V is made for it, and it has viewports of negative height."""
+
+HUNG = 3
+"""The exit code of a process whose device does not come to an end."""
+
+
+@dataclass(frozen=True, slots=True)
+class Gpu:
+    """An open device. What is typed ``Any`` is a handle or a structure of Vulkan's."""
+
+    physical: Any
+    device: Any
+    queue: Any
+    commands: Any
+    """The one command buffer; use ``recording``."""
+    fence: Any
+    properties: Any
+    """``VkPhysicalDeviceProperties``."""
+    memory: Any
+    """``VkPhysicalDeviceMemoryProperties``."""
+    independent_blend: bool
+    """Whether each target may have a blend mode of its own."""
+    messages: Messages
+    seconds: float
+    """How long one submission may take."""
+
+
+def open_gpu(owned: ExitStack, seconds: float) -> Gpu:
+    """Opens the first device of the driver; ``owned`` gets what closes it.
+
+    Raises ``DriverError``, naming what is missing.
+    """
+    messages = Messages()
+    with explained(messages):
+        instance = _instance(owned, messages)
+        physical = vk.vkEnumeratePhysicalDevices(instance)[0]
+        properties = vk.vkGetPhysicalDeviceProperties(physical)
+        if properties.apiVersion < API_VERSION:
+            raise DriverError(f"{properties.deviceName} has no Vulkan 1.1")
+        features = vk.vkGetPhysicalDeviceFeatures(physical)
+        family = _graphics_family(physical)
+        device = _device(owned, physical, family, features.independentBlend)
+        return Gpu(
+            physical=physical,
+            device=device,
+            queue=vk.vkGetDeviceQueue(device, family, 0),
+            commands=_commands(owned, device, family),
+            fence=_fence(owned, device),
+            properties=properties,
+            memory=vk.vkGetPhysicalDeviceMemoryProperties(physical),
+            independent_blend=bool(features.independentBlend),
+            messages=messages,
+            seconds=seconds,
+        )
+
+
+def _instance(owned: ExitStack, messages: Messages) -> Any:
+    layers = {layer.layerName for layer in vk.vkEnumerateInstanceLayerProperties()}
+    if VALIDATION_LAYER not in layers:
+        raise DriverError(
+            f"{VALIDATION_LAYER} is missing, and nothing is drawn without it; "
+            f"to install it: {INSTALL_LAYER}"
+        )
+    messenger = messages.create_info()
+    validation = vk.VkValidationFeaturesEXT(
+        pNext=messenger,  # for what happens before there is a messenger, and after it
+        pEnabledValidationFeatures=[vk.VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT],
+    )
+    application = vk.VkApplicationInfo(pApplicationName="burnish", apiVersion=API_VERSION)
+    info = vk.VkInstanceCreateInfo(
+        pNext=validation,
+        pApplicationInfo=application,
+        ppEnabledLayerNames=[VALIDATION_LAYER],
+        ppEnabledExtensionNames=EXTENSIONS,
+    )
+    instance = vk.vkCreateInstance(info, None)
+    owned.callback(vk.vkDestroyInstance, instance, None)
+    create = vk.vkGetInstanceProcAddr(instance, "vkCreateDebugUtilsMessengerEXT")
+    destroy = vk.vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT")
+    owned.callback(destroy, instance, create(instance, messenger, None), None)
+    return instance
+
+
+def _graphics_family(physical: Any) -> int:
+    families = vk.vkGetPhysicalDeviceQueueFamilyProperties(physical)
+    for index, family in enumerate(families):
+        if family.queueFlags & vk.VK_QUEUE_GRAPHICS_BIT:
+            return index
+    raise DriverError("the device has no queue for graphics")
+
+
+def _device(owned: ExitStack, physical: Any, family: int, independent_blend: int) -> Any:
+    queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=family, pQueuePriorities=[1.0])
+    features = vk.VkPhysicalDeviceFeatures(independentBlend=independent_blend)
+    info = vk.VkDeviceCreateInfo(pQueueCreateInfos=[queue], pEnabledFeatures=features)
+    device = vk.vkCreateDevice(physical, info, None)
+    owned.callback(vk.vkDestroyDevice, device, None)
+    return device
+
+
+def _commands(owned: ExitStack, device: Any, family: int) -> Any:
+    pool_info = vk.VkCommandPoolCreateInfo(
+        flags=vk.VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT, queueFamilyIndex=family
+    )
+    pool = vk.vkCreateCommandPool(device, pool_info, None)
+    owned.callback(vk.vkDestroyCommandPool, device, pool, None)
+    info = vk.VkCommandBufferAllocateInfo(
+        commandPool=pool, level=vk.VK_COMMAND_BUFFER_LEVEL_PRIMARY, commandBufferCount=1
+    )
+    return vk.vkAllocateCommandBuffers(device, info)[0]
+
+
+def _fence(owned: ExitStack, device: Any) -> Any:
+    fence = vk.vkCreateFence(device, vk.VkFenceCreateInfo(), None)
+    owned.callback(vk.vkDestroyFence, device, fence, None)
+    return fence
+
+
+def describe(gpu: Gpu) -> Device:
+    """The device's own words and numbers."""
+    limits = gpu.properties.limits
+    return Device(
+        name=gpu.properties.deviceName,
+        version=_driver_version(gpu),
+        subpixel_bits=limits.subPixelPrecisionBits,
+        subtexel_bits=limits.subTexelPrecisionBits,
+        mip_bits=limits.mipmapPrecisionBits,
+    )
+
+
+def _driver_version(gpu: Gpu) -> str:
+    """The driver's own words if it has some, which it may since Vulkan 1.2."""
+    driver = vk.ffi.new("VkPhysicalDeviceDriverProperties*")
+    driver.sType = vk.VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES
+    properties = vk.ffi.new("VkPhysicalDeviceProperties2*")
+    properties.sType = vk.VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2
+    if gpu.properties.apiVersion >= vk.VK_MAKE_VERSION(1, 2, 0):
+        properties.pNext = driver
+    vk.vkGetPhysicalDeviceProperties2(gpu.physical, properties)
+    name, info = (vk.ffi.string(text).decode() for text in (driver.driverName, driver.driverInfo))
+    return info or f"{name} {_numbers(gpu.properties.driverVersion)}".strip()
+
+
+def _numbers(version: int) -> str:
+    """A version as most drivers pack it, like Vulkan's own: 10, 10 and 12 bits."""
+    return f"{version >> 22}.{version >> 12 & 0x3FF}.{version & 0xFFF}"
+
+
+@contextmanager
+def recording(gpu: Gpu) -> Iterator[Any]:
+    """Yields a command buffer to record into; then runs it and waits for its end."""
+    vk.vkResetCommandBuffer(gpu.commands, 0)
+    once = vk.VkCommandBufferBeginInfo(flags=vk.VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT)
+    vk.vkBeginCommandBuffer(gpu.commands, once)
+    yield gpu.commands
+    vk.vkEndCommandBuffer(gpu.commands)
+    gpu.messages.check()
+    submit = vk.VkSubmitInfo(pCommandBuffers=[gpu.commands])
+    vk.vkQueueSubmit(gpu.queue, 1, [submit], gpu.fence)
+    try:
+        vk.vkWaitForFences(gpu.device, 1, [gpu.fence], True, int(gpu.seconds * 1e9))
+    except vk.VkTimeout:
+        _give_up(gpu.seconds)
+    vk.vkResetFences(gpu.device, 1, [gpu.fence])
+
+
+def _give_up(seconds: float) -> None:
+    """Ends the process at once: what a device still works with cannot be destroyed."""
+    print(f"the device did not finish drawing within {seconds:g} s", file=sys.stderr, flush=True)
+    os._exit(HUNG)

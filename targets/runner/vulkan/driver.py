@@ -1,0 +1,80 @@
+"""A Vulkan driver as ``serve`` takes it: opened at the first request, and anew after a loss."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+from ..draw import Device, DriverError, Job, Picture
+
+if TYPE_CHECKING:
+    from .device import Gpu
+
+
+class VulkanDriver:
+    """Draws with the driver announced by a file; a context manager.
+
+    Which driver Vulkan's loader takes depends on the environment of the process, in which
+    ``VK_DRIVER_FILES`` has to name ``icd`` before the first request.
+    """
+
+    def __init__(self, icd: str, seconds: float) -> None:
+        """``seconds`` is how long one draw may take; the process ends when one takes longer."""
+        self._icd = icd
+        self._seconds = seconds
+        self._owned = ExitStack()
+        self._gpu: Gpu | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Destroys all; raises ``DriverError`` if the validation layer objects to how."""
+        gpu, self._gpu = self._gpu, None
+        self._owned.close()
+        if gpu is not None:
+            gpu.messages.check()
+
+    def device(self) -> Device:
+        """What it draws with. Raises ``DriverError`` where it cannot draw."""
+        gpu = self._opened()
+        from .device import describe
+
+        return describe(gpu)
+
+    def draw(self, job: Job) -> Sequence[Picture]:
+        """A picture for each draw. Raises ``DriverError``, also for any word of the layer's."""
+        gpu = self._opened()
+        from . import errors
+        from .job import draw_job
+
+        try:
+            with errors.explained(gpu.messages):
+                return draw_job(gpu, job)
+        except errors.DeviceLostError:
+            self.close()
+            raise
+
+    def _opened(self) -> Gpu:
+        if self._gpu is None:
+            if not Path(self._icd).is_file():
+                raise DriverError(f"there is no Vulkan driver at {self._icd}")
+            try:
+                from .device import open_gpu
+            except (ImportError, OSError) as error:
+                raise DriverError(f"Vulkan cannot be used: {error}") from error
+            with ExitStack() as owned:
+                self._gpu = open_gpu(owned, self._seconds)
+                self._owned = owned.pop_all()
+        return self._gpu

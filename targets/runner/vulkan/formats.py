@@ -1,0 +1,43 @@
+"""Vulkan's formats for those of ``draw``."""
+
+from __future__ import annotations
+
+import vulkan as vk
+
+from ..draw import TargetFormat, TextureFormat, VertexFormat
+
+DEPTH = vk.VK_FORMAT_D32_SFLOAT
+
+TEXTURES: dict[TextureFormat, int] = {
+    "rgba8unorm": vk.VK_FORMAT_R8G8B8A8_UNORM,
+    "rgba8unorm-srgb": vk.VK_FORMAT_R8G8B8A8_SRGB,
+    "rgba32float": vk.VK_FORMAT_R32G32B32A32_SFLOAT,
+}
+
+TARGETS: dict[TargetFormat, int] = {
+    "r32float": vk.VK_FORMAT_R32_SFLOAT,
+    "rg32float": vk.VK_FORMAT_R32G32_SFLOAT,
+    "rgba32float": vk.VK_FORMAT_R32G32B32A32_SFLOAT,
+    "r16float": vk.VK_FORMAT_R16_SFLOAT,
+    "rg16float": vk.VK_FORMAT_R16G16_SFLOAT,
+    "rgba16float": vk.VK_FORMAT_R16G16B16A16_SFLOAT,
+    "r8unorm": vk.VK_FORMAT_R8_UNORM,
+    "rg8unorm": vk.VK_FORMAT_R8G8_UNORM,
+    "rgba8unorm": vk.VK_FORMAT_R8G8B8A8_UNORM,
+    "rgba8unorm-srgb": vk.VK_FORMAT_R8G8B8A8_SRGB,
+}
+
+VERTICES: dict[VertexFormat, int] = {
+    "float32": vk.VK_FORMAT_R32_SFLOAT,
+    "float32x2": vk.VK_FORMAT_R32G32_SFLOAT,
+    "float32x3": vk.VK_FORMAT_R32G32B32_SFLOAT,
+    "float32x4": vk.VK_FORMAT_R32G32B32A32_SFLOAT,
+    "sint32": vk.VK_FORMAT_R32_SINT,
+    "sint32x2": vk.VK_FORMAT_R32G32_SINT,
+    "sint32x3": vk.VK_FORMAT_R32G32B32_SINT,
+    "sint32x4": vk.VK_FORMAT_R32G32B32A32_SINT,
+    "uint32": vk.VK_FORMAT_R32_UINT,
+    "uint32x2": vk.VK_FORMAT_R32G32_UINT,
+    "uint32x3": vk.VK_FORMAT_R32G32B32_UINT,
+    "uint32x4": vk.VK_FORMAT_R32G32B32A32_UINT,
+}

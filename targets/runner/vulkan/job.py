@@ -1,0 +1,117 @@
+"""Draws a job: what its draws share is made once, and all of it is destroyed at the end."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from typing import Any
+
+import vulkan as vk
+
+from ..checks import check
+from ..draw import Draw, Image, Job, Picture
+from .bindings import make_bindings
+from .canvas import Canvas, make_canvas, make_render_pass
+from .device import Gpu, recording
+from .limits import check_limits
+from .memory import Buffer, filled_buffer
+from .pipeline import make_layout, make_pipeline, viewport
+from .textures import make_texture
+
+INDEX_SIZE = 4
+
+GRAPHICS = vk.VK_PIPELINE_BIND_POINT_GRAPHICS
+MESH = vk.VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | vk.VK_BUFFER_USAGE_INDEX_BUFFER_BIT
+
+
+def draw_job(gpu: Gpu, job: Job) -> list[Picture]:
+    """A picture for each draw. Raises ``DriverError``, and ``VkError`` for calls that fail."""
+    check(job)
+    check_limits(gpu, job)
+    with ExitStack() as owned:
+        painter = _Painter(owned, gpu, job)
+        return [painter.draw(draw) for draw in job.draws]
+
+
+class _Painter:
+    """The pipeline with everything to draw with; draws tend to share meshes and textures."""
+
+    def __init__(self, owned: ExitStack, gpu: Gpu, job: Job) -> None:
+        self._owned = owned
+        self._gpu = gpu
+        self._description = job.pipeline
+        self._render_pass = make_render_pass(owned, gpu, job.pipeline.targets)
+        self._bindings = make_bindings(owned, gpu, job.pipeline)
+        self._layout = make_layout(owned, gpu, self._bindings.layouts)
+        self._pipeline = make_pipeline(owned, gpu, job.pipeline, self._layout, self._render_pass)
+        self._canvases: dict[tuple[int, int], Canvas] = {}
+        self._textures: dict[Image, Any] = {}
+        self._buffers: dict[bytes, Buffer] = {}
+
+    def draw(self, draw: Draw) -> Picture:
+        """One picture."""
+        gpu = self._gpu
+        self._bindings.bind_blocks(draw.blocks)
+        self._bindings.bind_textures(gpu, [self._texture(image) for image in draw.textures])
+        canvas = self._canvas(draw.width, draw.height)
+        with recording(gpu) as commands:
+            self._render(commands, canvas, draw)
+            canvas.read_back(commands)
+        return canvas.picture()
+
+    def _render(self, commands: Any, canvas: Canvas, draw: Draw) -> None:
+        area = vk.VkRect2D(extent=vk.VkExtent2D(draw.width, draw.height))
+        begin = vk.VkRenderPassBeginInfo(
+            renderPass=self._render_pass,
+            framebuffer=canvas.framebuffer,
+            renderArea=area,
+            pClearValues=_clear_values(draw.clear),
+        )
+        vk.vkCmdBeginRenderPass(commands, begin, vk.VK_SUBPASS_CONTENTS_INLINE)
+        view = viewport(self._description, draw.width, draw.height)
+        vk.vkCmdSetViewport(commands, 0, 1, [view])
+        vk.vkCmdSetScissor(commands, 0, 1, [area])
+        self._draw_mesh(commands, draw)
+        vk.vkCmdEndRenderPass(commands)
+
+    def _draw_mesh(self, commands: Any, draw: Draw) -> None:
+        vk.vkCmdBindPipeline(commands, GRAPHICS, self._pipeline)
+        if sets := self._bindings.sets:
+            vk.vkCmdBindDescriptorSets(
+                commands, GRAPHICS, self._layout, 0, len(sets), sets, 0, None
+            )
+        if vertices := [self._buffer(data).handle for data in draw.vertices]:
+            offsets = [0] * len(vertices)
+            vk.vkCmdBindVertexBuffers(commands, 0, len(vertices), vertices, offsets)
+        indices = self._buffer(draw.indices).handle
+        vk.vkCmdBindIndexBuffer(commands, indices, 0, vk.VK_INDEX_TYPE_UINT32)
+        vk.vkCmdDrawIndexed(commands, len(draw.indices) // INDEX_SIZE, 1, 0, 0, 0)
+
+    def _canvas(self, *size: int) -> Canvas:
+        width, height = size
+        if (width, height) not in self._canvases:
+            self._canvases[width, height] = make_canvas(
+                self._owned,
+                self._gpu,
+                self._description.targets,
+                self._render_pass,
+                (width, height),
+            )
+        return self._canvases[width, height]
+
+    def _texture(self, image: Image) -> Any:
+        if image not in self._textures:
+            self._textures[image] = make_texture(self._owned, self._gpu, image)
+        return self._textures[image]
+
+    def _buffer(self, data: bytes) -> Buffer:
+        if data not in self._buffers:
+            self._buffers[data] = filled_buffer(self._owned, self._gpu, MESH, data)
+        return self._buffers[data]
+
+
+def _clear_values(colours: Sequence[Sequence[float]]) -> list[Any]:
+    """The targets' colours, and the depth buffer's 1."""
+    cleared = [vk.VkClearValue(color=vk.VkClearColorValue(float32=list(each))) for each in colours]
+    far = vk.VkClearValue(depthStencil=vk.VkClearDepthStencilValue(depth=1.0))
+    return [*cleared, far]

@@ -1,0 +1,99 @@
+"""What a device cannot do of a job, said in words before it is asked to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import vulkan as vk
+
+from ...toolchain.spirv import SpirvError
+from ..checks import check_block_size
+from ..draw import DriverError, Image, Job, Pipeline, TextureSlot
+from .blocks import block_sizes
+from .device import Gpu
+from .formats import TARGETS, TEXTURES
+
+LINEAR = vk.VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT
+
+
+def check_limits(gpu: Gpu, job: Job) -> None:
+    """Raises ``DriverError`` unless the device can draw all of the job."""
+    check_blocks(job.pipeline)
+    problems = list(_pipeline_problems(gpu, job.pipeline))
+    for number, draw in enumerate(job.draws):
+        found = list(_size_problems(gpu, "the picture", draw.width, draw.height))
+        for slot, image in zip(job.pipeline.textures, draw.textures, strict=True):
+            found += _texture_problems(gpu, slot, image)
+        problems += (f"draw {number}: {problem}" for problem in found)
+    if problems:
+        raise DriverError("\n".join(problems))
+
+
+def check_blocks(pipeline: Pipeline) -> None:
+    """Raises ``DriverError`` where a stage reads more of a block than there is."""
+    slots = {(slot.place.group, slot.place.binding): slot for slot in pipeline.blocks}
+    for stage, code in (("vertex", pipeline.vertex), ("fragment", pipeline.fragment)):
+        try:
+            sizes = block_sizes(code.spirv)
+        except SpirvError as error:
+            raise DriverError(f"the {stage} shader: {error}") from error
+        for place, size in sizes.items():
+            if place in slots:
+                check_block_size(slots[place], size)
+
+
+def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
+    limits = gpu.properties.limits
+    for slot in pipeline.blocks:
+        if slot.size > limits.maxUniformBufferRange:
+            yield (
+                f"uniform block {slot.place.identifier!r} has {slot.size} bytes, and the device "
+                f"takes at most {limits.maxUniformBufferRange}"
+            )
+    places = [slot.place for slot in pipeline.blocks]
+    places += [slot.texture for slot in pipeline.textures]
+    places += [slot.sampler for slot in pipeline.textures if slot.sampler is not None]
+    for place in places:
+        if place.group is None or place.binding is None:
+            yield f"{place.identifier!r} has no descriptor set and binding"
+        elif place.group >= limits.maxBoundDescriptorSets:
+            yield (
+                f"{place.identifier!r} is in descriptor set {place.group}, and the device has "
+                f"{limits.maxBoundDescriptorSets}"
+            )
+    yield from _target_problems(gpu, pipeline)
+
+
+def _target_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
+    count, most = len(pipeline.targets), gpu.properties.limits.maxColorAttachments
+    if count > most:
+        yield f"there are {count} targets, and the device has at most {most}"
+    for target in pipeline.targets:
+        features = _features(gpu, TARGETS[target.format])
+        blends = features & vk.VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT
+        if not features & vk.VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT:
+            yield f"the device cannot draw to {target.format}"
+        elif target.blend != "none" and not blends:
+            yield f"the device cannot blend in {target.format}"
+    if len({target.blend for target in pipeline.targets}) > 1 and not gpu.independent_blend:
+        yield "the device can only blend all targets alike"
+
+
+def _texture_problems(gpu: Gpu, slot: TextureSlot, image: Image) -> Iterator[str]:
+    name = repr(slot.texture.identifier)
+    yield from _size_problems(gpu, f"texture {name}", image.width, image.height)
+    wants_linear = "linear" in (slot.filter, slot.mip)
+    if wants_linear and not _features(gpu, TEXTURES[image.format]) & LINEAR:
+        yield f"the device cannot filter {image.format} linearly, as texture {name} wants it"
+
+
+def _size_problems(gpu: Gpu, what: str, width: int, height: int) -> Iterator[str]:
+    most = gpu.properties.limits.maxImageDimension2D
+    if not (1 <= width <= most and 1 <= height <= most):
+        yield f"{what} is {width} × {height}, and the device takes 1 × 1 to {most} × {most}"
+
+
+def _features(gpu: Gpu, vk_format: int) -> Any:
+    """What the device can do with images of a format: ``VK_FORMAT_FEATURE`` bits."""
+    return vk.vkGetPhysicalDeviceFormatProperties(gpu.physical, vk_format).optimalTilingFeatures

@@ -1,0 +1,113 @@
+"""Buffers and images with memory of their own, destroyed by the ``ExitStack`` they are made for."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import dataclass
+from typing import Any
+
+import vulkan as vk
+
+from ..draw import DriverError
+from .device import Gpu
+
+MAPPED = vk.VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | vk.VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
+
+
+@dataclass(frozen=True, slots=True)
+class Buffer:
+    """A buffer whose bytes the host sees."""
+
+    handle: Any
+    size: int
+    mapped: Any
+    """Its bytes, writable."""
+
+    def write(self, data: bytes) -> None:
+        """Replaces the first bytes. Nothing may be drawing with them."""
+        self.mapped[0 : len(data)] = data
+
+
+def make_buffer(owned: ExitStack, gpu: Gpu, usage: int, size: int) -> Buffer:
+    """A buffer of ``size`` bytes for a use, a ``VK_BUFFER_USAGE`` bit."""
+    info = vk.VkBufferCreateInfo(size=size, usage=usage, sharingMode=vk.VK_SHARING_MODE_EXCLUSIVE)
+    handle = vk.vkCreateBuffer(gpu.device, info, None)
+    owned.callback(vk.vkDestroyBuffer, gpu.device, handle, None)
+    needs = vk.vkGetBufferMemoryRequirements(gpu.device, handle)
+    memory = _allocate(owned, gpu, needs, MAPPED)
+    vk.vkBindBufferMemory(gpu.device, handle, memory, 0)
+    return Buffer(handle, size, vk.vkMapMemory(gpu.device, memory, 0, size, 0))
+
+
+def filled_buffer(owned: ExitStack, gpu: Gpu, usage: int, data: bytes) -> Buffer:
+    """A buffer of just these bytes."""
+    buffer = make_buffer(owned, gpu, usage, len(data))
+    buffer.write(data)
+    return buffer
+
+
+@dataclass(frozen=True, slots=True)
+class ImageSpec:
+    """A two-dimensional image to make."""
+
+    format: int
+    """Vulkan's."""
+    width: int
+    height: int
+    usage: int
+    """``VK_IMAGE_USAGE`` bits."""
+    levels: int = 1
+    aspect: int = vk.VK_IMAGE_ASPECT_COLOR_BIT
+
+    def subresources(self) -> Any:
+        """A ``VkImageSubresourceRange`` of all levels."""
+        return vk.VkImageSubresourceRange(
+            aspectMask=self.aspect, levelCount=self.levels, layerCount=1
+        )
+
+
+def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
+    """The image and a view of all of it."""
+    info = vk.VkImageCreateInfo(
+        imageType=vk.VK_IMAGE_TYPE_2D,
+        format=spec.format,
+        extent=vk.VkExtent3D(spec.width, spec.height, 1),
+        mipLevels=spec.levels,
+        arrayLayers=1,
+        samples=vk.VK_SAMPLE_COUNT_1_BIT,
+        tiling=vk.VK_IMAGE_TILING_OPTIMAL,
+        usage=spec.usage,
+        sharingMode=vk.VK_SHARING_MODE_EXCLUSIVE,
+        initialLayout=vk.VK_IMAGE_LAYOUT_UNDEFINED,
+    )
+    image = vk.vkCreateImage(gpu.device, info, None)
+    owned.callback(vk.vkDestroyImage, gpu.device, image, None)
+    needs = vk.vkGetImageMemoryRequirements(gpu.device, image)
+    memory = _allocate(owned, gpu, needs, vk.VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)
+    vk.vkBindImageMemory(gpu.device, image, memory, 0)
+    view_info = vk.VkImageViewCreateInfo(
+        image=image,
+        viewType=vk.VK_IMAGE_VIEW_TYPE_2D,
+        format=spec.format,
+        subresourceRange=spec.subresources(),
+    )
+    view = vk.vkCreateImageView(gpu.device, view_info, None)
+    owned.callback(vk.vkDestroyImageView, gpu.device, view, None)
+    return image, view
+
+
+def _allocate(owned: ExitStack, gpu: Gpu, needs: Any, properties: int) -> Any:
+    info = vk.VkMemoryAllocateInfo(
+        allocationSize=needs.size, memoryTypeIndex=_memory_type(gpu, needs, properties)
+    )
+    memory = vk.vkAllocateMemory(gpu.device, info, None)
+    owned.callback(vk.vkFreeMemory, gpu.device, memory, None)
+    return memory
+
+
+def _memory_type(gpu: Gpu, needs: Any, properties: int) -> int:
+    for index in range(gpu.memory.memoryTypeCount):
+        allowed = needs.memoryTypeBits >> index & 1
+        if allowed and gpu.memory.memoryTypes[index].propertyFlags & properties == properties:
+            return index
+    raise DriverError("the device has no memory of the kind that is needed")

@@ -1,0 +1,154 @@
+"""The graphics pipeline: shaders, vertex inputs and all of the fixed functions' state."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from typing import Any, Literal
+
+import vulkan as vk
+
+from ..checks import lane_count
+from ..draw import Blend, Code, Cull, Pipeline, VertexInput
+from .device import Gpu
+from .formats import VERTICES
+
+CULL: dict[Cull, int] = {
+    "none": vk.VK_CULL_MODE_NONE,
+    "back": vk.VK_CULL_MODE_BACK_BIT,
+    "front": vk.VK_CULL_MODE_FRONT_BIT,
+}
+
+ZERO, ONE = vk.VK_BLEND_FACTOR_ZERO, vk.VK_BLEND_FACTOR_ONE
+ALPHA, REST = vk.VK_BLEND_FACTOR_SRC_ALPHA, vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA
+UNDERNEATH = vk.VK_BLEND_FACTOR_DST_COLOR, vk.VK_BLEND_FACTOR_DST_ALPHA
+
+BLENDS: dict[Blend, tuple[int, int, int, int]] = {
+    "none": (ONE, ZERO, ONE, ZERO),
+    "alpha": (ALPHA, REST, ONE, REST),
+    "premultiplied": (ONE, REST, ONE, REST),
+    "add": (ONE, ONE, ONE, ONE),
+    "multiply": (UNDERNEATH[0], ZERO, UNDERNEATH[1], ZERO),
+}
+"""Factors of colour's source and destination, then of alpha's; their products are added."""
+
+ALL_LANES = (
+    vk.VK_COLOR_COMPONENT_R_BIT
+    | vk.VK_COLOR_COMPONENT_G_BIT
+    | vk.VK_COLOR_COMPONENT_B_BIT
+    | vk.VK_COLOR_COMPONENT_A_BIT
+)
+
+
+FRONT: dict[Literal["ccw", "cw"], int] = {
+    "ccw": vk.VK_FRONT_FACE_COUNTER_CLOCKWISE,
+    "cw": vk.VK_FRONT_FACE_CLOCKWISE,
+}
+"""Windings, which Vulkan judges by the framebuffer as seen, so after what ``viewport`` does."""
+
+
+def viewport(pipeline: Pipeline, width: int, height: int) -> Any:
+    """A ``VkViewport`` after which the first row is the top one.
+
+    Vulkan's clip y points down: the height is negative for a text that has not been flipped.
+    """
+    if pipeline.flip_y:
+        return vk.VkViewport(0.0, 0.0, float(width), float(height), 0.0, 1.0)
+    return vk.VkViewport(0.0, float(height), float(width), -float(height), 0.0, 1.0)
+
+
+def make_layout(owned: ExitStack, gpu: Gpu, sets: Sequence[Any]) -> Any:
+    """A pipeline layout of descriptor sets' layouts."""
+    info = vk.VkPipelineLayoutCreateInfo(pSetLayouts=sets)
+    layout = vk.vkCreatePipelineLayout(gpu.device, info, None)
+    owned.callback(vk.vkDestroyPipelineLayout, gpu.device, layout, None)
+    return layout
+
+
+def make_pipeline(
+    owned: ExitStack, gpu: Gpu, pipeline: Pipeline, layout: Any, render_pass: Any
+) -> Any:
+    """The pipeline; viewport and scissors are set when drawing.
+
+    Structures that stand in lists have names here because the binding copies them, and what they
+    point to lives as long as they do.
+    """
+    with ExitStack() as modules:
+        stages = [
+            _stage(modules, gpu, vk.VK_SHADER_STAGE_VERTEX_BIT, pipeline.vertex),
+            _stage(modules, gpu, vk.VK_SHADER_STAGE_FRAGMENT_BIT, pipeline.fragment),
+        ]
+        gpu.messages.check()
+        blends = [_blend(target.blend) for target in pipeline.targets]
+        dynamic = (vk.VK_DYNAMIC_STATE_VIEWPORT, vk.VK_DYNAMIC_STATE_SCISSOR)
+        info = vk.VkGraphicsPipelineCreateInfo(
+            pStages=stages,
+            pVertexInputState=_vertex_inputs(pipeline.inputs),
+            pInputAssemblyState=vk.VkPipelineInputAssemblyStateCreateInfo(
+                topology=vk.VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST
+            ),
+            pViewportState=vk.VkPipelineViewportStateCreateInfo(viewportCount=1, scissorCount=1),
+            pRasterizationState=_rasterization(pipeline),
+            pMultisampleState=vk.VkPipelineMultisampleStateCreateInfo(
+                rasterizationSamples=vk.VK_SAMPLE_COUNT_1_BIT
+            ),
+            pDepthStencilState=vk.VkPipelineDepthStencilStateCreateInfo(
+                depthTestEnable=vk.VK_TRUE,
+                depthWriteEnable=vk.VK_TRUE,
+                depthCompareOp=vk.VK_COMPARE_OP_LESS,
+            ),
+            pColorBlendState=vk.VkPipelineColorBlendStateCreateInfo(pAttachments=blends),
+            pDynamicState=vk.VkPipelineDynamicStateCreateInfo(pDynamicStates=dynamic),
+            layout=layout,
+            renderPass=render_pass,
+        )
+        infos = [info]
+        handle = vk.vkCreateGraphicsPipelines(gpu.device, None, 1, infos, None)[0]
+    owned.callback(vk.vkDestroyPipeline, gpu.device, handle, None)
+    return handle
+
+
+def _stage(modules: ExitStack, gpu: Gpu, stage: int, code: Code) -> Any:
+    info = vk.VkShaderModuleCreateInfo(codeSize=len(code.spirv), pCode=code.spirv)
+    module = vk.vkCreateShaderModule(gpu.device, info, None)
+    modules.callback(vk.vkDestroyShaderModule, gpu.device, module, None)
+    return vk.VkPipelineShaderStageCreateInfo(stage=stage, module=module, pName=code.entry)
+
+
+def _vertex_inputs(inputs: Sequence[VertexInput]) -> Any:
+    bindings = [
+        vk.VkVertexInputBindingDescription(
+            binding, 4 * lane_count(each.format), vk.VK_VERTEX_INPUT_RATE_VERTEX
+        )
+        for binding, each in enumerate(inputs)
+    ]
+    attributes = [
+        vk.VkVertexInputAttributeDescription(each.location, binding, VERTICES[each.format], 0)
+        for binding, each in enumerate(inputs)
+    ]
+    return vk.VkPipelineVertexInputStateCreateInfo(
+        pVertexBindingDescriptions=bindings, pVertexAttributeDescriptions=attributes
+    )
+
+
+def _rasterization(pipeline: Pipeline) -> Any:
+    return vk.VkPipelineRasterizationStateCreateInfo(
+        polygonMode=vk.VK_POLYGON_MODE_FILL,
+        cullMode=CULL[pipeline.cull],
+        frontFace=FRONT[pipeline.front_face],
+        lineWidth=1.0,
+    )
+
+
+def _blend(blend: Blend) -> Any:
+    colour_source, colour_below, alpha_source, alpha_below = BLENDS[blend]
+    return vk.VkPipelineColorBlendAttachmentState(
+        blendEnable=blend != "none",
+        srcColorBlendFactor=colour_source,
+        dstColorBlendFactor=colour_below,
+        colorBlendOp=vk.VK_BLEND_OP_ADD,
+        srcAlphaBlendFactor=alpha_source,
+        dstAlphaBlendFactor=alpha_below,
+        alphaBlendOp=vk.VK_BLEND_OP_ADD,
+        colorWriteMask=ALL_LANES,
+    )

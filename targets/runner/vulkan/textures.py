@@ -1,0 +1,109 @@
+"""Textures with their mip levels, and samplers."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from typing import Any
+
+import vulkan as vk
+
+from ..checks import level_size
+from ..draw import Filter, Image, Mip, TextureSlot, Wrap
+from .device import Gpu, recording
+from .formats import TEXTURES
+from .memory import ImageSpec, filled_buffer, make_image
+
+READ = vk.VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL
+WRITTEN = vk.VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL
+
+FILTERS: dict[Filter, int] = {"linear": vk.VK_FILTER_LINEAR, "nearest": vk.VK_FILTER_NEAREST}
+MIPS: dict[Mip, int] = {
+    "linear": vk.VK_SAMPLER_MIPMAP_MODE_LINEAR,
+    "nearest": vk.VK_SAMPLER_MIPMAP_MODE_NEAREST,
+    "none": vk.VK_SAMPLER_MIPMAP_MODE_NEAREST,
+}
+WRAPS: dict[Wrap, int] = {
+    "repeat": vk.VK_SAMPLER_ADDRESS_MODE_REPEAT,
+    "clamp": vk.VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+    "mirror": vk.VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT,
+}
+
+
+def make_sampler(owned: ExitStack, gpu: Gpu, slot: TextureSlot) -> Any:
+    """The sampler that a slot describes. Without mip levels it reads none but the first."""
+    wrap = WRAPS[slot.wrap]
+    info = vk.VkSamplerCreateInfo(
+        magFilter=FILTERS[slot.filter],
+        minFilter=FILTERS[slot.filter],
+        mipmapMode=MIPS[slot.mip],
+        addressModeU=wrap,
+        addressModeV=wrap,
+        addressModeW=wrap,
+        maxLod=0.0 if slot.mip == "none" else vk.VK_LOD_CLAMP_NONE,
+    )
+    sampler = vk.vkCreateSampler(gpu.device, info, None)
+    owned.callback(vk.vkDestroySampler, gpu.device, sampler, None)
+    return sampler
+
+
+def make_texture(owned: ExitStack, gpu: Gpu, image: Image) -> Any:
+    """A view of a texture with its texels uploaded."""
+    spec = ImageSpec(
+        TEXTURES[image.format], image.width, image.height,
+        vk.VK_IMAGE_USAGE_TRANSFER_DST_BIT | vk.VK_IMAGE_USAGE_SAMPLED_BIT, len(image.levels),
+    )  # fmt: skip
+    handle, view = make_image(owned, gpu, spec)
+    usage = vk.VK_BUFFER_USAGE_TRANSFER_SRC_BIT
+    with ExitStack() as scratch, recording(gpu) as commands:
+        staging = filled_buffer(scratch, gpu, usage, b"".join(image.levels))
+        _to_be_written(commands, handle, spec)
+        copies = _copies(image)
+        vk.vkCmdCopyBufferToImage(commands, staging.handle, handle, WRITTEN, len(copies), copies)
+        _to_be_read(commands, handle, spec)
+    return view
+
+
+def _copies(image: Image) -> list[Any]:
+    """A ``VkBufferImageCopy`` for each level, which lie one behind the other."""
+    copies = []
+    offset = 0
+    for level, data in enumerate(image.levels):
+        part = vk.VkImageSubresourceLayers(
+            aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, mipLevel=level, layerCount=1
+        )
+        copies.append(
+            vk.VkBufferImageCopy(
+                bufferOffset=offset,
+                imageSubresource=part,
+                imageExtent=vk.VkExtent3D(*level_size(image, level), 1),
+            )
+        )
+        offset += len(data)
+    return copies
+
+
+def _to_be_written(commands: Any, image: Any, spec: ImageSpec) -> None:
+    barrier = _barrier(image, spec, (vk.VK_IMAGE_LAYOUT_UNDEFINED, WRITTEN))
+    barrier.dstAccessMask = vk.VK_ACCESS_TRANSFER_WRITE_BIT
+    before, after = vk.VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, vk.VK_PIPELINE_STAGE_TRANSFER_BIT
+    vk.vkCmdPipelineBarrier(commands, before, after, 0, 0, None, 0, None, 1, [barrier])
+
+
+def _to_be_read(commands: Any, image: Any, spec: ImageSpec) -> None:
+    barrier = _barrier(image, spec, (WRITTEN, READ))
+    barrier.srcAccessMask = vk.VK_ACCESS_TRANSFER_WRITE_BIT
+    barrier.dstAccessMask = vk.VK_ACCESS_SHADER_READ_BIT
+    before, after = vk.VK_PIPELINE_STAGE_TRANSFER_BIT, vk.VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT
+    vk.vkCmdPipelineBarrier(commands, before, after, 0, 0, None, 0, None, 1, [barrier])
+
+
+def _barrier(image: Any, spec: ImageSpec, layouts: tuple[int, int]) -> Any:
+    """A ``VkImageMemoryBarrier`` from one layout to another."""
+    return vk.VkImageMemoryBarrier(
+        oldLayout=layouts[0],
+        newLayout=layouts[1],
+        srcQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+        dstQueueFamilyIndex=vk.VK_QUEUE_FAMILY_IGNORED,
+        image=image,
+        subresourceRange=spec.subresources(),
+    )

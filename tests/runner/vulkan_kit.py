@@ -1,0 +1,223 @@
+"""Workers for the Vulkan drivers, and small scenes whose pictures can be told by heart."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import struct
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from burnish.targets import toolchain
+from burnish.targets.runner.draw import (
+    Code,
+    Device,
+    Draw,
+    DriverError,
+    Image,
+    Job,
+    Picture,
+    Pipeline,
+    Target,
+    VertexInput,
+)
+from burnish.targets.runner.routes import DRIVERS
+from burnish.targets.runner.wire import from_json, to_json
+from burnish.targets.toolchain import Toolchain
+from burnish.targets.toolchain.tools import inspect_all, tool_named
+from burnish.targets.toolchain.workers import Answer, Worker
+
+Floats = npt.NDArray[np.float32]
+
+TIME_LIMIT = 60.0
+SIZE = 8
+
+FLAT = """#version 450
+layout(location = 0) in vec3 place;
+void main() { gl_Position = vec4(place, 1.0); }
+"""
+
+PAINTED = """#version 450
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec4 paint;
+layout(location = 0) out vec4 colour;
+void main() { gl_Position = vec4(place, 1.0); colour = paint; }
+"""
+
+PAINT = """#version 450
+layout(location = 0) in vec4 colour;
+layout(location = 0) out vec4 target;
+void main() { target = colour; }
+"""
+
+
+class Asker:
+    """A driver in a worker of its own."""
+
+    def __init__(self, driver: str) -> None:
+        row = DRIVERS[driver]
+        states = inspect_all(map(tool_named, row.needs))
+        problems = [state.problem for state in states.values() if state.problem]
+        assert not problems, "; ".join(problems)
+        self.driver = driver
+        self.command = row.command(states)
+        self._worker = Worker(lambda: self.command)
+
+    def answer(self, request: dict[str, Any], time_limit: float = TIME_LIMIT) -> Answer:
+        """Whatever becomes of a request."""
+        return self._worker.ask(request, time_limit)
+
+    def device(self) -> Device:
+        """What the worker draws with."""
+        return from_json(Device, self._reply({})["device"])
+
+    def draw(self, job: Job) -> list[Picture]:
+        """The job's pictures. Raises ``DriverError`` as the worker does."""
+        reply = self._reply({"job": to_json(job)})
+        return [from_json(Picture, picture) for picture in reply["pictures"]]
+
+    def one(self, pipeline: Pipeline, draw: Draw, target: int = 0) -> Floats:
+        """The only picture's target as an array of rows, columns and lanes."""
+        (picture,) = self.draw(Job(pipeline, (draw,)))
+        return pixels(picture, target)
+
+    def kill(self) -> None:
+        """Has the worker's process killed from outside."""
+        os.kill(self._process(), signal.SIGKILL)
+
+    def resident_bytes(self) -> int:
+        """How much memory the worker's process has."""
+        status = Path(f"/proc/{self._process()}/status").read_text()
+        found = re.search(r"VmRSS:\s+(\d+) kB", status)
+        assert found
+        return int(found[1]) * 1024
+
+    def close(self) -> None:
+        """Ends the worker."""
+        self._worker.close()
+
+    def _process(self) -> int:
+        child = self._worker._child
+        assert child is not None
+        return child.pid
+
+    def _reply(self, request: dict[str, Any]) -> dict[str, Any]:
+        answer = self.answer(request)
+        assert answer.ending == "ended", answer.log
+        if "error" in answer.reply:
+            raise DriverError(answer.reply["error"])
+        return dict(answer.reply)
+
+
+def pixels(picture: Picture, target: int = 0) -> Floats:
+    """A target as an array of rows, columns and lanes."""
+    values = np.frombuffer(picture.targets[target], np.float32)
+    return values.reshape(picture.height, picture.width, 4)
+
+
+@cache
+def tools() -> Toolchain:
+    """The downstream compilers."""
+    return Toolchain()
+
+
+@cache
+def spirv(
+    stage: str,
+    text: str,
+    checker: str = "glslang-vulkan",
+    entry: str = "main",
+    flags: tuple[str, ...] = (),
+) -> bytes:
+    """What a compiler makes of a text."""
+    job = toolchain.Job(checker=checker, stage=stage, text=text, entry=entry, flags=flags)
+    (verdict,) = tools().check([job], keep_spirv=True)
+    assert verdict.spirv is not None, verdict.report()
+    return verdict.spirv
+
+
+def glsl(stage: str, text: str) -> Code:
+    """A stage in GLSL."""
+    return Code("main", spirv=spirv(stage, text))
+
+
+PLACE = VertexInput("place", 0, "float32x3")
+PAINTS = VertexInput("paint", 1, "float32x4")
+
+WHITE = """#version 450
+layout(location = 0) out vec4 target;
+void main() { target = vec4(1.0); }
+"""
+
+
+def flat_pipeline(fragment: str = WHITE, **more: Any) -> Pipeline:
+    """Draws what has nothing but places in clip space."""
+    targets = more.pop("targets", (Target("rgba32float"),))
+    return Pipeline(
+        vertex=glsl("vert", more.pop("vertex", FLAT)),
+        fragment=glsl("frag", fragment),
+        inputs=(PLACE,),
+        blocks=more.pop("blocks", ()),
+        textures=more.pop("textures", ()),
+        targets=targets,
+        **more,
+    )
+
+
+def painted_pipeline(*targets: Target, **more: Any) -> Pipeline:
+    """Draws vertices that have colours."""
+    return Pipeline(
+        vertex=glsl("vert", PAINTED),
+        fragment=glsl("frag", PAINT),
+        inputs=(PLACE, PAINTS),
+        blocks=(),
+        textures=(),
+        targets=targets or (Target("rgba32float"),),
+        **more,
+    )
+
+
+def quad(left: float, bottom: float, right: float, top: float, depth: float) -> list[list[float]]:
+    """Two triangles' corners in clip space, counter-clockwise with y up."""
+    a, b = [left, bottom, depth], [right, bottom, depth]
+    c, d = [right, top, depth], [left, top, depth]
+    return [a, b, c, a, c, d]
+
+
+WHOLE = quad(-1, -1, 1, 1, 0.5)
+
+
+def draw_of(
+    places: Sequence[Sequence[float]],
+    paints: Sequence[Sequence[float]] | None = None,
+    *,
+    size: tuple[int, int] = (SIZE, SIZE),
+    clear: Sequence[Sequence[float]] = ((0.0, 0.0, 0.0, 0.0),),
+    blocks: Sequence[bytes] = (),
+    textures: Sequence[Image] = (),
+) -> Draw:
+    """A draw of triangles, each with its own three vertices."""
+    streams = [places] if paints is None else [places, paints]
+    return Draw(
+        width=size[0],
+        height=size[1],
+        vertex_count=len(places),
+        vertices=tuple(
+            floats(*(lane for vertex in stream for lane in vertex)) for stream in streams
+        ),
+        indices=struct.pack(f"<{len(places)}I", *range(len(places))),
+        blocks=tuple(blocks),
+        textures=tuple(textures),
+        clear=tuple((each[0], each[1], each[2], each[3]) for each in clear),
+    )
+
+
+def floats(*values: float) -> bytes:
+    """float32, little-endian."""
+    return struct.pack(f"<{len(values)}f", *values)
