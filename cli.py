@@ -13,8 +13,10 @@ import click
 from . import __version__
 from .commands.check import check
 from .commands.compile import compile_
+from .commands.conform import conform
 from .commands.doctor import doctor
 from .commands.explain import explain
+from .commands.render import render
 from .commands.targets import targets
 
 INTERRUPTED = 130
@@ -43,5 +45,5 @@ def main() -> None:
     """
 
 
-for _command in (compile_, check, targets, doctor, explain):
+for _command in (compile_, check, render, conform, targets, doctor, explain):
     main.add_command(_command)

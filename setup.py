@@ -26,7 +26,7 @@ setup(
     package_dir={"burnish": "."},
     package_data={
         "burnish": ["py.typed"],
-        "burnish.stdlib": ["*.burnish"],
+        "burnish.stdlib": ["*.burnish", "*.toml"],
         **{
             f"burnish.{name}": ["*.j2", "*.txt", "*.json", "*.lark", "*.mjs"]
             for name in sub_packages

@@ -104,9 +104,12 @@ class Pipeline:
     targets: tuple[Target, ...]
     """In the order of their locations."""
     cull: Cull = "none"
+    flip_y: bool = False
+    """Whether the text negates clip y; by this a Vulkan driver chooses its viewport."""
     front_face: Literal["ccw", "cw"] = "ccw"
+    """The winding to be set as front, as the API judges it."""
     first_row: Literal["top", "bottom"] = "top"
-    """Which row of the picture the text puts first into the framebuffer's memory (reflection)."""
+    """Which row of the picture comes first in the framebuffer's memory."""
     host_uniforms: tuple[str, ...] = ()
     """Loose float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
 

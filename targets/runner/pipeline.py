@@ -8,7 +8,7 @@ from typing import Any
 from .codes import Codes
 from .draw import BlockSlot, Cull, Pipeline, Place, Target, TargetFormat, TextureSlot, VertexFormat
 from .draw import VertexInput as Input
-from .routes import Route
+from .routes import DRIVERS, Route
 
 FORMATS: Mapping[str, TargetFormat] = {
     "r8": "r8unorm",
@@ -60,6 +60,7 @@ def pipeline(
     does not have the route's profile.
     """
     backend = reflection["backends"][route.profile]
+    on_vulkan = DRIVERS[route.driver].module == "vulkan"
     return Pipeline(
         vertex=codes.vertex,
         fragment=codes.fragment,
@@ -74,8 +75,10 @@ def pipeline(
             for row in reflection["targets"]
         ),
         cull=cull,
-        front_face=backend["front_face"],
-        first_row=backend["first_row"],
+        flip_y=backend["flip_y"],
+        # Vulkan's viewport shows all texts the right way round, also those for other APIs.
+        front_face="ccw" if on_vulkan else backend["front_face"],
+        first_row="top" if on_vulkan else backend["first_row"],
         host_uniforms=tuple(backend["host_uniforms"]),
     )
 

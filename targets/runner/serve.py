@@ -5,6 +5,7 @@ A driver may crash or hang, and a worker process is what it may take with it.
 
 from __future__ import annotations
 
+import faulthandler
 import json
 import os
 import sys
@@ -13,6 +14,10 @@ from typing import Any, Protocol
 
 from .draw import Device, DriverError, Job, Picture
 from .wire import from_json, to_json
+
+ORPHAN_LIMIT = 900.0
+"""Seconds after which a request ends the process. Who asked has a shorter patience, unless it has
+died, and a driver that hangs does not see that."""
 
 
 class Driver(Protocol):
@@ -30,8 +35,10 @@ def serve(driver: Driver) -> None:
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
         for line in sys.stdin:
+            faulthandler.dump_traceback_later(ORPHAN_LIMIT, exit=True)
             answers.write(json.dumps(_answer(driver, json.loads(line))) + "\n")
             answers.flush()
+            faulthandler.cancel_dump_traceback_later()
 
 
 def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:

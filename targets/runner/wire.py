@@ -7,7 +7,6 @@ import dataclasses
 import types
 import typing
 from collections.abc import Mapping
-from functools import cache
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -27,13 +26,8 @@ def to_json(value: Any) -> Any:
 
 def from_json(kind: type[T], data: Mapping[str, Any]) -> T:
     """The record of class ``kind`` that ``to_json`` made ``data`` of."""
-    hints = _hints(kind)
+    hints = typing.get_type_hints(kind)
     return kind(**{name: _read(hints[name], value) for name, value in data.items()})
-
-
-@cache
-def _hints(kind: type) -> dict[str, Any]:
-    return typing.get_type_hints(kind)
 
 
 def _read(hint: Any, value: Any) -> Any:
@@ -45,7 +39,8 @@ def _read(hint: Any, value: Any) -> Any:
         return _read_tuple(typing.get_args(hint), value)
     if isinstance(hint, types.UnionType):
         (hint,) = (part for part in typing.get_args(hint) if part is not type(None))
-    return from_json(hint, value) if dataclasses.is_dataclass(hint) else value
+    is_record = isinstance(hint, type) and dataclasses.is_dataclass(hint)
+    return from_json(hint, value) if is_record else value
 
 
 def _read_tuple(parts: tuple[Any, ...], values: list[Any]) -> tuple[Any, ...]:

@@ -1,0 +1,112 @@
+"""The pictures in which a material is compared: what people meet, and what breaks shaders.
+
+Between them they have defaults and drawn values, all lights and none, lights inside the mesh,
+non-uniform scale, back faces, triangles that cross the near plane, and textures in every slot.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..runner.instance import Instance
+from ..runner.meshes import Mesh, cube, plane, sphere, torus
+from ..runner.scene import Scene
+from ..runner.shots import Color, Shot, take
+from .sample import sample_textures, sample_values, with_inputs
+
+SIZE = (72, 56)
+"""Not square, so that an exchange of x and y shows."""
+
+UNCOVERED: Color = (-8.0, -8.0, -8.0, -8.0)
+"""What no shader is likely to write, so that it shows which pixels are covered."""
+
+BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
+"""What blending blends with."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Case:
+    """One picture of a material."""
+
+    name: str
+    shot: Shot
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Series:
+    """Cases that one pipeline draws."""
+
+    exact: bool
+    """Whether they are drawn to float32 targets and without blending, to see what shaders write;
+    or else to the formats, and with the blending, that the pass declares."""
+    cases: tuple[Case, ...]
+
+
+def series_of(reflection: Mapping[str, Any], seed: int = 0) -> Iterator[Series]:
+    """All cases of one material; ``seed`` is where its values are drawn from."""
+    yield Series(exact=True, cases=(
+        _defaults(reflection),
+        _stretched(reflection, seed, UNCOVERED),
+        _behind(reflection, seed + 1),
+        _inside(reflection, seed + 2),
+    ))  # fmt: skip
+    if any(row["blend"] != "none" for row in reflection["targets"]):
+        yield Series(exact=False, cases=(_stretched(reflection, seed, BACKDROP),))
+
+
+def _defaults(reflection: Mapping[str, Any]) -> Case:
+    return _case("defaults", Instance(reflection), sphere(32, 16), Scene(light_count=2))
+
+
+def _stretched(reflection: Mapping[str, Any], seed: int, clear: Color) -> Case:
+    """Scaled by another factor along each axis, with all lights, close to the mesh and inside."""
+    scene = Scene(
+        eye=(-0.7, 1.1, 2.6),
+        object_to_world=_turned_and_stretched(),
+        light_distance=0.35,
+        light_count=64,
+    )
+    return _case("stretched", _sampled(reflection, seed), torus(24, 16), scene, clear)
+
+
+def _behind(reflection: Mapping[str, Any], seed: int) -> Case:
+    """Back faces, and as few lights as there can be."""
+    scene = Scene(eye=(0.9, 0.5, -2.4), target=(0.1, 0.0, 0.0), light_count=0)
+    return _case("behind", _sampled(reflection, seed), plane(4), scene)
+
+
+def _inside(reflection: Mapping[str, Any], seed: int) -> Case:
+    """Walls that cross the near plane and stand behind the eye."""
+    scene = Scene(eye=(0.35, -0.2, 0.4), target=(-0.5, 0.1, -0.6), near=0.25, fov=math.radians(75))
+    return _case("inside", _sampled(reflection, seed), cube(), scene)
+
+
+def _sampled(reflection: Mapping[str, Any], seed: int) -> Instance:
+    instance = Instance(reflection)
+    sample_values(instance, seed)
+    sample_textures(instance, seed)
+    return instance
+
+
+def _case(
+    name: str, instance: Instance, mesh: Mesh, scene: Scene, clear: Color = UNCOVERED
+) -> Case:
+    whole = with_inputs(instance.reflection, mesh)
+    return Case(name, take(instance, whole, scene, SIZE, clear))
+
+
+def _turned_and_stretched() -> tuple[tuple[float, ...], ...]:
+    """Turned, then scaled by a different factor along each axis, then moved."""
+    turn = math.radians(35)
+    rotation = np.array(
+        [[math.cos(turn), -math.sin(turn), 0], [math.sin(turn), math.cos(turn), 0], [0, 0, 1]]
+    )
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.diag([1.3, 0.6, 0.9]) @ rotation
+    matrix[:3, 3] = [0.1, -0.15, 0.2]
+    return tuple(map(tuple, matrix.tolist()))

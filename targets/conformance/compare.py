@@ -1,0 +1,110 @@
+"""Holds a route's picture against the reference's."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .tolerances import UNDECIDED_SHARE, DriverRow
+
+Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Worst:
+    """The decided pixel that lies furthest from the reference, measured in tolerances."""
+
+    x: int
+    y: int
+    target: int
+    got: tuple[float, ...]
+    expected: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """How two pictures compare."""
+
+    pixels: int
+    """Of the picture."""
+    covered: int
+    """Pixels that the reference covers."""
+    undecided: int
+    """Pixels whose value hangs on rounding, which are not compared."""
+    wrong: int
+    """Decided pixels that lie outside of the tolerance, or are covered by one of the two only."""
+    max_difference: float
+    """The largest distance of any lane of a decided pixel from the reference; NaN is infinite."""
+    excess: float
+    """The largest distance of a decided lane in units of its tolerance; up to 1 is agreement."""
+    worst: Worst | None
+    """``None`` where no pixel is decided."""
+
+    @property
+    def too_undecided(self) -> bool:
+        """Whether so much is undecided that agreement proves nothing."""
+        return self.undecided > UNDECIDED_SHARE * self.pixels
+
+    @property
+    def agrees(self) -> bool:
+        """Whether this is a pass."""
+        return not self.wrong and not self.too_undecided
+
+
+def compare(
+    got: tuple[Floats, ...],
+    expected: tuple[Floats, ...],
+    radius: tuple[Floats, ...],
+    covered: Mask,
+    undecided: Mask,
+    tolerance: DriverRow,
+    steps: Sequence[float],
+) -> Comparison:
+    """Compares the targets of two pictures, each (height, width, 4).
+
+    Uncovered pixels of ``expected`` hold the clear colour, which ``got`` has to show exactly there.
+    ``steps`` are what rounding to each target's format may add.
+    """
+    decided = ~undecided
+    allowed = [
+        tolerance.absolute + tolerance.relative * np.abs(e) + r + step
+        for e, r, step in zip(expected, radius, steps, strict=True)
+    ]
+    distance = np.stack([_distance(g, e) for g, e in zip(got, expected, strict=True)])
+    excess = distance / np.stack(allowed)
+    per_pixel = excess.max(axis=(0, 3))
+    wrong = decided & (per_pixel > 1)
+    measured = np.where(decided[None, :, :, None], distance, 0)
+    return Comparison(
+        pixels=covered.size,
+        covered=int(covered.sum()),
+        undecided=int(undecided.sum()),
+        wrong=int(wrong.sum()),
+        max_difference=float(measured.max(initial=0)),
+        excess=float(np.where(decided, per_pixel, 0).max(initial=0)),
+        worst=_worst(np.where(decided, per_pixel, -1), excess, got, expected),
+    )
+
+
+def _distance(got: Floats, expected: Floats) -> Floats:
+    """Between lanes; what is not finite is infinitely far from everything but itself."""
+    with np.errstate(invalid="ignore"):
+        distance = np.where(got == expected, 0.0, np.abs(got - expected))
+    return np.where(np.isnan(distance), np.inf, distance)
+
+
+def _worst(
+    per_pixel: Floats, excess: Floats, got: tuple[Floats, ...], expected: tuple[Floats, ...]
+) -> Worst | None:
+    if not per_pixel.size or per_pixel.max() < 0:
+        return None
+    y, x = np.unravel_index(int(per_pixel.argmax()), per_pixel.shape)
+    target = int(excess[:, y, x].max(axis=1).argmax())
+    return Worst(
+        int(x), int(y), target, tuple(got[target][y, x].tolist()),
+        tuple(expected[target][y, x].tolist()),
+    )  # fmt: skip

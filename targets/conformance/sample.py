@@ -1,0 +1,152 @@
+"""Values for parameters, textures and vertex inputs, drawn from a seed within what is declared.
+
+The draw for a name depends on seed and name alone, so that a new parameter leaves the others be.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runner.instance import Instance
+from ..runner.meshes import Mesh
+from ..runner.scene import scene_names
+from ..runner.textures import Texture
+
+SPREAD = 4.0
+"""A number with a default is drawn from a range around it: a quarter to four times as much."""
+
+
+def sample_values(instance: Instance, seed: int) -> None:
+    """Sets every parameter that no scene does to a value within its promise."""
+    names = scene_names()
+    for row in instance.reflection["parameters"]:
+        name = row["name"]
+        own = name.rpartition(".")[2] in names["lights"] or name in names["parameters"]
+        if own or row["name"] in _counts(instance.reflection):
+            continue
+        instance.set(name, _value(row, random.Random(f"{seed} {name}"), names["lights"]))
+
+
+def sample_textures(instance: Instance, seed: int) -> None:
+    """Gives every texture a picture of its own: smooth, different in all lanes and directions."""
+    for number, row in enumerate(instance.reflection["textures"]):
+        size = ((32, 32), (24, 20), (17, 31))[(number + seed) % 3]
+        lanes = _waves(random.Random(f"{seed} {row['name']}"), size)
+        if row["default"] == "flat_normal":
+            lanes = np.array([0.5, 0.5, 0.9, 0.5]) + (lanes - 0.5) * [0.5, 0.5, 0.2, 1.0]
+        instance.set(row["name"], Texture.of_array(np.rint(lanes * 255).astype(np.uint8)))
+
+
+def with_inputs(reflection: Mapping[str, Any], mesh: Mesh) -> Mesh:
+    """``mesh`` with a smooth pattern for each vertex input of the shader that it does not have."""
+    roles = scene_names()["attributes"]
+    position = mesh.channels["position"]
+    channels = dict(mesh.channels)
+    for row in reflection["vertex_inputs"]:
+        name = row["name"]
+        if roles.get(name, name) not in channels:
+            channels[name] = _pattern(row, position)
+    return Mesh(channels, mesh.triangles)
+
+
+def _counts(reflection: Mapping[str, Any]) -> set[str]:
+    return {row["count"] for row in reflection["lights"] if row["count"]}
+
+
+def _value(row: Mapping[str, Any], chance: random.Random, set_by_scene: Mapping[str, str]) -> Any:
+    if row["layout"].get("count") and not row.get("_element"):
+        element = {**row, "_element": True, "default": None}
+        return [_value(element, chance, set_by_scene) for _ in range(row["layout"]["count"])]
+    if row["members"]:
+        members = ((m["name"], _value(m, chance, set_by_scene)) for m in row["members"])
+        return dict(members)
+    return _lanes(row, chance)
+
+
+def _lanes(row: Mapping[str, Any], chance: random.Random) -> Any:
+    """A value of a row without members, shaped as its representation says."""
+    declared, layout = row["type"], row["layout"]
+    if "columns" in layout:
+        return _matrix(row, layout["columns"], chance)
+    count = layout["lanes"]
+    if declared.startswith("direction"):
+        return _unit(chance, count)
+    if declared.startswith("point"):
+        drawn = [chance.uniform(-2, 2) for _ in range(count)]
+    elif declared.startswith("rgb"):
+        drawn = [chance.random() for _ in range(count)]
+    else:
+        drawn = _numbers(row, count, chance)
+    return drawn[0] if count == 1 else drawn
+
+
+def _numbers(row: Mapping[str, Any], count: int, chance: random.Random) -> list[Any]:
+    representation = row["representation"]
+    if representation.startswith("b"):
+        return [chance.random() < 0.5 for _ in range(count)]
+    default = row.get("default")
+    defaults = [None] * count if default is None else [default] if count == 1 else list(default)
+    bounds = [_bounds(row.get("range"), each) for each in defaults]
+    if representation[0] in "iu":
+        return [
+            chance.randint(math.ceil(lo), max(math.ceil(lo), math.floor(hi))) for lo, hi in bounds
+        ]
+    return [chance.uniform(lo, hi) for lo, hi in bounds]
+
+
+def _bounds(declared: list[float] | None, default: float | None) -> tuple[float, float]:
+    """From where to where a number is drawn: near its default, and within its range."""
+    if default is None or default == 0:
+        near = (0.0, 1.0)
+    else:
+        near = (min(default / SPREAD, default * SPREAD), max(default / SPREAD, default * SPREAD))
+    if declared is None:
+        return near
+    lo, hi = max(near[0], declared[0]), min(near[1], declared[1])
+    return (lo, hi) if lo <= hi else (declared[0], declared[1])
+
+
+def _matrix(row: Mapping[str, Any], size: int, chance: random.Random) -> list[list[float]]:
+    """Near its default, or near the identity."""
+    start = row.get("default") or np.eye(size).tolist()
+    return [[lane + chance.uniform(-0.1, 0.1) for lane in column] for column in start]
+
+
+def _unit(chance: random.Random, count: int) -> list[float]:
+    drawn = [chance.gauss(0, 1) for _ in range(count)]
+    length = math.hypot(*drawn)
+    return [lane / length for lane in drawn]
+
+
+def _waves(chance: random.Random, size: tuple[int, int]) -> NDArray[np.float64]:
+    """A picture of (height, width, 4) whole waves, so that it can be repeated, within 0..1."""
+    width, height = size
+    y, x = np.meshgrid(np.arange(height) / height, np.arange(width) / width, indexing="ij")
+    lanes = []
+    for _ in range(4):
+        across, down = chance.choice([1, 2, 3]), chance.choice([-2, -1, 1, 2])
+        phase = chance.uniform(0, 2 * math.pi)
+        slope = 0.15 * (x * chance.uniform(-1, 1) + y * chance.uniform(-1, 1))
+        lanes.append(0.5 + 0.3 * np.sin(2 * np.pi * (across * x + down * y) + phase) + slope)
+    return np.stack(lanes, 2)
+
+
+def _pattern(row: Mapping[str, Any], position: NDArray[np.float64]) -> NDArray[Any]:
+    representation = row["representation"]
+    lanes = int(representation[-1]) if representation[-1].isdigit() else 1
+    number = int(re.sub(r"\D", "", representation) or 1)
+    waves = [
+        0.5 + 0.4 * np.sin(position @ [1.3 + lane, 0.7 * number, 2.1 - lane] + len(row["name"]))
+        for lane in range(lanes)
+    ]
+    values = np.stack(waves, 1)
+    if representation[0] in "iu":
+        return np.floor(8 * values).astype(np.int64)
+    return values.astype(np.float32).astype(float)

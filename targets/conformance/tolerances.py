@@ -1,0 +1,50 @@
+"""How far a driver's picture may lie from the reference: one row for each, with its reason.
+
+A pixel agrees if ``|got - expected| <= absolute + relative * |expected| + radius``, where the
+radius is the reference's own, for what fixed-function filtering may do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class DriverRow:
+    """What is known of a driver besides what it tells."""
+
+    absolute: float
+    relative: float
+    reason: str
+    """Why these two are what they are."""
+    interpolates_snapped: bool = False
+    """Whether attributes go by the snapped places of vertices, as coverage does everywhere."""
+    clips_sides: bool = False
+    """Whether it cuts triangles off at the sides of the picture, and snaps what that makes."""
+    subtexel_bits: int = 8
+    """Of filter weights, where the API does not tell."""
+    mip_bits: int = 8
+    """Of the level of detail, likewise."""
+
+
+_LLVM = DriverRow(1e-5, 1e-4, "float32 arithmetic, and functions close to exact")
+_SWIFTSHADER = DriverRow(
+    3e-4,
+    5e-4,
+    "its sin and cos are off by up to 2e-4; Vulkan and WGSL allow 2^-11",
+    interpolates_snapped=True,
+    clips_sides=True,
+)
+
+DRIVERS: Mapping[str, DriverRow] = {
+    "lavapipe": _LLVM,
+    "llvmpipe": _LLVM,
+    "swiftshader": _SWIFTSHADER,
+    "webgpu": _SWIFTSHADER,
+    "webgl2": _SWIFTSHADER,
+}
+"""By a route's driver."""
+
+UNDECIDED_SHARE = 0.03
+"""More undecided pixels than this part of the picture prove too little to be a pass."""

@@ -1,0 +1,166 @@
+"""The meshes that come with the runner, and what a mesh is.
+
+All lie within the unit ball around the origin (the cube's and the plane's corners a little
+outside), y up, with triangles counter-clockwise as seen from outside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+CHANNELS = {"position": 3, "normal": 3, "uv": 2, "tangent": 4, "color": 4}
+"""What a mesh may have at each vertex, and its lanes.
+
+``uv`` has v down. ``tangent`` points along u; its w is the sign with which
+``cross(normal, tangent)`` points up, against v. ``color`` is linear, alpha last.
+"""
+
+
+class MeshError(ValueError):
+    """A mesh cannot be used; the text says why, for people."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Mesh:
+    """Triangles with something at each vertex."""
+
+    channels: Mapping[str, Floats]
+    """By channel (see ``CHANNELS``) or by the name of a vertex input: (vertices, lanes)."""
+    triangles: Indices
+    """Vertex numbers, (triangles, 3); the first of a triangle is its provoking vertex."""
+
+    def __post_init__(self) -> None:
+        if "position" not in self.channels:
+            raise MeshError("a mesh needs the channel 'position'")
+        counts = {name: len(values) for name, values in self.channels.items()}
+        if len(set(counts.values())) > 1:
+            shown = ", ".join(f"{name} {count}" for name, count in counts.items())
+            raise MeshError(f"the channels of a mesh have different numbers of vertices: {shown}")
+        for name, values in self.channels.items():
+            if values.ndim != 2 or values.shape[1] != CHANNELS.get(name, values.shape[1]):
+                raise MeshError(f"the channel '{name}' has the shape {values.shape}")
+            if not np.isfinite(values).all():
+                raise MeshError(f"the channel '{name}' has values that are not finite")
+        if self.triangles.ndim != 2 or self.triangles.shape[1] != 3:
+            raise MeshError(f"triangles have the shape {self.triangles.shape} and not (n, 3)")
+        if self.triangles.size and not 0 <= self.triangles.min() <= self.triangles.max() < len(
+            self
+        ):
+            raise MeshError(f"a triangle names a vertex that is not one of the {len(self)}")
+
+    def __len__(self) -> int:
+        """How many vertices there are."""
+        return len(self.channels["position"])
+
+
+def mesh(name: str) -> Mesh:
+    """The mesh of that name in ``MESHES``; ``KeyError`` if there is none."""
+    return MESHES[name]()
+
+
+def sphere(around: int = 64, down: int = 32) -> Mesh:
+    """The unit sphere by latitude and longitude, u eastwards from behind, v from the north pole."""
+    u, v = _lattice(around, down)
+    longitude, latitude = 2 * np.pi * u - np.pi, np.pi * v
+    ring = np.sin(latitude)
+    normal = np.stack([ring * np.sin(longitude), np.cos(latitude), ring * np.cos(longitude)], 1)
+    tangent = np.stack([np.cos(longitude), 0 * u, -np.sin(longitude)], 1)
+    return _made(normal, normal, u, v, tangent, _faces(around, down))
+
+
+def torus(around: int = 64, across: int = 32, radius: float = 0.7, tube: float = 0.3) -> Mesh:
+    """A ring in the xz plane, u around it, v across the tube from the top outwards."""
+    u, v = _lattice(around, across)
+    longitude, angle = 2 * np.pi * u - np.pi, 2 * np.pi * v
+    out = np.stack([np.sin(longitude), 0 * u, np.cos(longitude)], 1)
+    normal = out * np.sin(angle)[:, None] + np.array([0.0, 1.0, 0.0]) * np.cos(angle)[:, None]
+    tangent = np.stack([np.cos(longitude), 0 * u, -np.sin(longitude)], 1)
+    return _made(out * radius + normal * tube, normal, u, v, tangent, _faces(around, across))
+
+
+def plane(cells: int = 8) -> Mesh:
+    """A square from -1 to 1 in the xy plane that faces +z, upright for who looks along -z."""
+    u, v = _lattice(cells, cells)
+    position = np.stack([2 * u - 1, 1 - 2 * v, 0 * u], 1)
+    normal = np.broadcast_to([0.0, 0.0, 1.0], position.shape)
+    tangent = np.broadcast_to([1.0, 0.0, 0.0], position.shape)
+    return _made(position, normal, u, v, tangent, _faces(cells, cells))
+
+
+def cube(half: float = 0.7) -> Mesh:
+    """An axis-aligned cube, each side with the whole texture."""
+    face = plane(1)
+    parts = []
+    for turn in _SIDES:
+        rotation = np.array(turn, float)
+        position = (face.channels["position"] + [0, 0, 1]) @ rotation * half
+        normal = face.channels["normal"] @ rotation
+        tangent = face.channels["tangent"][:, :3] @ rotation
+        u, v = face.channels["uv"].T
+        parts.append(_made(position, normal, u, v, tangent, face.triangles))
+    channels = {name: np.concatenate([part.channels[name] for part in parts]) for name in CHANNELS}
+    triangles = np.concatenate([part.triangles + 4 * i for i, part in enumerate(parts)])
+    return Mesh(channels, triangles)
+
+
+_SIDES = (
+    ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    ((-1, 0, 0), (0, 1, 0), (0, 0, -1)),
+    ((0, 0, -1), (0, 1, 0), (1, 0, 0)),
+    ((0, 0, 1), (0, 1, 0), (-1, 0, 0)),
+    ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
+    ((1, 0, 0), (0, 0, 1), (0, -1, 0)),
+)
+"""For each side of a cube, where the x, y and z axis of a face that looks along +z go."""
+
+MESHES: Mapping[str, Callable[[], Mesh]] = {
+    "sphere": sphere,
+    "plane": plane,
+    "cube": cube,
+    "torus": torus,
+}
+
+
+def _lattice(across: int, down: int) -> tuple[Floats, Floats]:
+    """u and v of the vertices of a grid of cells, row by row."""
+    v, u = np.meshgrid(np.linspace(0, 1, down + 1), np.linspace(0, 1, across + 1), indexing="ij")
+    return u.ravel(), v.ravel()
+
+
+def _faces(across: int, down: int) -> Indices:
+    """Two triangles for each cell of a lattice, counter-clockwise where u goes right, v down."""
+    corner = (np.arange(down)[:, None] * (across + 1) + np.arange(across)).ravel()
+    right, below = corner + 1, corner + across + 1
+    halves = np.stack([corner, below, below + 1, corner, below + 1, right], 1)
+    return halves.reshape(-1, 3)
+
+
+def _made(
+    position: Floats, normal: Floats, u: Floats, v: Floats, tangent: Floats, triangles: Indices
+) -> Mesh:
+    upwards = np.ones((len(u), 1))
+    color = np.concatenate([0.5 + 0.4 * position, (0.4 + 0.6 * u)[:, None]], 1)
+    channels = {
+        "position": position,
+        "normal": np.array(normal),
+        "uv": np.stack([u, v], 1),
+        "tangent": np.concatenate([tangent, upwards], 1),
+        "color": color,
+    }
+    rounded = {name: values.astype(np.float32).astype(float) for name, values in channels.items()}
+    return Mesh(rounded, _not_degenerate(triangles, position))
+
+
+def _not_degenerate(triangles: Indices, position: Floats) -> Indices:
+    """Without the triangles that a pole has shrunk to a line."""
+    a, b, c = (position[triangles[:, i]] for i in range(3))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    kept: Indices = triangles[area > 1e-9]
+    return kept

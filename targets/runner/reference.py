@@ -1,0 +1,76 @@
+"""Shots drawn by the reference."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+from ...compiler.ir.node import reachable
+from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
+from ...compiler.semantics.shader import Shader
+from .shots import Shot
+from .store import Store, digest, digest_of_sources
+
+STORE = "expected"
+"""The name of the store that keeps what the reference has drawn."""
+
+Progress = Callable[[float], None]
+"""Is told the part that is done, from 0 to 1."""
+
+
+def expected(
+    shader: Shader, shot: Shot, rules: RasterRules, progress: Progress | None = None
+) -> Expected:
+    """What a shot has to look like, always drawn anew."""
+    instance = shot.instance
+    return draw(
+        shader,
+        instance.values(),
+        {name: Texels(tuple(texture.linear())) for name, texture in instance.textures().items()},
+        Geometry(shot.attributes, shot.triangles),
+        rules,
+        shot.clear,
+        progress,
+    )
+
+
+def remembered(shader: Shader, shot: Shot, rules: RasterRules) -> Expected:
+    """The same, from the store if the reference has drawn it before."""
+    store = Store(STORE)
+    name = _digest(shader, shot, rules)
+    kept = store.read(name)
+    if kept is not None:
+        found: Expected = pickle.loads(kept)
+        return found
+    made = expected(shader, shot, rules)
+    store.write(name, pickle.dumps(made, pickle.HIGHEST_PROTOCOL))
+    return made
+
+
+def _digest(shader: Shader, shot: Shot, rules: RasterRules) -> str:
+    draw_ = shot.draw()
+    textures = (part for image in draw_.textures for part in (image.format, *image.levels))
+    inputs = (f"{name} {values.dtype} {values.shape}" for name, values in shot.attributes.items())
+    return digest(
+        _code_digest(), _graph_text(shader), repr(rules), repr(shot.clear),
+        repr(shot.instance.values()), *textures, *inputs, *draw_.vertices, draw_.indices,
+    )  # fmt: skip
+
+
+def _graph_text(shader: Shader) -> str:
+    """Everything that the reference reads of a shader."""
+    values = [target.value for target in shader.targets]
+    roots = [shader.clip_position, *values, *([shader.discard] if shader.discard else ())]
+    nodes = map(repr, reachable(roots))
+    blends = [target.blend for target in shader.targets]
+    return "\n".join([*nodes, repr([root.id for root in roots]), repr(blends)])
+
+
+@cache
+def _code_digest() -> str:
+    """Changes with the code that says what a program means."""
+    root = Path(__file__).parents[2]
+    folders = (root / "compiler" / "reference", root / "compiler" / "ir", root / "stdlib")
+    return digest_of_sources(*folders, Path(__file__).parent)

@@ -1,0 +1,156 @@
+"""Has jobs drawn by the drivers: their worker processes, and what they have drawn before."""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from threading import Lock
+from types import TracebackType
+from typing import Any, Self
+
+from ..toolchain.workers import Pool, Worker
+from .draw import Device, DriverError, Job, Picture
+from .routes import DRIVERS, DriverRow, Route, inspect_tools, problem, versions
+from .store import Store, digest, digest_of_sources
+from .wire import from_json, to_json
+
+STORE = "pictures"
+"""The name of the store that keeps pictures."""
+
+TIME_LIMIT = 120.0
+"""Seconds that one job may take, the start of its driver included."""
+
+
+class Runner:
+    """Owns the drivers' workers; a context manager, for many jobs and many threads."""
+
+    def __init__(
+        self,
+        routes: Iterable[Route],
+        *,
+        time_limit: float = TIME_LIMIT,
+        parallel: int | None = None,
+        reuse: bool = True,
+    ) -> None:
+        """For these routes. ``parallel`` workers of each driver draw at once, one for each core.
+
+        Without ``reuse`` everything is drawn anew.
+        """
+        self._time_limit = time_limit
+        self._states = inspect_tools(routes)
+        self._store = Store(STORE) if reuse else None
+        count = parallel or os.cpu_count() or 1
+        self._pools = {row.name: self._pool(row, count) for row in DRIVERS.values()}
+        self._devices: dict[str, Device | DriverError] = {}
+        self._locks = {name: Lock() for name in DRIVERS}
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends all workers."""
+        for pool in self._pools.values():
+            pool.close()
+
+    def problem(self, route: Route) -> str | None:
+        """Why a route cannot be drawn on this machine, tool by tool; None when it can."""
+        return problem(route, self._states)
+
+    def versions(self, route: Route) -> dict[str, str]:
+        """The versions of a route's tools, as far as they are known."""
+        return versions(route, self._states)
+
+    def device(self, route: Route) -> Device:
+        """What a route draws with; asked once. Raises ``DriverError``."""
+        name = route.driver
+        with self._locks[name]:
+            if name not in self._devices:
+                try:
+                    answer = self._ask(name, {})
+                    self._devices[name] = from_json(Device, answer["device"])
+                except DriverError as error:
+                    self._devices[name] = error
+        found = self._devices[name]
+        if isinstance(found, DriverError):
+            raise found
+        return found
+
+    def draw(self, route: Route, job: Job) -> tuple[Picture, ...]:
+        """A picture for each draw of the job, from the store if it was drawn before.
+
+        Raises ``DriverError``.
+        """
+        request = {"job": to_json(job)}
+        name = self._digest(route, request)
+        kept = self._store.read(name) if self._store else None
+        if kept is not None:
+            return _unpacked(kept)
+        pictures = self._ask(route.driver, request)["pictures"]
+        made = tuple(from_json(Picture, picture) for picture in pictures)
+        if self._store:
+            self._store.write(name, _packed(made))
+        return made
+
+    def _pool(self, row: DriverRow, count: int) -> Pool:
+        return Pool(
+            1 if row.one_worker else count, lambda: Worker(lambda: row.command(self._states))
+        )
+
+    def _ask(self, driver: str, request: Mapping[str, Any]) -> Mapping[str, Any]:
+        with self._pools[driver].borrow() as worker:
+            answer = worker.ask(request, self._time_limit)
+        if answer.ending != "ended":
+            raise DriverError(f"{driver} {answer.ending}: {answer.log.strip()}")
+        if "error" in answer.reply:
+            raise DriverError(answer.reply["error"])
+        return answer.reply
+
+    def _digest(self, route: Route, request: Mapping[str, Any]) -> str:
+        device = self.device(route)
+        about = (route.driver, device.name, device.version, *map(str, self.versions(route).items()))
+        return digest(_runner_digest(), *about, json.dumps(request))
+
+
+@cache
+def _runner_digest() -> str:
+    """Changes with the code that draws."""
+    return digest_of_sources(Path(__file__).parent)
+
+
+_SIZES = struct.Struct("<III")
+
+
+def _packed(pictures: Sequence[Picture]) -> bytes:
+    """Pictures as bytes: width, height, number of targets, and the targets."""
+    return b"".join(
+        part
+        for picture in pictures
+        for part in (
+            _SIZES.pack(picture.width, picture.height, len(picture.targets)),
+            *picture.targets,
+        )
+    )
+
+
+def _unpacked(data: bytes) -> tuple[Picture, ...]:
+    pictures, at = [], 0
+    while at < len(data):
+        width, height, count = _SIZES.unpack_from(data, at)
+        at += _SIZES.size
+        size = width * height * 16
+        targets = tuple(data[at + i * size : at + (i + 1) * size] for i in range(count))
+        at += count * size
+        pictures.append(Picture(width, height, targets))
+    return tuple(pictures)

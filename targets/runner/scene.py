@@ -1,0 +1,185 @@
+"""A camera, an object and lights, put in front of a material by what its parameters are called.
+
+What a parameter's name stands for is the library's to say: ``stdlib/scene.toml``. World space is
+right-handed with y up; clip space has z from 0 to w.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .instance import Instance
+from .meshes import Mesh, MeshError
+
+Matrix = NDArray[np.float64]
+"""Rows and columns as in mathematics: ``m[row, column]``."""
+
+Vector = tuple[float, float, float]
+
+_NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
+_GOLDEN_ANGLE = math.pi * (3 - math.sqrt(5))
+_LIGHT_TINTS = ((1.0, 0.95, 0.85), (0.55, 0.75, 1.0), (1.0, 0.6, 0.45), (0.6, 1.0, 0.7))
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Where everything is."""
+
+    eye: Vector = (0.9, 0.8, 3.0)
+    target: Vector = (0.0, 0.0, 0.0)
+    fov: float = math.radians(38)
+    """The whole vertical angle of view."""
+    near: float = 0.1
+    far: float = 20.0
+    object_to_world: tuple[tuple[float, ...], ...] = tuple(map(tuple, np.eye(4).tolist()))
+    """Rows of the object's transform."""
+    light_distance: float = 3.0
+    """How far lights that stand somewhere are from the origin."""
+    light_count: int = 3
+    """How many lights an array of lights gets, if it has room for them."""
+
+    def apply(self, instance: Instance, aspect: float) -> None:
+        """Sets everything that the library says is a scene's; ``aspect`` is width over height."""
+        names = scene_names()
+        given = {
+            "world_to_clip": _columns(self.world_to_clip(aspect)),
+            "eye": self.eye,
+            "object_to_world": _columns(np.array(self.object_to_world)),
+        }
+        declared = {row["name"] for row in instance.reflection["parameters"]}
+        for name, role in names["parameters"].items():
+            if name in declared:
+                instance.set(name, given[role])
+        self._place_lights(instance, names["lights"])
+
+    def world_to_clip(self, aspect: float) -> Matrix:
+        """Perspective times view."""
+        return _perspective(self.fov, aspect, self.near, self.far) @ _look_at(self.eye, self.target)
+
+    def _place_lights(self, instance: Instance, roles: Mapping[str, str]) -> None:
+        lights = instance.reflection["lights"]
+        counts = [
+            1 if row["capacity"] is None else min(row["capacity"], self.light_count)
+            for row in lights
+        ]
+        if any(row["capacity"] is not None and row["count"] is None for row in lights):
+            counts = [row["capacity"] or 1 if row["count"] is None else count
+                      for row, count in zip(lights, counts, strict=True)]  # fmt: skip
+        number, total = 0, sum(counts)
+        for row, count in zip(lights, counts, strict=True):
+            for i in range(count):
+                place = row["name"] if row["capacity"] is None else f"{row['name']}[{i}]"
+                if i == 0 and row["count"] is not None:
+                    instance.set(row["count"], count)
+                for member in _members(instance, row):
+                    if member in roles:
+                        value = self._light(roles[member], number, total)
+                        instance.set(f"{place}.{member}", value)
+                number += 1
+
+    def _light(self, role: str, number: int, total: int) -> Vector:
+        """What light ``number`` of ``total`` has for a role."""
+        towards = _light_direction(number)
+        if role == "place":
+            return _scaled(towards, self.light_distance)
+        if role == "towards_object":
+            return _scaled(towards, -1.0)
+        strength = 1.0 if total == 1 else 0.8 if number == 0 else 0.8 / (total - 1)
+        return _scaled(_LIGHT_TINTS[number % len(_LIGHT_TINTS)], strength)
+
+
+@cache
+def scene_names() -> Mapping[str, Mapping[str, str]]:
+    """What the library's names stand for: tables ``attributes``, ``parameters``, ``lights``."""
+    return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
+
+
+def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[Any]]:
+    """For each vertex input that the shader reads, the mesh's values, (vertices, lanes).
+
+    A channel is found by what ``stdlib/scene.toml`` says of the input's name, or by that name.
+    Raises ``MeshError`` for what the mesh does not have.
+    """
+    roles = scene_names()["attributes"]
+    found = {}
+    for row in reflection["vertex_inputs"]:
+        channel = roles.get(row["name"], row["name"])
+        values = mesh.channels.get(row["name"], mesh.channels.get(channel))
+        if values is None:
+            raise MeshError(
+                f"{reflection['material']} reads the vertex input '{row['name']}' "
+                f"({row['type']}), which the mesh does not have: it has {', '.join(mesh.channels)}"
+            )
+        found[row["name"]] = _with_lanes(row, values)
+    return found
+
+
+_LANES = {"float": 1, "int": 1, "uint": 1}
+
+
+def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
+    """``values`` with the lanes of the input: further ones are cut off, a missing fourth is 1."""
+    representation = row["representation"]
+    lanes = _LANES.get(representation) or int(representation[-1])
+    given = values.shape[1]
+    if given < lanes:
+        filler = np.zeros((len(values), lanes - given))
+        if lanes == 4:
+            filler[:, -1] = 1
+        values = np.concatenate([values, filler], 1)
+    return values[:, :lanes]
+
+
+def _members(instance: Instance, light: Mapping[str, Any]) -> Iterator[str]:
+    """The names of a light's parameters, without the light's own."""
+    if light["capacity"] is None:
+        yield from (name.removeprefix(f"{light['name']}.") for name in light["parameters"])
+        return
+    for row in instance.reflection["parameters"]:
+        if row["name"] == light["name"]:
+            yield from (member["name"] for member in row["members"])
+
+
+def _light_direction(number: int) -> Vector:
+    """From the object towards a light: the first from the upper left, the others all around."""
+    height = 0.65 - 0.35 * (number % 4) / 4
+    angle = math.radians(-40) + _GOLDEN_ANGLE * number
+    ring = math.sqrt(1 - height * height)
+    return ring * math.sin(angle), height, ring * math.cos(angle)
+
+
+def _scaled(v: Vector, factor: float) -> Vector:
+    return v[0] * factor, v[1] * factor, v[2] * factor
+
+
+def _columns(matrix: Matrix) -> tuple[tuple[float, ...], ...]:
+    """A matrix as hosts set it: column after column."""
+    return tuple(tuple(column) for column in matrix.T.tolist())
+
+
+def _look_at(eye: Vector, target: Vector) -> Matrix:
+    back = np.subtract(eye, target)
+    back = back / np.linalg.norm(back)
+    right = np.cross([0.0, 1.0, 0.0], back)
+    right = right / np.linalg.norm(right)
+    view = np.eye(4)
+    view[:3, :3] = [right, np.cross(back, right), back]
+    view[:3, 3] = -view[:3, :3] @ np.array(eye)
+    return view
+
+
+def _perspective(fov: float, aspect: float, near: float, far: float) -> Matrix:
+    scale = 1 / math.tan(fov / 2)
+    depth = far / (near - far)
+    return np.array(
+        [[scale / aspect, 0, 0, 0], [0, scale, 0, 0], [0, 0, depth, near * depth], [0, 0, -1, 0]]
+    )
