@@ -75,9 +75,20 @@ def test_where_places_are_names() -> None:
     assert made.host_uniforms == ("viewport_height",)
 
 
-def test_a_flipped_material() -> None:
-    made = pipeline(reflection(flip_y=True), ROUTES["llvmpipe:gl330"], CODES)
-    assert (made.front_face, made.first_row) == ("cw", "top")
+@pytest.mark.parametrize(
+    ("route", "front_face", "first_row"),
+    [
+        ("llvmpipe:gl330", "cw", "top"),
+        ("chromium:webgl2", "cw", "top"),
+        ("chromium:webgpu", "cw", "bottom"),
+        ("lavapipe:wgsl-naga", "ccw", "top"),
+        ("lavapipe:hlsl-dxc", "ccw", "top"),
+        ("swiftshader:glsl", "ccw", "top"),
+    ],
+)
+def test_a_flipped_material(route: str, front_face: str, first_row: str) -> None:
+    made = pipeline(reflection(flip_y=True), ROUTES[route], CODES)
+    assert (made.flip_y, made.front_face, made.first_row) == (True, front_face, first_row)
 
 
 @pytest.mark.parametrize("route", ROUTES.values(), ids=lambda route: route.name)

@@ -1,0 +1,87 @@
+"""A headless Chromium with one page, which reaches no network.
+
+The browser belongs to playwright's driver process. That ends it, and removes its folders, when this
+process is gone, however it went.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.resources import files
+from typing import Any
+from urllib.parse import urlsplit
+
+from playwright.sync_api import Error, Route, sync_playwright
+
+from ...toolchain.tools import tool_named
+from ..draw import DriverError
+
+# Only a page from a secure place may use WebGPU. Nobody is asked for this one: `_serve` has it.
+PAGE = "https://burnish.invalid/"
+START_LIMIT = 120_000.0
+"""Milliseconds that the browser may take to start: it is slow on a busy machine."""
+
+FLAGS = (
+    "--no-sandbox",  # without which it does not run as root; the page is our own
+    "--enable-unsafe-webgpu",
+    # The software renderer even where there is a GPU, so that a picture is the same everywhere.
+    "--use-webgpu-adapter=swiftshader",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    # What a browser asks of the network by itself.
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+)
+
+
+class Chromium:
+    """A browser whose page has loaded one of this package's modules."""
+
+    def __init__(self, module: str) -> None:
+        """Starts the browser. Raises ``DriverError``."""
+        paths = tool_named("chromium").find()
+        if paths is None:
+            install = tool_named("chromium").install
+            raise DriverError(f"chromium is missing; to install it: {install}")
+        self._playwright = sync_playwright().start()
+        try:
+            self._browser = self._playwright.chromium.launch(
+                executable_path=paths[0], headless=True, args=FLAGS, timeout=START_LIMIT
+            )
+            self._page = self._browser.new_page()
+            self._page.route("**/*", _serve)
+            self._page.goto(PAGE, timeout=START_LIMIT)
+            self._module = self._page.evaluate_handle("module => import(module)", f"./{module}")
+        except Error as error:
+            self._playwright.stop()
+            raise DriverError(f"chromium does not start: {error.message}") from None
+        self.version = self._browser.version
+
+    def call(self, function: str, argument: str) -> Mapping[str, Any]:
+        """What a function of the module answers. Raises ``DriverError`` when the page is lost."""
+        try:
+            answer: Mapping[str, Any] = self._page.evaluate(
+                "([module, name, argument]) => module[name](JSON.parse(argument))",
+                [self._module, function, argument],
+            )
+        except Error as error:
+            raise DriverError(f"chromium: {error.message}") from None
+        return answer
+
+    def close(self) -> None:
+        """Ends the browser."""
+        self._playwright.stop()
+
+
+def _serve(route: Route) -> None:
+    """Answers the page's requests: with an empty page, or a module of this package."""
+    name = urlsplit(route.request.url).path.removeprefix("/")
+    if not name:
+        route.fulfill(body="<!doctype html>", content_type="text/html")
+    elif name.endswith(".mjs"):
+        module = files(__package__).joinpath(name)
+        route.fulfill(body=module.read_text(), content_type="text/javascript")
+    else:
+        route.fulfill(status=404)

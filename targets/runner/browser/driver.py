@@ -1,0 +1,92 @@
+"""The driver: a page in Chromium that draws, opened when first asked and opened anew when lost."""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ...toolchain.tools import tool_named
+from ..checks import check, check_names
+from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, TargetFormat
+from ..readback import to_float
+from ..wire import to_json
+
+if TYPE_CHECKING:
+    from .chromium import Chromium
+
+
+APIS: Mapping[str, str] = {"webgpu": "webgpu.mjs", "webgl2": "webgl2.mjs"}
+"""The ways in which a web page can draw, each with the module that does."""
+
+
+class Browser:
+    """Draws by one of the browser's APIs."""
+
+    def __init__(self, module: str) -> None:
+        self._module = module
+        self._chromium: Chromium | None = None
+
+    def device(self) -> Device:
+        """What the page knows of its device, and the browser's version."""
+        said = self._ask("device", None)
+        assert self._chromium is not None
+        # Neither API tells with how many bits it filters textures.
+        return Device(
+            name=said["name"],
+            version=f"Chromium {self._chromium.version}",
+            subpixel_bits=said["subpixel_bits"],
+            subtexel_bits=0,
+            mip_bits=0,
+        )
+
+    def draw(self, job: Job) -> Sequence[Picture]:
+        """A picture for each draw of the job. Raises ``DriverError``."""
+        check(job)
+        check_names(job.pipeline)
+        drawn = self._ask("draw", to_json(job))["pictures"]
+        return [
+            _picture(job.pipeline, draw, targets)
+            for draw, targets in zip(job.draws, drawn, strict=True)
+        ]
+
+    def close(self) -> None:
+        """Ends the browser, if there is one."""
+        if self._chromium is not None:
+            self._chromium.close()
+            self._chromium = None
+
+    def _ask(self, function: str, argument: Any) -> Mapping[str, Any]:
+        """Calls a function of the page's module. Raises ``DriverError``."""
+        chromium = self._chromium or self._open()
+        try:
+            answer = chromium.call(function, json.dumps(argument))
+        except DriverError:
+            self.close()
+            raise
+        if answer.get("lost"):
+            self.close()
+        if "error" in answer:
+            raise DriverError(answer["error"])
+        return answer
+
+    def _open(self) -> Chromium:
+        try:
+            from .chromium import Chromium
+        except ImportError as error:
+            install = tool_named("playwright").install
+            raise DriverError(f"{error}; to install it: {install}") from None
+        self._chromium = Chromium(self._module)
+        return self._chromium
+
+
+def _picture(pipeline: Pipeline, draw: Draw, targets: Sequence[Mapping[str, str]]) -> Picture:
+    """The page hands out each target's texels in base64, and says how they are stored."""
+    return Picture(draw.width, draw.height, tuple(_floats(pipeline, draw, t) for t in targets))
+
+
+def _floats(pipeline: Pipeline, draw: Draw, target: Mapping[str, Any]) -> bytes:
+    stored: TargetFormat = target["format"]
+    texels = base64.b64decode(target["texels"])
+    return to_float(texels, stored, draw.width, draw.height, pipeline.first_row)

@@ -1,0 +1,90 @@
+// Draws jobs by WebGL 2. A job and its pictures are those of draw.py, as JSON.
+
+import { answer, LostBrowser, Refusal } from "./answers.mjs";
+import { drawPicture } from "./webgl2_draw.mjs";
+import { linkProgram } from "./webgl2_program.mjs";
+
+// Drawing to floats, blending and filtering them, and blending each target in its own way.
+const EXTENSIONS = [
+  "EXT_color_buffer_float",
+  "EXT_float_blend",
+  "OES_texture_float_linear",
+  "OES_draw_buffers_indexed",
+];
+
+const NEWS_DELAY = 100; // milliseconds
+
+let context = null;
+
+/** The one context of the page, or a new one when that was lost; and its extensions by name. */
+function theContext() {
+  if (!context || context.gl.isContextLost()) {
+    const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
+    if (!gl) throw new LostBrowser("chromium offers no WebGL 2");
+    context = { gl, extensions: Object.fromEntries(EXTENSIONS.map((name) => [name, get(gl, name)])) };
+  }
+  return context;
+}
+
+function get(gl, name) {
+  const extension = gl.getExtension(name);
+  if (!extension) throw new LostBrowser(`chromium's WebGL 2 has no ${name}`);
+  return extension;
+}
+
+export function device() {
+  return answer(() => {
+    const { gl } = theContext();
+    const { UNMASKED_RENDERER_WEBGL } = get(gl, "WEBGL_debug_renderer_info");
+    return {
+      name: gl.getParameter(UNMASKED_RENDERER_WEBGL),
+      subpixel_bits: gl.getParameter(gl.SUBPIXEL_BITS),
+    };
+  });
+}
+
+export function draw(job) {
+  return answer(async () => {
+    const { gl, extensions } = theContext();
+    takeErrors(gl); // of a job that broke off
+    try {
+      return { pictures: drawAll(gl, extensions, job) };
+    } catch (error) {
+      // It may be due to a loss, of which the page is told only when it is idle.
+      await new Promise((resolve) => setTimeout(resolve, NEWS_DELAY));
+      throw gl.isContextLost() ? new Refusal("the WebGL context was lost") : error;
+    }
+  });
+}
+
+function drawAll(gl, extensions, job) {
+  const program = linkProgram(gl, job.pipeline);
+  const pictures = job.draws.map((each) => {
+    const picture = drawPicture(gl, extensions, program, job.pipeline, each);
+    refuseErrors(gl);
+    return picture;
+  });
+  gl.deleteProgram(program);
+  return pictures;
+}
+
+function refuseErrors(gl) {
+  const names = takeErrors(gl);
+  if (names.length) throw new Refusal(`WebGL reports ${names.join(", ")}`);
+}
+
+function takeErrors(gl) {
+  const names = [];
+  for (let code = gl.getError(); code !== gl.NO_ERROR; code = gl.getError()) {
+    names.push(nameOf(gl, code));
+    if (code === gl.CONTEXT_LOST_WEBGL) break; // which has no end
+  }
+  return names;
+}
+
+function nameOf(gl, code) {
+  for (const name in gl) {
+    if (gl[name] === code) return name;
+  }
+  return String(code);
+}

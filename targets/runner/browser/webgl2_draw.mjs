@@ -1,0 +1,86 @@
+// One draw of a job: its resources, the state, and the way back.
+
+import { bytes } from "./answers.mjs";
+import { clear, deleteScreen, makeScreen, readTarget, setBlending } from "./webgl2_screen.mjs";
+import { bindSampler, bindTexture } from "./webgl2_textures.mjs";
+
+/** The picture of a draw: for each target its format and its texels. */
+export function drawPicture(gl, extensions, program, job, draw) {
+  const size = [draw.width, draw.height];
+  const screen = makeScreen(gl, job.targets, size);
+  clear(gl, draw.clear);
+  setState(gl, job);
+  setBlending(gl, extensions, job.targets);
+  drawMesh(gl, program, job, draw);
+  const picture = job.targets.map(({ format }, at) => readTarget(gl, at, format, size));
+  deleteScreen(gl, screen);
+  return picture;
+}
+
+function setState(gl, job) {
+  gl.enable(gl.DEPTH_TEST);
+  gl.depthFunc(gl.LESS);
+  (job.cull === "none" ? gl.disable : gl.enable).call(gl, gl.CULL_FACE);
+  gl.cullFace(job.cull === "front" ? gl.FRONT : gl.BACK);
+  gl.frontFace(job.front_face === "cw" ? gl.CW : gl.CCW);
+}
+
+function drawMesh(gl, program, job, draw) {
+  gl.useProgram(program);
+  job.host_uniforms.forEach((name) => {
+    gl.uniform1f(gl.getUniformLocation(program, name), draw.height);
+  });
+  const textures = draw.textures.map((image, unit) => bindTexture(gl, unit, image));
+  const samplers = job.textures.map((slot, unit) => bindSampler(gl, unit, slot));
+  const blocks = draw.blocks.map((data, at) => {
+    const block = makeBuffer(gl, gl.UNIFORM_BUFFER, bytes(data));
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, at, block);
+    return block;
+  });
+  const array = gl.createVertexArray();
+  gl.bindVertexArray(array);
+  const attributes = job.inputs.map((slot, at) => feed(gl, program, slot, draw.vertices[at]));
+  const indices = firstVertexLast(new Uint32Array(bytes(draw.indices).buffer));
+  const mesh = makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, indices);
+  gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0);
+  gl.bindVertexArray(null);
+  gl.deleteVertexArray(array);
+  [...blocks, ...attributes, mesh].forEach((buffer) => gl.deleteBuffer(buffer));
+  textures.forEach((texture) => gl.deleteTexture(texture));
+  samplers.forEach((sampler) => gl.deleteSampler(sampler));
+}
+
+function makeBuffer(gl, kind, data) {
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(kind, buffer);
+  gl.bufferData(kind, data, gl.STATIC_DRAW);
+  return buffer;
+}
+
+/** A buffer with a vertex attribute's values, from which the attribute is read. */
+function feed(gl, program, { identifier, format }, data) {
+  const buffer = makeBuffer(gl, gl.ARRAY_BUFFER, bytes(data));
+  const location = gl.getAttribLocation(program, identifier);
+  if (location < 0) return buffer; // not used, so left out by the linker
+  const [kind, lanes = "1"] = format.split("x");
+  gl.enableVertexAttribArray(location);
+  if (kind === "float32") {
+    gl.vertexAttribPointer(location, Number(lanes), gl.FLOAT, false, 0, 0);
+  } else {
+    const type = kind === "sint32" ? gl.INT : gl.UNSIGNED_INT;
+    gl.vertexAttribIPointer(location, Number(lanes), type, 0, 0);
+  }
+  return buffer;
+}
+
+/** The same triangles, each with its first vertex last.
+ *
+ * A flat varying has the value at a job's first vertex, and in WebGL at the last.
+ */
+function firstVertexLast(indices) {
+  const turned = new Uint32Array(indices.length);
+  for (let at = 0; at < indices.length; at += 3) {
+    turned.set([indices[at + 1], indices[at + 2], indices[at]], at);
+  }
+  return turned;
+}

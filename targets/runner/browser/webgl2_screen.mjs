@@ -1,0 +1,82 @@
+// The framebuffer that a draw goes to.
+
+import { base64, Refusal } from "./answers.mjs";
+
+const STORAGE = {
+  "r8unorm": "R8",
+  "rg8unorm": "RG8",
+  "rgba8unorm": "RGBA8",
+  "rgba8unorm-srgb": "SRGB8_ALPHA8",
+  "r16float": "R16F",
+  "rg16float": "RG16F",
+  "rgba16float": "RGBA16F",
+  "r32float": "R32F",
+  "rg32float": "RG32F",
+  "rgba32float": "RGBA32F",
+};
+
+// Of source and destination for the colour, then for the alpha lane.
+const BLEND_FACTORS = {
+  alpha: ["SRC_ALPHA", "ONE_MINUS_SRC_ALPHA", "ONE", "ONE_MINUS_SRC_ALPHA"],
+  premultiplied: ["ONE", "ONE_MINUS_SRC_ALPHA", "ONE", "ONE_MINUS_SRC_ALPHA"],
+  add: ["ONE", "ONE", "ONE", "ONE"],
+  multiply: ["DST_COLOR", "ZERO", "DST_COLOR", "ZERO"],
+};
+
+/** A framebuffer, bound; and the renderbuffers in it. */
+export function makeScreen(gl, targets, size) {
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  const buffers = targets.map(({ format }, at) =>
+    attach(gl, gl.COLOR_ATTACHMENT0 + at, gl[STORAGE[format]], size),
+  );
+  buffers.push(attach(gl, gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F, size));
+  gl.drawBuffers(targets.map((_, at) => gl.COLOR_ATTACHMENT0 + at));
+  if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
+    const formats = targets.map(({ format }) => format).join(", ");
+    throw new Refusal(`WebGL cannot draw ${size.join(" x ")} pixels to ${formats}`);
+  }
+  gl.viewport(0, 0, ...size);
+  return { framebuffer, buffers };
+}
+
+function attach(gl, attachment, storage, size) {
+  const buffer = gl.createRenderbuffer();
+  gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+  gl.renderbufferStorage(gl.RENDERBUFFER, storage, ...size);
+  gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
+  return buffer;
+}
+
+export function deleteScreen(gl, { framebuffer, buffers }) {
+  buffers.forEach((buffer) => gl.deleteRenderbuffer(buffer));
+  gl.deleteFramebuffer(framebuffer);
+}
+
+export function clear(gl, colors) {
+  colors.forEach((color, at) => gl.clearBufferfv(gl.COLOR, at, color));
+  gl.clearBufferfv(gl.DEPTH, 0, [1]);
+}
+
+/** Sets how each target blends. */
+export function setBlending(gl, { OES_draw_buffers_indexed: indexed }, targets) {
+  targets.forEach(({ blend }, at) => {
+    if (blend === "none") return indexed.disableiOES(gl.BLEND, at);
+    indexed.enableiOES(gl.BLEND, at);
+    const factors = BLEND_FACTORS[blend].map((name) => gl[name]);
+    indexed.blendFuncSeparateiOES(at, ...factors);
+  });
+}
+
+/** A target's texels. WebGL surely reads RGBA only, and fills lanes that are missing. */
+export function readTarget(gl, at, format, [width, height]) {
+  gl.readBuffer(gl.COLOR_ATTACHMENT0 + at);
+  const isFloat = format.endsWith("float");
+  const lanes = new (isFloat ? Float32Array : Uint8Array)(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE, lanes);
+  const srgb = format.endsWith("srgb") ? "-srgb" : "";
+  return {
+    format: isFloat ? "rgba32float" : `rgba8unorm${srgb}`,
+    texels: base64(new Uint8Array(lanes.buffer)),
+  };
+}

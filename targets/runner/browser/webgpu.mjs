@@ -1,0 +1,45 @@
+// Draws jobs by WebGPU. A job and its pictures are those of draw.py, as JSON.
+
+import { answer } from "./answers.mjs";
+import { collectErrors, openDevice } from "./webgpu_device.mjs";
+import { drawPicture } from "./webgpu_draw.mjs";
+import { makePipeline } from "./webgpu_pipeline.mjs";
+
+// WebGPU does not tell. This is `subPixelPrecisionBits` of SwiftShader's Vulkan driver, on which
+// the browser was asked to run.
+const SUBPIXEL_BITS = 4;
+
+let opened = null;
+
+/** The one device of the page, or a new one when that was lost. */
+async function theDevice() {
+  if (!opened) {
+    opened = await openDevice();
+    opened.lost.then(() => (opened = null));
+  }
+  return opened;
+}
+
+export function device() {
+  return answer(async () => {
+    const { vendor, architecture, device, description } = (await theDevice()).adapter.info;
+    const name = [description || device, vendor, architecture].filter(Boolean).join(", ");
+    return { name, subpixel_bits: SUBPIXEL_BITS };
+  });
+}
+
+export function draw(job) {
+  return answer(async () => {
+    const { device, lost } = await theDevice();
+    return Promise.race([collectErrors(device, () => drawAll(device, job)), lost]);
+  });
+}
+
+async function drawAll(device, job) {
+  const pipeline = await makePipeline(device, job.pipeline);
+  const pictures = [];
+  for (const each of job.draws) {
+    pictures.push(await drawPicture(device, job.pipeline, pipeline, each));
+  }
+  return { pictures };
+}

@@ -1,0 +1,151 @@
+// One draw of a job: its resources, the render pass, and the way back.
+
+import { base64, bytes, levelSize, Refusal } from "./answers.mjs";
+import { groups } from "./webgpu_pipeline.mjs";
+
+const ROW_ALIGNMENT = 256;
+const TEXEL_SIZES = {
+  "r8unorm": 1, "rg8unorm": 2, "rgba8unorm": 4, "rgba8unorm-srgb": 4,
+  "r16float": 2, "rg16float": 4, "rgba16float": 8,
+  "r32float": 4, "rg32float": 8, "rgba32float": 16,
+};
+const ADDRESS_MODES = { repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat" };
+
+/** The picture of a draw: for each target its format and its texels. */
+export async function drawPicture(device, job, { pipeline, layouts }, draw) {
+  const resources = [];
+  const keep = (resource) => (resources.push(resource), resource);
+  try {
+    const size = [draw.width, draw.height];
+    const screen = job.targets.map(({ format }) => keep(makeTarget(device, format, size)));
+    const depth = keep(makeTarget(device, "depth32float", size));
+    const encoder = device.createCommandEncoder();
+    const pass = encoder.beginRenderPass(passDescriptor(screen, depth, draw.clear));
+    pass.setPipeline(pipeline);
+    bindGroups(device, job, layouts, draw, keep).forEach((group, at) => pass.setBindGroup(at, group));
+    drawMesh(device, pass, draw, keep);
+    pass.end();
+    const copies = screen.map((target) => keep(copyBack(device, encoder, target)));
+    device.queue.submit([encoder.finish()]);
+    await Promise.all(copies.map((copy) => copy.mapAsync(GPUMapMode.READ)));
+    return copies.map((copy, at) => ({
+      format: job.targets[at].format,
+      texels: base64(withoutPadding(new Uint8Array(copy.getMappedRange()), screen[at])),
+    }));
+  } finally {
+    resources.forEach((resource) => resource.destroy());
+  }
+}
+
+function makeTarget(device, format, size) {
+  return device.createTexture({
+    format,
+    size,
+    usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,
+  });
+}
+
+function passDescriptor(screen, depth, clear) {
+  return {
+    colorAttachments: screen.map((target, at) => ({
+      view: target.createView(),
+      clearValue: clear[at],
+      loadOp: "clear",
+      storeOp: "store",
+    })),
+    depthStencilAttachment: {
+      view: depth.createView(),
+      depthClearValue: 1,
+      depthLoadOp: "clear",
+      depthStoreOp: "discard",
+    },
+  };
+}
+
+function drawMesh(device, pass, draw, keep) {
+  const buffer = (data, usage) => keep(makeBuffer(device, bytes(data), usage));
+  draw.vertices.forEach((data, at) => pass.setVertexBuffer(at, buffer(data, GPUBufferUsage.VERTEX)));
+  const indices = buffer(draw.indices, GPUBufferUsage.INDEX);
+  pass.setIndexBuffer(indices, "uint32");
+  pass.drawIndexed(indices.size / 4);
+}
+
+function makeBuffer(device, data, usage) {
+  const buffer = device.createBuffer({ size: data.length, usage: usage | GPUBufferUsage.COPY_DST });
+  device.queue.writeBuffer(buffer, 0, data);
+  return buffer;
+}
+
+function bindGroups(device, job, layouts, draw, keep) {
+  const resource = ({ block, texture, sampler, number }) => {
+    if (block) {
+      const data = bytes(draw.blocks[number]);
+      return { buffer: keep(makeBuffer(device, data, GPUBufferUsage.UNIFORM)) };
+    }
+    if (texture) return keep(makeTexture(device, draw.textures[number])).createView();
+    return makeSampler(device, sampler);
+  };
+  return groups(job).map((group, at) =>
+    device.createBindGroup({
+      layout: layouts[at],
+      entries: [...group].map(([binding, what]) => ({ binding, resource: resource(what) })),
+    }),
+  );
+}
+
+function makeTexture(device, image) {
+  if (image.format === "rgba32float" && !device.features.has("float32-filterable")) {
+    throw new Refusal("the WebGPU adapter cannot filter rgba32float: it lacks float32-filterable");
+  }
+  const texture = device.createTexture({
+    format: image.format,
+    size: [image.width, image.height],
+    mipLevelCount: image.levels.length,
+    usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST,
+  });
+  image.levels.forEach((texels, mipLevel) => {
+    const size = levelSize(image, mipLevel);
+    const bytesPerRow = size[0] * TEXEL_SIZES[image.format];
+    device.queue.writeTexture({ texture, mipLevel }, bytes(texels), { bytesPerRow }, size);
+  });
+  return texture;
+}
+
+function makeSampler(device, { filter, mip, wrap }) {
+  return device.createSampler({
+    addressModeU: ADDRESS_MODES[wrap],
+    addressModeV: ADDRESS_MODES[wrap],
+    magFilter: filter,
+    minFilter: filter,
+    // There is no sampler without mip levels, but one that stays on the first.
+    ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip }),
+  });
+}
+
+const rowSize = ({ width, format }) => width * TEXEL_SIZES[format];
+const paddedRowSize = (target) => Math.ceil(rowSize(target) / ROW_ALIGNMENT) * ROW_ALIGNMENT;
+
+/** A buffer into which the encoder copies a target, its rows padded as WebGPU wants them. */
+function copyBack(device, encoder, target) {
+  const bytesPerRow = paddedRowSize(target);
+  const buffer = device.createBuffer({
+    size: bytesPerRow * target.height,
+    usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ,
+  });
+  encoder.copyTextureToBuffer({ texture: target }, { buffer, bytesPerRow }, [
+    target.width,
+    target.height,
+  ]);
+  return buffer;
+}
+
+function withoutPadding(data, target) {
+  const row = rowSize(target);
+  const padded = paddedRowSize(target);
+  if (row === padded) return data;
+  const packed = new Uint8Array(row * target.height);
+  for (let y = 0; y < target.height; y++) {
+    packed.set(data.subarray(y * padded, y * padded + row), y * row);
+  }
+  return packed;
+}

@@ -1,0 +1,99 @@
+// From the pipeline of a job to WebGPU's.
+
+import { Refusal } from "./answers.mjs";
+
+const BOTH_STAGES = 3; // GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT
+const FLOAT32_TARGETS = ["r32float", "rg32float", "rgba32float"];
+
+const sum = (srcFactor, dstFactor) => ({ operation: "add", srcFactor, dstFactor });
+const alike = (factors) => ({ color: factors, alpha: factors });
+const BLENDS = {
+  none: undefined,
+  alpha: {
+    color: sum("src-alpha", "one-minus-src-alpha"),
+    alpha: sum("one", "one-minus-src-alpha"),
+  },
+  premultiplied: alike(sum("one", "one-minus-src-alpha")),
+  add: alike(sum("one", "one")),
+  multiply: alike(sum("dst", "zero")),
+};
+
+/** The pipeline, and the layouts of its bind groups. */
+export async function makePipeline(device, job) {
+  const layouts = groupLayouts(device, job);
+  const [vertex, fragment] = await Promise.all([
+    makeModule(device, "vertex", job.vertex.text),
+    makeModule(device, "fragment", job.fragment.text),
+  ]);
+  const pipeline = await device.createRenderPipelineAsync({
+    layout: device.createPipelineLayout({ bindGroupLayouts: layouts }),
+    vertex: {
+      module: vertex,
+      entryPoint: job.vertex.entry,
+      buffers: job.inputs.map(({ location, format }) => ({
+        arrayStride: 4 * Number(format.split("x")[1] ?? 1),
+        attributes: [{ format, offset: 0, shaderLocation: location }],
+      })),
+    },
+    fragment: {
+      module: fragment,
+      entryPoint: job.fragment.entry,
+      targets: job.targets.map((target) => targetState(device, target)),
+    },
+    primitive: { topology: "triangle-list", cullMode: job.cull, frontFace: job.front_face },
+    depthStencil: { format: "depth32float", depthWriteEnabled: true, depthCompare: "less" },
+  });
+  return { pipeline, layouts };
+}
+
+/** A module; whatever the compiler says of its text is an error. */
+async function makeModule(device, stage, code) {
+  const module = device.createShaderModule({ code });
+  const { messages } = await module.getCompilationInfo();
+  if (messages.length) {
+    const lines = messages.map(
+      ({ type, lineNum, linePos, message }) => `${stage} ${lineNum}:${linePos}: ${type}: ${message}`,
+    );
+    throw new Refusal(lines.join("\n"));
+  }
+  return module;
+}
+
+function targetState(device, { format, blend }) {
+  const float32 = FLOAT32_TARGETS.includes(format);
+  if (blend !== "none" && float32 && !device.features.has("float32-blendable")) {
+    throw new Refusal(`the WebGPU adapter cannot blend ${format}: it lacks float32-blendable`);
+  }
+  return { format, blend: BLENDS[blend] };
+}
+
+/** The slots' bindings, group by group, with an empty group for each number that is left out. */
+export function groups(job) {
+  const found = [];
+  const add = (place, what) => {
+    for (let group = found.length; group <= place.group; group++) found.push(new Map());
+    found[place.group].set(place.binding, what);
+  };
+  job.blocks.forEach((slot, number) => add(slot.place, { block: slot, number }));
+  job.textures.forEach((slot, number) => {
+    add(slot.texture, { texture: slot, number });
+    if (slot.sampler) add(slot.sampler, { sampler: slot, number });
+  });
+  return found;
+}
+
+// Not `layout: "auto"`, which leaves out what the shaders do not use; and so that a block that is
+// larger in the shader than in the job is an error.
+function groupLayouts(device, job) {
+  return groups(job).map((group) =>
+    device.createBindGroupLayout({
+      entries: [...group].map(([binding, what]) => ({
+        binding,
+        visibility: BOTH_STAGES,
+        ...(what.block && { buffer: { minBindingSize: what.block.size } }),
+        ...(what.texture && { texture: {} }),
+        ...(what.sampler && { sampler: {} }),
+      })),
+    }),
+  );
+}

@@ -1,0 +1,40 @@
+"""The driver: OpenGL by moderngl, started when first asked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ...toolchain.tools import tool_named
+from ..checks import check, check_names
+from ..draw import Device, DriverError, Job, Picture
+
+if TYPE_CHECKING:
+    from .renderer import Renderer
+
+
+class OpenGL:
+    """Draws with a ``Renderer``; without moderngl, says what to install."""
+
+    def __init__(self) -> None:
+        self._renderer: Renderer | None = None
+
+    def device(self) -> Device:
+        """The OpenGL driver's account of itself."""
+        return self._start().device()
+
+    def draw(self, job: Job) -> Sequence[Picture]:
+        """A picture for each draw of the job. Raises ``DriverError``."""
+        check(job)
+        check_names(job.pipeline)
+        return self._start().draw(job)
+
+    def _start(self) -> Renderer:
+        if self._renderer is None:
+            try:
+                from .renderer import Renderer
+            except ImportError as error:
+                install = tool_named("moderngl").install
+                raise DriverError(f"{error}; to install it: {install}") from None
+            self._renderer = Renderer()
+        return self._renderer

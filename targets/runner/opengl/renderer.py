@@ -1,0 +1,107 @@
+"""Draws jobs with OpenGL."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import moderngl
+
+from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline
+from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
+from .program import attribute_layout, link
+from .screen import Screen
+from .textures import bind_texture
+
+
+class Renderer:
+    """An OpenGL context that draws one job after the other."""
+
+    def __init__(self) -> None:
+        self._context = create_context()
+        self._functions = Functions()
+
+    def device(self) -> Device:
+        """OpenGL tells of its precision only how vertices are snapped."""
+        info = self._context.info
+        return Device(
+            name=info["GL_RENDERER"],
+            version=info["GL_VERSION"],
+            subpixel_bits=info["GL_SUBPIXEL_BITS"],
+            subtexel_bits=0,
+            mip_bits=0,
+        )
+
+    def draw(self, job: Job) -> Sequence[Picture]:
+        """Links the job's program and draws with it. Raises ``DriverError``."""
+        self._context.clear_errors()  # of a job that broke off
+        program = link(self._context, job.pipeline)
+        try:
+            return [
+                _picture(self._context, self._functions, program, job.pipeline, draw)
+                for draw in job.draws
+            ]
+        except moderngl.Error as error:
+            raise DriverError(f"OpenGL: {error}") from None
+        finally:
+            program.release()
+
+
+def _picture(
+    context: moderngl.Context,
+    functions: Functions,
+    program: moderngl.Program,
+    pipeline: Pipeline,
+    draw: Draw,
+) -> Picture:
+    screen = Screen(context, functions, pipeline.targets, (draw.width, draw.height))
+    try:
+        _set_state(context, functions, pipeline)
+        screen.clear(draw.clear)
+        screen.set_blending()
+        _render(context, functions, program, pipeline, draw)
+        picture = Picture(draw.width, draw.height, screen.read(pipeline))
+    finally:
+        screen.release()
+    if (error := context.error) != "GL_NO_ERROR":
+        raise DriverError(f"OpenGL reports {error}")
+    return picture
+
+
+def _set_state(context: moderngl.Context, functions: Functions, pipeline: Pipeline) -> None:
+    culling = 0 if pipeline.cull == "none" else context.CULL_FACE
+    context.enable_only(context.DEPTH_TEST | culling)
+    context.depth_func = "<"
+    context.front_face = pipeline.front_face
+    context.cull_face = "front" if pipeline.cull == "front" else "back"
+    context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
+    functions.glEnable(GL_FRAMEBUFFER_SRGB)
+
+
+def _render(
+    context: moderngl.Context,
+    functions: Functions,
+    program: moderngl.Program,
+    pipeline: Pipeline,
+    draw: Draw,
+) -> None:
+    for name in pipeline.host_uniforms:
+        uniform = program.get(name, None)
+        if isinstance(uniform, moderngl.Uniform):
+            uniform.value = float(draw.height)
+    blocks = [context.buffer(data) for data in draw.blocks]
+    for number, block in enumerate(blocks):
+        block.bind_to_uniform_block(number)
+    textures = [
+        bind_texture(context, functions, slot, image, unit)
+        for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True))
+    ]
+    attributes = [
+        (context.buffer(data), attribute_layout(slot.format), slot.identifier)
+        for slot, data in zip(pipeline.inputs, draw.vertices, strict=True)
+        if program.get(slot.identifier, None) is not None
+    ]
+    indices = context.buffer(draw.indices)
+    array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
+    array.render()
+    for texture in textures:
+        texture.release()

@@ -1,0 +1,119 @@
+"""The framebuffer that a job draws into."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+
+import moderngl
+
+from ..draw import Blend, Pipeline, Target, TargetFormat
+from ..readback import to_float
+from .context import (
+    GL_BLEND,
+    GL_COLOR,
+    GL_DEPTH,
+    GL_DEPTH_ATTACHMENT,
+    GL_DEPTH_COMPONENT32F,
+    GL_FRAMEBUFFER,
+    GL_RENDERBUFFER,
+    Functions,
+)
+
+STORAGE: dict[TargetFormat, tuple[int, str, int]] = {
+    "r8unorm": (1, "f1", 0x8229),
+    "rg8unorm": (2, "f1", 0x822B),
+    "rgba8unorm": (4, "f1", 0x8058),
+    "rgba8unorm-srgb": (4, "f1", 0x8C43),
+    "r16float": (1, "f2", 0x822D),
+    "rg16float": (2, "f2", 0x822F),
+    "rgba16float": (4, "f2", 0x881A),
+    "r32float": (1, "f4", 0x822E),
+    "rg32float": (2, "f4", 0x8230),
+    "rgba32float": (4, "f4", 0x8814),
+}
+"""Number of lanes, moderngl's type of a lane, and OpenGL's internal format."""
+
+ZERO, ONE, DST_COLOR = 0, 1, 0x0306
+SRC_ALPHA, ONE_MINUS_SRC_ALPHA = 0x0302, 0x0303
+BLEND_FACTORS: dict[Blend, tuple[int, int, int, int]] = {
+    "alpha": (SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA),
+    "premultiplied": (ONE, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA),
+    "add": (ONE, ONE, ONE, ONE),
+    "multiply": (DST_COLOR, ZERO, DST_COLOR, ZERO),
+}
+"""Of source and destination for the colour, then for the alpha lane."""
+
+
+class Screen:
+    """Colour targets and a depth buffer of one size, without a window.
+
+    What OpenGL itself is called for here, moderngl has not got: clearing and blending each target
+    in its own way, and a depth buffer of 32-bit floats.
+    """
+
+    def __init__(
+        self,
+        context: moderngl.Context,
+        functions: Functions,
+        targets: Sequence[Target],
+        size: tuple[int, int],
+    ) -> None:
+        self._context = context
+        self._functions = functions
+        self._targets = targets
+        self._size = size
+        self._framebuffer = context.framebuffer([_make(context, size, t) for t in targets])
+        self._framebuffer.use()
+        self._depth = ctypes.c_uint()
+        functions.glGenRenderbuffers(1, ctypes.byref(self._depth))
+        functions.glBindRenderbuffer(GL_RENDERBUFFER, self._depth)
+        functions.glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, *size)
+        functions.glFramebufferRenderbuffer(
+            GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, self._depth
+        )
+
+    def clear(self, colors: Sequence[tuple[float, float, float, float]]) -> None:
+        """Clears every target to its colour, and the depth to 1."""
+        self._functions.glDepthMask(1)
+        for number, color in enumerate(colors):
+            lanes = (ctypes.c_float * 4)(*color)
+            self._functions.glClearBufferfv(GL_COLOR, number, lanes)
+        self._functions.glClearBufferfv(GL_DEPTH, 0, (ctypes.c_float * 1)(1.0))
+
+    def set_blending(self) -> None:
+        """Sets how each target blends."""
+        for number, target in enumerate(self._targets):
+            if target.blend == "none":
+                self._functions.glDisablei(GL_BLEND, number)
+                continue
+            self._functions.glEnablei(GL_BLEND, number)
+            self._functions.glBlendFuncSeparatei(number, *BLEND_FACTORS[target.blend])
+
+    def read(self, pipeline: Pipeline) -> tuple[bytes, ...]:
+        """Each target as a ``Picture`` has it."""
+        return tuple(self._read(number, pipeline) for number in range(len(self._targets)))
+
+    def _read(self, number: int, pipeline: Pipeline) -> bytes:
+        encoded = self._targets[number].format
+        widened: TargetFormat = "rgba32float"
+        kind = "f4"
+        if encoded.endswith(("unorm", "srgb")):
+            widened = "rgba8unorm-srgb" if encoded.endswith("srgb") else "rgba8unorm"
+            kind = "f1"
+        texels = self._framebuffer.read(components=4, attachment=number, dtype=kind)
+        return to_float(texels, widened, *self._size, pipeline.first_row)
+
+    def release(self) -> None:
+        """Frees the targets and the depth buffer."""
+        # When it makes a framebuffer, moderngl binds the last one again: that has to be there.
+        self._context.detect_framebuffer(0).use()
+        self._functions.glDeleteRenderbuffers(1, ctypes.byref(self._depth))
+        for attachment in self._framebuffer.color_attachments:
+            attachment.release()
+        self._framebuffer.release()
+
+
+def _make(context: moderngl.Context, size: tuple[int, int], target: Target) -> moderngl.Texture:
+    lanes, kind, internal_format = STORAGE[target.format]
+    return context.texture(size, lanes, dtype=kind, internal_format=internal_format)

@@ -1,0 +1,201 @@
+"""The browser's own: its processes, and devices that are lost."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from burnish.targets.runner.browser.driver import APIS, Browser
+from burnish.targets.runner.draw import DriverError, Job
+from burnish.targets.runner.wire import to_json
+
+from . import textual_shaders as shaders
+from .textual_kit import COMMANDS, RED, TIME_LIMIT, Asker, full, pipeline, shoot
+
+PATIENCE = 90.0
+"""Seconds for processes to come to an end; much more than they need."""
+
+
+def processes() -> dict[int, tuple[int, str]]:
+    """Of every process its parent and its command line."""
+    found = {}
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            status = (folder / "stat").read_text().rpartition(")")[2].split()
+            words = (folder / "cmdline").read_bytes().replace(b"\0", b" ").decode()
+        except (FileNotFoundError, ProcessLookupError):
+            continue
+        if status[0] != "Z":
+            found[int(folder.name)] = int(status[1]), words
+    return found
+
+
+def descendants(ancestor: int) -> dict[int, str]:
+    """The command lines of all processes that descend from one."""
+    everyone = processes()
+    family = {ancestor}
+    while more := {pid for pid, (parent, _) in everyone.items() if parent in family} - family:
+        family |= more
+    return {pid: everyone[pid][1] for pid in family - {ancestor}}
+
+
+def wait_until(condition: Callable[[], bool]) -> bool:
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > end:
+            return False
+        time.sleep(0.1)
+    return True
+
+
+def profile(commands: dict[int, str]) -> Path:
+    """The folder that a browser was given for its data."""
+    words = " ".join(commands.values()).split()
+    return Path(next(w for w in words if w.startswith("--user-data-dir=")).partition("=")[2])
+
+
+def browser_of(ancestor: int) -> tuple[set[int], Path]:
+    """The processes of the browser that a process has started, and its folder."""
+    commands = descendants(ancestor)
+    assert any("--type=gpu-process" in words for words in commands.values())
+    folder = profile(commands)
+    assert folder.is_dir()
+    return set(commands), folder
+
+
+@pytest.fixture(params=list(APIS))
+def worker(request: pytest.FixtureRequest) -> Iterator[subprocess.Popen[bytes]]:
+    """A worker that has answered once."""
+    command = [sys.executable, "-m", *COMMANDS[request.param]]
+    child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    assert child.stdin is not None and child.stdout is not None
+    child.stdin.write(b"{}\n")
+    child.stdin.flush()
+    assert b"Chromium" in child.stdout.readline()
+    yield child
+    child.kill()
+    child.wait()
+    child.stdin.close()
+    child.stdout.close()
+
+
+def test_ends_with_its_input(worker: subprocess.Popen[bytes]) -> None:
+    family, folder = browser_of(worker.pid)
+    assert worker.stdin is not None
+    worker.stdin.close()
+    assert worker.wait(PATIENCE) == 0
+    assert wait_until(lambda: not family & processes().keys())
+    assert wait_until(lambda: not folder.exists())
+
+
+def test_ends_when_killed(worker: subprocess.Popen[bytes]) -> None:
+    family, folder = browser_of(worker.pid)
+    worker.send_signal(signal.SIGKILL)
+    assert wait_until(lambda: not family & processes().keys())
+    assert wait_until(lambda: not folder.exists())
+
+
+PARENT = """
+import sys, time
+from burnish.targets.toolchain.workers import Worker
+worker = Worker(lambda: [sys.executable, "-m", *sys.argv[1:]])
+print(worker.ask({}, 120).reply, flush=True)
+time.sleep(600)
+"""
+
+
+def test_ends_when_the_parent_is_killed() -> None:
+    parent = subprocess.Popen(
+        [sys.executable, "-c", PARENT, *COMMANDS["webgl2"]], stdout=subprocess.PIPE
+    )
+    assert parent.stdout is not None
+    assert b"Chromium" in parent.stdout.readline()
+    family, folder = browser_of(parent.pid)
+    parent.kill()
+    parent.wait()
+    parent.stdout.close()
+    assert wait_until(lambda: not family & processes().keys())
+    assert wait_until(lambda: not folder.exists())
+
+
+HANG_WGSL = shaders.PAINT_WGSL.replace(
+    "return color;", "var c = color; while (c.x < 2.0) { c.y += 1.0; } return c;"
+)
+
+
+def test_ends_in_the_midst_of_a_job() -> None:
+    """The worker is killed when its time is up. The hanging browser then has half a minute."""
+    api = "webgpu"
+    before = descendants(os.getpid()).keys()
+    own = Asker(api)
+    own.device()
+    commands = descendants(os.getpid())
+    family = commands.keys() - before
+    folder = profile({pid: commands[pid] for pid in family})
+    hanging = Job(pipeline(api, wgsl=HANG_WGSL), (full(RED),))
+    assert own.answer({"job": to_json(hanging)}, 3.0).ending == "timeout"
+    assert wait_until(lambda: not family & processes().keys())
+    assert wait_until(lambda: not folder.exists())
+    own.close()
+
+
+@pytest.mark.parametrize("api", list(APIS))
+def test_survives_the_loss_of_the_gpu_process(api: str) -> None:
+    """One job may be lost, or none; those after it are drawn."""
+    before = descendants(os.getpid()).keys()
+    own = Asker(api)
+    job = Job(pipeline(api), (full(RED),))
+    own.draw(job)
+    for pid, words in descendants(os.getpid()).items():
+        if pid not in before and "--type=gpu-process" in words:
+            os.kill(pid, signal.SIGKILL)
+    try:
+        own.draw(job)
+    except DriverError as error:
+        assert "lost" in str(error).lower()
+    (picture,) = own.draw(job)
+    assert picture.targets
+    own.close()
+
+
+@pytest.mark.parametrize("api", list(APIS))
+def test_missing_browser(api: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(DriverError, match="chromium is missing; to install it: apt-get"):
+        Browser(APIS[api]).device()
+
+
+def test_missing_package(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "playwright.sync_api", None)
+    monkeypatch.delitem(sys.modules, "burnish.targets.runner.browser.chromium", raising=False)
+    with pytest.raises(DriverError, match=r"playwright.*to install it: .*pip install"):
+        Browser(APIS["webgpu"]).device()
+
+
+def test_wgsl_warnings_are_errors() -> None:
+    wgsl = shaders.PAINT_WGSL.replace("return color;", "return color; _ = color.x;")
+    with pytest.raises(DriverError, match="warning: code is unreachable"):
+        shoot("webgpu", Job(pipeline("webgpu", wgsl=wgsl), (full(RED),)))
+
+
+def test_texture_reads_in_varying_control_flow() -> None:
+    """What Chromium refuses and naga takes."""
+    wgsl = shaders.TEXTURED_WGSL.replace(
+        "return textureSample", "if (color.x > 0.5) { return color; }\n return textureSample"
+    )
+    with pytest.raises(DriverError, match="uniform control flow"):
+        shoot("webgpu", Job(pipeline("webgpu", wgsl=wgsl), (full(RED),)))
+
+
+def test_usage() -> None:
+    command = [sys.executable, "-m", "burnish.targets.runner.browser", "webgl1"]
+    told = subprocess.run(command, check=False, capture_output=True, text=True, timeout=TIME_LIMIT)
+    assert told.returncode == 1
+    assert told.stderr == "usage: python -m burnish.targets.runner.browser webgpu|webgl2\n"

@@ -1,0 +1,220 @@
+"""Workers for the drivers that take shaders as text, and small scenes told by heart.
+
+Every shader is written twice: in GLSL, whose two dialects differ in their first lines only, and in
+WGSL. Places are in Direct3D's clip space, as everywhere in Burnish.
+"""
+
+from __future__ import annotations
+
+import struct
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from burnish.targets.runner.draw import (
+    BlockSlot,
+    Code,
+    Device,
+    Draw,
+    DriverError,
+    Image,
+    Job,
+    Picture,
+    Pipeline,
+    Place,
+    Target,
+    TextureFormat,
+    TextureSlot,
+    VertexFormat,
+    VertexInput,
+)
+from burnish.targets.runner.wire import from_json, to_json
+from burnish.targets.toolchain.workers import Answer, Worker
+
+from . import textual_shaders as shaders
+
+Floats = npt.NDArray[np.float32]
+Color = tuple[float, float, float, float]
+
+COMMANDS = {
+    "opengl": ("burnish.targets.runner.opengl",),
+    "webgpu": ("burnish.targets.runner.browser", "webgpu"),
+    "webgl2": ("burnish.targets.runner.browser", "webgl2"),
+}
+GLSL_HEADS = {
+    "opengl": "#version 330 core\n",
+    "webgl2": "#version 300 es\nprecision highp float;\nprecision highp int;\n",
+}
+TIME_LIMIT = 120.0
+SIZE = 8
+
+CORNERS = ((-1, -1), (3, -1), (-1, 3))
+"""Of a triangle that covers the picture."""
+BLACK: Color = (0.0, 0.0, 0.0, 0.0)
+
+
+class Asker:
+    """A driver in a worker of its own."""
+
+    def __init__(self, api: str) -> None:
+        self.api = api
+        self._worker = Worker(lambda: [sys.executable, "-m", *COMMANDS[api]])
+
+    def answer(self, request: dict[str, Any], time_limit: float = TIME_LIMIT) -> Answer:
+        """Whatever becomes of a request."""
+        return self._worker.ask(request, time_limit)
+
+    def device(self) -> Device:
+        """What the worker draws with."""
+        return from_json(Device, self._reply({})["device"])
+
+    def draw(self, job: Job) -> list[Picture]:
+        """The job's pictures. Raises ``DriverError`` as the worker does."""
+        return [from_json(Picture, each) for each in self._reply({"job": to_json(job)})["pictures"]]
+
+    def close(self) -> None:
+        """Ends the worker."""
+        self._worker.close()
+
+    def _reply(self, request: dict[str, Any]) -> Any:
+        answer = self.answer(request)
+        assert answer.ending == "ended", answer.log
+        if "error" in answer.reply:
+            raise DriverError(answer.reply["error"])
+        return answer.reply
+
+
+@cache
+def asker(api: str) -> Asker:
+    """One worker for all tests of this process."""
+    return Asker(api)
+
+
+def pixels(picture: Picture, target: int = 0) -> Floats:
+    """A target of a picture: height, width, RGBA."""
+    lanes = np.frombuffer(picture.targets[target], np.float32)
+    return lanes.reshape(picture.height, picture.width, 4)
+
+
+def shoot(api: str, job: Job, target: int = 0) -> Floats:
+    """What the only draw of a job left in a target."""
+    (picture,) = asker(api).draw(job)
+    return pixels(picture, target)
+
+
+def floats(values: object) -> bytes:
+    """Numbers, however nested, as float32."""
+    return np.asarray(values, "<f4").tobytes()
+
+
+def indices(*numbers: int) -> bytes:
+    """Numbers as uint32."""
+    return struct.pack(f"<{len(numbers)}I", *numbers)
+
+
+def place(identifier: str, group: int | None = None, binding: int | None = None) -> Place:
+    """Where something is bound: by name only, unless numbers are given."""
+    return Place(identifier, group, binding)
+
+
+def codes(api: str, glsl: str, wgsl: str) -> tuple[Code, Code]:
+    """Both stages of a shader, written with a bar between them."""
+    text = wgsl if api == "webgpu" else glsl
+    vertex, fragment = (GLSL_HEADS.get(api, "") + stage for stage in text.split("|"))
+    return Code("main", vertex), Code("main", fragment)
+
+
+def pipeline(
+    api: str,
+    glsl: str = shaders.PAINT_GLSL,
+    wgsl: str = shaders.PAINT_WGSL,
+    *,
+    paint: VertexFormat = "float32x4",
+    targets: Sequence[Target] = (Target("rgba32float"),),
+    blocks: Sequence[BlockSlot] = (),
+) -> Pipeline:
+    """A pipeline whose vertices have a place and a paint."""
+    vertex, fragment = codes(api, glsl, wgsl)
+    return Pipeline(
+        vertex=vertex,
+        fragment=fragment,
+        inputs=(VertexInput("place", 0, "float32x3"), VertexInput("paint", 1, paint)),
+        blocks=tuple(blocks),
+        textures=(),
+        targets=tuple(targets),
+        first_row="top" if api == "webgpu" else "bottom",
+    )
+
+
+def mesh(places: Sequence[Sequence[float]], paint: object, kind: str = "<f4") -> Draw:
+    """A draw of triangles, one vertex after the other; a place without depth has 0.5.
+
+    ``paint`` is one value for each vertex, or one for all.
+    """
+    count = len(places)
+    lanes = np.asarray(paint, kind)
+    each = lanes if lanes.ndim == 2 else np.tile(lanes, (count, 1))
+    return Draw(
+        width=SIZE,
+        height=SIZE,
+        vertex_count=count,
+        vertices=(floats([(*p, 0.5)[:3] for p in places]), each.tobytes()),
+        indices=indices(*range(count)),
+        blocks=(),
+        textures=(),
+        clear=(BLACK,),
+    )
+
+
+def full(paint: object) -> Draw:
+    """A draw that covers the picture with one paint."""
+    return mesh(CORNERS, paint)
+
+
+def with_blocks(draw: Draw, *blocks: bytes) -> Draw:
+    """The draw with uniform blocks."""
+    return replace(draw, blocks=blocks)
+
+
+NUMBERS = BlockSlot(place("Numbers"), 64)
+NUMBERS_DATA = np.array([-7, 2**20, -(2**30), 0] + [9] * 8 + [16777213, 9, 9, 9], "<i4").tobytes()
+
+
+def numbers(api: str, slot: BlockSlot = NUMBERS) -> Pipeline:
+    """A pipeline that adds a block of numbers to its paint."""
+    where = place("numbers" if api == "webgpu" else "Numbers", 2, 5)
+    return pipeline(
+        api,
+        shaders.NUMBERS_GLSL,
+        shaders.NUMBERS_WGSL,
+        paint="sint32x3",
+        blocks=[replace(slot, place=where)],
+    )
+
+
+RED, GREEN, BLUE = np.eye(4)[:3] + np.array((0, 0, 0, 1))
+TEXELS = (np.arange(16, dtype="<f4").reshape(2, 2, 4) + 1) / 16
+NEAREST = TextureSlot(place("image"), None, filter="nearest", mip="none", wrap="clamp")
+
+
+def image(*levels: np.ndarray) -> Image:
+    height, width, _ = levels[0].shape
+    kind: TextureFormat = "rgba32float" if levels[0].dtype == np.float32 else "rgba8unorm"
+    return Image(kind, width, height, tuple(level.tobytes() for level in levels))
+
+
+def read(api: str, slot: TextureSlot, picture: Image, corners: tuple[float, float]) -> np.ndarray:
+    """The texture over the picture, whose u and v run from the one corner to the other."""
+    low, high = corners
+    if api == "webgpu":
+        slot = replace(slot, texture=place("image", 0, 0), sampler=place("reader", 0, 1))
+    chosen = replace(pipeline(api, shaders.TEXTURED_GLSL, shaders.TEXTURED_WGSL), textures=(slot,))
+    span = high - low
+    uv = [(low, high), (low + 2 * span, high), (low, high - 2 * span)]  # v runs down
+    draw = mesh(CORNERS, [(*each, 0, 0) for each in uv])
+    return shoot(api, Job(chosen, (replace(draw, textures=(picture,)),)))
