@@ -16,7 +16,7 @@ from .progress import Progress
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial
-    from ..targets.conformance.conform import Row
+    from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
 
 COLORS = {"agrees": "green", "differs": "red", "failed": "red", "not run": "yellow"}

@@ -60,7 +60,9 @@ def series_of(reflection: Mapping[str, Any], seed: int = 0) -> Iterator[Series]:
 
 
 def _defaults(reflection: Mapping[str, Any]) -> Case:
-    return _case("defaults", Instance(reflection), sphere(32, 16), Scene(light_count=2))
+    instance = Instance(reflection)
+    sample_values(instance, 0, missing=True)
+    return _case("defaults", instance, sphere(32, 16), Scene(light_count=2))
 
 
 def _stretched(reflection: Mapping[str, Any], seed: int, clear: Color) -> Case:

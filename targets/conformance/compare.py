@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.reference.picture import Expected
 from .tolerances import UNDECIDED_SHARE, DriverRow
 
 Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,10 +57,7 @@ class Comparison:
 
 def compare(
     got: tuple[Floats, ...],
-    expected: tuple[Floats, ...],
-    radius: tuple[Floats, ...],
-    covered: Mask,
-    undecided: Mask,
+    expected: Expected,
     tolerance: DriverRow,
     steps: Sequence[float],
 ) -> Comparison:
@@ -69,24 +66,24 @@ def compare(
     Uncovered pixels of ``expected`` hold the clear colour, which ``got`` has to show exactly there.
     ``steps`` are what rounding to each target's format may add.
     """
-    decided = ~undecided
+    decided = ~expected.undecided
     allowed = [
         tolerance.absolute + tolerance.relative * np.abs(e) + r + step
-        for e, r, step in zip(expected, radius, steps, strict=True)
+        for e, r, step in zip(expected.targets, expected.radius, steps, strict=True)
     ]
-    distance = np.stack([_distance(g, e) for g, e in zip(got, expected, strict=True)])
+    distance = np.stack([_distance(g, e) for g, e in zip(got, expected.targets, strict=True)])
     excess = distance / np.stack(allowed)
     per_pixel = excess.max(axis=(0, 3))
     wrong = decided & (per_pixel > 1)
     measured = np.where(decided[None, :, :, None], distance, 0)
     return Comparison(
-        pixels=covered.size,
-        covered=int(covered.sum()),
-        undecided=int(undecided.sum()),
+        pixels=decided.size,
+        covered=int(expected.covered.sum()),
+        undecided=int(expected.undecided.sum()),
         wrong=int(wrong.sum()),
         max_difference=float(measured.max(initial=0)),
         excess=float(np.where(decided, per_pixel, 0).max(initial=0)),
-        worst=_worst(np.where(decided, per_pixel, -1), excess, got, expected),
+        worst=_worst(np.where(decided, per_pixel, -1), excess, got, expected.targets),
     )
 
 

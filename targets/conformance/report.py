@@ -15,7 +15,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from ..runner.pictures import to_image
 from .compare import Comparison
-from .conform import STATUSES, Result, Row
+from .rows import STATUSES, Result, Row
 
 TEMPLATE = "report.html.j2"
 AMPLIFIED = 1000.0

@@ -22,16 +22,27 @@ from ..runner.textures import Texture
 SPREAD = 4.0
 """A number with a default is drawn from a range around it: a quarter to four times as much."""
 
+WIDEST = 1024.0
+"""A declared range up to this width is taken as it is where there is no default."""
 
-def sample_values(instance: Instance, seed: int) -> None:
-    """Sets every parameter that no scene does to a value within its promise."""
-    names = scene_names()
+_USUAL = {"rgb": (0.0, 1.0), "point": (-2.0, 2.0)}
+"""From where to where numbers of some meanings are drawn, whatever their default."""
+
+_LIMITS = {"i": (-(2**31), 2**31 - 1), "u": (0, 2**32 - 1)}
+"""By a representation's first letter."""
+
+
+def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> None:
+    """Sets every parameter that no scene does to a value within its promise.
+
+    With ``missing``, only those that have no value.
+    """
+    placed = _set_by_scene(instance.reflection)
+    without = {name.partition("[")[0] for name in instance.missing}
     for row in instance.reflection["parameters"]:
         name = row["name"]
-        own = name.rpartition(".")[2] in names["lights"] or name in names["parameters"]
-        if own or row["name"] in _counts(instance.reflection):
-            continue
-        instance.set(name, _value(row, random.Random(f"{seed} {name}"), names["lights"]))
+        if name not in placed and (not missing or name in without):
+            instance.set(name, _value(row, random.Random(f"{seed} {name}")))
 
 
 def sample_textures(instance: Instance, seed: int) -> None:
@@ -56,34 +67,35 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh) -> Mesh:
     return Mesh(channels, mesh.triangles)
 
 
-def _counts(reflection: Mapping[str, Any]) -> set[str]:
-    return {row["count"] for row in reflection["lights"] if row["count"]}
+def _set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
+    """Names of the parameters that a scene sets, those of its lights among them."""
+    names, lights = scene_names(), reflection["lights"]
+    own = {name for light in lights for name in light["parameters"]}
+    return {
+        *names["parameters"],
+        *(light["count"] for light in lights if light["count"]),
+        *(name for name in own if name.rpartition(".")[2] in names["lights"]),
+    }
 
 
-def _value(row: Mapping[str, Any], chance: random.Random, set_by_scene: Mapping[str, str]) -> Any:
+def _value(row: Mapping[str, Any], chance: random.Random) -> Any:
     if row["layout"].get("count") and not row.get("_element"):
         element = {**row, "_element": True, "default": None}
-        return [_value(element, chance, set_by_scene) for _ in range(row["layout"]["count"])]
+        return [_value(element, chance) for _ in range(row["layout"]["count"])]
     if row["members"]:
-        members = ((m["name"], _value(m, chance, set_by_scene)) for m in row["members"])
-        return dict(members)
+        return {member["name"]: _value(member, chance) for member in row["members"]}
     return _lanes(row, chance)
 
 
 def _lanes(row: Mapping[str, Any], chance: random.Random) -> Any:
     """A value of a row without members, shaped as its representation says."""
-    declared, layout = row["type"], row["layout"]
+    layout = row["layout"]
     if "columns" in layout:
         return _matrix(row, layout["columns"], chance)
     count = layout["lanes"]
-    if declared.startswith("direction"):
+    if row["type"].startswith("direction") and count > 1:
         return _unit(chance, count)
-    if declared.startswith("point"):
-        drawn = [chance.uniform(-2, 2) for _ in range(count)]
-    elif declared.startswith("rgb"):
-        drawn = [chance.random() for _ in range(count)]
-    else:
-        drawn = _numbers(row, count, chance)
+    drawn = _numbers(row, count, chance)
     return drawn[0] if count == 1 else drawn
 
 
@@ -93,24 +105,36 @@ def _numbers(row: Mapping[str, Any], count: int, chance: random.Random) -> list[
         return [chance.random() < 0.5 for _ in range(count)]
     default = row.get("default")
     defaults = [None] * count if default is None else [default] if count == 1 else list(default)
-    bounds = [_bounds(row.get("range"), each) for each in defaults]
-    if representation[0] in "iu":
-        return [
-            chance.randint(math.ceil(lo), max(math.ceil(lo), math.floor(hi))) for lo, hi in bounds
-        ]
+    bounds = [_bounds(row, each) for each in defaults]
+    if representation[0] in _LIMITS:
+        return [_whole(lo, hi, _LIMITS[representation[0]], chance) for lo, hi in bounds]
     return [chance.uniform(lo, hi) for lo, hi in bounds]
 
 
-def _bounds(declared: list[float] | None, default: float | None) -> tuple[float, float]:
+def _whole(lo: float, hi: float, limits: tuple[int, int], chance: random.Random) -> int:
+    least, most = max(math.ceil(lo), limits[0]), min(math.floor(hi), limits[1])
+    return chance.randint(least, max(least, most))
+
+
+def _bounds(row: Mapping[str, Any], default: float | None) -> tuple[float, float]:
     """From where to where a number is drawn: near its default, and within its range."""
-    if default is None or default == 0:
-        near = (0.0, 1.0)
-    else:
-        near = (min(default / SPREAD, default * SPREAD), max(default / SPREAD, default * SPREAD))
+    declared = row.get("range")
+    near = _USUAL.get(row["type"].partition("<")[0].partition("[")[0])
+    if near is None:
+        near = _near(declared, default)
     if declared is None:
         return near
     lo, hi = max(near[0], declared[0]), min(near[1], declared[1])
     return (lo, hi) if lo <= hi else (declared[0], declared[1])
+
+
+def _near(declared: list[float] | None, default: float | None) -> tuple[float, float]:
+    if default:
+        ends = (default / SPREAD, default * SPREAD)
+        return min(ends), max(ends)
+    if default is None and declared is not None and declared[1] - declared[0] <= WIDEST:
+        return declared[0], declared[1]
+    return -1.0, 1.0
 
 
 def _matrix(row: Mapping[str, Any], size: int, chance: random.Random) -> list[list[float]]:

@@ -22,19 +22,28 @@ class DriverRow:
     """Whether attributes go by the snapped places of vertices, as coverage does everywhere."""
     clips_sides: bool = False
     """Whether it cuts triangles off at the sides of the picture, and snaps what that makes."""
+    edge_slack: float = 0.0
+    """By how many pixels it misjudges on which side of an edge a pixel lies."""
     subtexel_bits: int = 8
     """Of filter weights, where the API does not tell."""
     mip_bits: int = 8
     """Of the level of detail, likewise."""
 
 
-_LLVM = DriverRow(1e-5, 1e-4, "float32 arithmetic, and functions close to exact")
+_LLVM = DriverRow(
+    1e-5,
+    1e-4,
+    "float32 arithmetic, and functions close to exact",
+    edge_slack=2.0**-11,
+    mip_bits=4,
+)
 _SWIFTSHADER = DriverRow(
     3e-4,
     5e-4,
     "its sin and cos are off by up to 2e-4; Vulkan and WGSL allow 2^-11",
     interpolates_snapped=True,
     clips_sides=True,
+    mip_bits=6,
 )
 
 DRIVERS: Mapping[str, DriverRow] = {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import groupby
 from pathlib import Path
 
@@ -23,6 +23,8 @@ from burnish.stdlib.builtins import (
     texture,
     trigonometry,
 )
+from burnish.targets.conformance.tolerances import DRIVERS
+from burnish.targets.runner.routes import ROUTES
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -189,10 +191,40 @@ def _grammar() -> str:
     return re.sub(r"\n{3,}", "\n\n", "\n".join(kept)).strip() + "\n"
 
 
+def conformance_page() -> str:
+    """The page on conformance as it is, with the tables of routes and drivers as they are today."""
+    page = (DOCS / "conformance.md").read_text(encoding="utf-8")
+    page = _spliced(page, "routes", _table(("route", "text", "how"), _routes()))
+    heading = ("driver", "absolute", "relative", "because")
+    return _spliced(page, "tolerances", _table(heading, _tolerances()))
+
+
+def _routes() -> Iterator[tuple[str, ...]]:
+    for route in ROUTES.values():
+        yield f"`{route.name}`", f"`{route.profile}`", route.title
+
+
+def _tolerances() -> Iterator[tuple[str, ...]]:
+    for name, row in DRIVERS.items():
+        yield f"`{name}`", f"{row.absolute:g}", f"{row.relative:g}", row.reason
+
+
+def _spliced(page: str, name: str, text: str) -> str:
+    """The page with ``text`` between its marks for ``name``."""
+    marked = re.compile(f"(?<=<!-- {name} -->\n).*?(?=<!-- end -->)", re.DOTALL)
+    return marked.sub(lambda _: text, page, count=1)
+
+
+def _table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
+    lines = (heading, ("---",) * len(heading), *rows)
+    return "".join(f"| {' | '.join(cells)} |\n" for cells in lines)
+
+
 PAGES: Mapping[str, Callable[[], str]] = {
     "language.md": language_page,
     "builtins.md": builtins_page,
     "diagnostics.md": diagnostics_page,
+    "conformance.md": conformance_page,
 }
 
 

@@ -37,7 +37,7 @@ def clip(corners: Floats, *, sides: bool = False) -> Clipped:
     inside = _distances(corners, sides) >= 0
     finite = np.isfinite(corners).reshape(-1, 12).all(axis=1)
     kept: Bools = np.asarray(finite & inside.any(axis=1).all(axis=-1))
-    whole: Bools = kept & inside.reshape(len(corners), -1).all(axis=1)
+    whole: Bools = kept & inside.all(axis=(1, 2))
     crossing = np.flatnonzero(kept & ~whole)
     parts = [_parts(corners[i], sides) for i in crossing]
     pieces = [piece for part in parts for piece in part]

@@ -122,7 +122,12 @@ class _Drawing:
             targets=tuple(picture(target[0]) for target in canvas.targets),
             covered=mask(canvas.covered),
             undecided=mask(canvas.undecided),
-            radius=tuple(
-                picture(np.abs(target - target[0]).max(axis=0)) for target in canvas.targets
-            ),
+            radius=tuple(picture(self._radius(target)) for target in canvas.targets),
         )
+
+    def _radius(self, target: Floats) -> Floats:
+        """How far a device's choices, all together, may move each lane: the sum of what each may."""
+        kinds = self._stages.ways.kind
+        distance = np.abs(target - target[0])
+        parts = [distance[kinds == kind].max(axis=0) for kind in np.unique(kinds)]
+        return np.asarray(sum(parts))

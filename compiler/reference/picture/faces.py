@@ -64,7 +64,7 @@ def assemble(positions: Floats, triangles: Ints, rules: RasterRules) -> Faces:
     # Snapping may turn a sliver over; then only the snapped places make sense.
     turned = (_twice_area(*planes) * area <= 0)[:, None]
     whole = _window(positions[corners], rules)
-    loose = (_unsure(*whole, rules) > 0) & rules.interpolates_snapped
+    loose = (_unsure(*whole, rules) > rules.edge_slack) & rules.interpolates_snapped
     faces = Faces(
         corners=corners,
         weights=clipped.weights,
@@ -137,4 +137,4 @@ def _unsure(x: Floats, y: Floats, rules: RasterRules) -> Floats:
     for places in (x, y):
         units = np.ldexp(places, rules.subpixel_bits)
         ambiguous |= np.abs(units - np.floor(units) - 0.5) < margin
-    return np.where(ambiguous, reach, 0.0)
+    return np.where(ambiguous, reach, rules.edge_slack)

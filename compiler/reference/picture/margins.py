@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from ...ir.node import Node
 from ...ir.types import scalar_kind
 from ..namespace import Lane, Lanes
@@ -53,7 +54,10 @@ def _towards_zero(x: Lane) -> Jump:
 
 
 def _quotient(x: Lane, y: Lane) -> Jump:
-    return x / y, margin(x) / np.abs(y)
+    """Modulo zero is zero, whatever the dividend."""
+    none = np.abs(y) < SMALLEST_NORMAL
+    divisor = np.where(none, 1.0, y)
+    return np.where(none, 0.5, x / divisor), np.where(none, 0.0, margin(x) / np.abs(divisor))
 
 
 def _narrow_step(low: Lane, high: Lane, x: Lane) -> Jump:
@@ -95,6 +99,13 @@ _AT_WHOLE: Mapping[str, Callable[..., Jump]] = {
     "mod": _quotient,
 }
 """Builtins of floats that jump, lane by lane."""
+
+_EXACT = frozenset(
+    {"lt", "le", "gt", "ge", "eq", "ne", "step", "sign", "floor", "ceil", "trunc", "round",
+     "to_int", "to_uint"}
+)  # fmt: skip
+"""What they give stays the same between two jumps."""
+_EVERYWHERE: Bools = np.ones((), dtype=np.bool_)
 
 _OF_VECTORS: Mapping[str, Callable[..., Jump]] = {
     "refract": _total_reflection,
@@ -148,8 +159,8 @@ class Margins:
 
     def _called(self, name: str, node: Node, operands: list[Lanes], value: Lanes) -> None:
         if name in _OF_VECTORS:
-            self.at_zero(*_OF_VECTORS[name](*operands))
-        if name in _NOT_BY_LANE or isinstance(value[0], tuple):
+            self.at_zero(*_OF_VECTORS[name](*operands), self._all_steady(operands))
+        if name in _NOT_BY_LANE or any(isinstance(lanes[0], tuple) for lanes in (value, *operands)):
             return
         wide = [lanes * len(value) if len(lanes) == 1 else lanes for lanes in operands]
         jumps = scalar_kind(node.operands[0].type) == "float"
@@ -160,7 +171,7 @@ class Margins:
                     self.at_zero(*_AT_ZERO[name](*given), steady)
                 elif jumps and name in _AT_WHOLE:
                     self.at_whole(*_AT_WHOLE[name](*given), steady)
-                self._learn(lane, steady)
+                self._learn(lane, _EVERYWHERE if name in _EXACT and jumps else steady)
 
     # --- what is steady ---------------------------------------------------------------------------
 
@@ -173,6 +184,12 @@ class Margins:
             return True
         known = self._steady.get(id(lane))
         return False if known is None else known[1]
+
+    def _all_steady(self, operands: list[Lanes]) -> Bools | bool:
+        known = [self._is_steady(lane) for lanes in operands for lane in lanes]
+        if any(mask is False for mask in known):
+            return False
+        return np.asarray(reduce(np.logical_and, known))
 
     def _learn_choice(self, operands: list[Lanes], value: Lanes) -> None:
         (condition,), then, otherwise = operands

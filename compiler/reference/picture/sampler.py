@@ -36,6 +36,8 @@ class Variants:
     """Likewise along y: the left column, or the pixel's own."""
     level: Floats
     """What is added to the level of detail."""
+    kind: Ints
+    """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level."""
     order: Floats
     """Of the norm that makes a length of the derivatives: 2; any between the largest lane
     (infinity) and the sum (1) is allowed."""
@@ -46,18 +48,18 @@ class Variants:
 
 def variants(subtexel_bits: int | None, mip_bits: int | None) -> Variants:
     """The exact way to read and, where a device's bits matter, those at their limits."""
-    exact = (0.0, 0.0, -1, -1, 0.0, 2.0)
-    found = [exact]
+    found = [(0.0, 0.0, -1, -1, 0.0, 0, 2.0)]
     if subtexel_bits is not None:
         step = 2.0**-subtexel_bits
-        found += [(shift, 0.0, *exact[2:]) for shift in (-step, step)]
-        found += [(0.0, shift, *exact[2:]) for shift in (-step, step)]
+        found += [(shift, 0.0, -1, -1, 0.0, 1, 2.0) for shift in (-step, step)]
+        found += [(0.0, shift, -1, -1, 0.0, 2, 2.0) for shift in (-step, step)]
     if mip_bits is not None:
         step = 2.0**-mip_bits
-        found += [(0.0, 0.0, row, column, *exact[4:]) for row in (0, 1) for column in (0, 1)]
-        found += [(*exact[:4], *how) for how in ((-step, np.inf), (step, 1.0))]
-    across, down, row, column, level, order = np.array(found).T
-    return Variants(across, down, row.astype(np.int64), column.astype(np.int64), level, order)
+        found += [(0.0, 0.0, row, column, 0.0, 3, 2.0) for row in (0, 1) for column in (0, 1)]
+        found += [(0.0, 0.0, -1, -1, *how) for how in ((-step, 4, np.inf), (step, 4, 1.0))]
+    across, down, row, column, level, kind, order = np.array(found).T
+    rows, columns, kinds = (numbers.astype(np.int64) for numbers in (row, column, kind))
+    return Variants(across, down, rows, columns, level, kinds, order)
 
 
 class Image:
@@ -98,7 +100,8 @@ class Reader:
             if share.any():
                 colour = colour + share * (self._at_level(u, v, upper, varies) - colour)
         else:
-            self._margins.at_whole(level + 0.5, _COORDINATE_MARGIN)
+            if len(level) == 1:  # Otherwise the variants read both levels.
+                self._margins.at_whole(level + 0.5, _COORDINATE_MARGIN)
             colour = self._at_level(u, v, np.floor(level + 0.5), varies)
         return tuple(np.ascontiguousarray(np.moveaxis(colour, -1, 0)))
 

@@ -48,6 +48,8 @@ class RasterRules:
     rather than between those from before; coverage always goes by the snapped ones."""
     clips_sides: bool = False
     """Whether triangles are cut off at the sides of the picture, before they are snapped."""
+    edge_slack: float = 0.0
+    """By how many pixels the device may misjudge on which side of an edge a pixel lies."""
     cull: Cull = "none"
     subtexel_bits: int | None = None
     """Binary places of a linear filter's weights; ``None``: exact, with a radius of 0."""

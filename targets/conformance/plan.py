@@ -1,0 +1,89 @@
+"""What is drawn of one material, and what has to come out: made once, for all routes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from threading import Lock
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiler.reference.picture import Expected, RasterRules
+from ...frozen import changed
+from ..runner.draw import Device, Picture
+from ..runner.reference import remembered
+from ..runner.routes import Route
+from ..runner.shots import Shot
+from ..runner.subject import Subject
+from .cases import Series, series_of
+from .compare import compare
+from .formats import as_stored, format_steps
+from .rows import Result
+from .tolerances import DRIVERS, DriverRow
+
+Floats = NDArray[np.float64]
+
+
+class Plan:
+    """The cases of one material. Used by several threads."""
+
+    def __init__(self, label: str, subject: Subject, seed: int) -> None:
+        """Raises what ``Instance`` and ``take`` raise: every case is complete."""
+        self.label = label
+        self.subject = subject
+        self.work = [
+            (series, tuple(case.shot.draw() for case in series.cases))
+            for series in series_of(subject.reflection, seed)
+        ]
+        """Series with their draws."""
+        self._expected: dict[tuple[int, RasterRules], Expected] = {}
+        self._lock = Lock()
+        plain = tuple(changed(target, blend="none") for target in subject.shader.targets)
+        self._unblended = replace(subject.shader, targets=plain)
+        self._formats = [row["format"] for row in subject.reflection["targets"]]
+
+    def compared(
+        self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
+    ) -> Iterator[Result]:
+        """A result for each case of a series, whose pictures a route has drawn."""
+        driver = DRIVERS[route.driver]
+        for case, picture in zip(series.cases, pictures, strict=True):
+            expected = self._wanted(case.shot, _rules(case.shot, device, driver), series.exact)
+            got = _arrays(picture)
+            steps = [0.0] * len(got)
+            if not series.exact:
+                stored = as_stored(expected.targets, self._formats)
+                expected, got = replace(expected, targets=stored), as_stored(got, self._formats)
+                steps = format_steps(self._formats)
+            comparison = compare(got, expected, driver, steps)
+            yield Result(case.name, comparison, got, expected)
+
+    def _wanted(self, shot: Shot, rules: RasterRules, exact: bool) -> Expected:
+        key = id(shot), rules
+        with self._lock:
+            if key not in self._expected:
+                shader = self._unblended if exact else self.subject.shader
+                self._expected[key] = remembered(shader, shot, rules)
+            return self._expected[key]
+
+
+def _rules(shot: Shot, device: Device, driver: DriverRow) -> RasterRules:
+    return RasterRules(
+        shot.width,
+        shot.height,
+        device.subpixel_bits,
+        interpolates_snapped=driver.interpolates_snapped,
+        clips_sides=driver.clips_sides,
+        edge_slack=driver.edge_slack,
+        subtexel_bits=device.subtexel_bits or driver.subtexel_bits,
+        mip_bits=device.mip_bits or driver.mip_bits,
+    )
+
+
+def _arrays(picture: Picture) -> tuple[Floats, ...]:
+    """Each target of a picture, (height, width, 4)."""
+    return tuple(
+        np.frombuffer(data, "<f4").reshape(picture.height, picture.width, 4).astype(np.float64)
+        for data in picture.targets
+    )
