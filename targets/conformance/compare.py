@@ -67,12 +67,14 @@ def compare(
     ``steps`` are what rounding to each target's format may add.
     """
     decided = ~expected.undecided
-    allowed = [
-        tolerance.absolute + tolerance.relative * np.abs(e) + r + step
-        for e, r, step in zip(expected.targets, expected.radius, steps, strict=True)
-    ]
+    allowed = np.stack(
+        [
+            tolerance.absolute + tolerance.relative * np.abs(e) + r + step
+            for e, r, step in zip(expected.targets, expected.radius, steps, strict=True)
+        ]
+    )
     distance = np.stack([_distance(g, e) for g, e in zip(got, expected.targets, strict=True)])
-    excess = distance / np.stack(allowed)
+    excess = _in_tolerances(distance, allowed)
     per_pixel = excess.max(axis=(0, 3))
     wrong = decided & (per_pixel > 1)
     measured = np.where(decided[None, :, :, None], distance, 0)
@@ -88,10 +90,16 @@ def compare(
 
 
 def _distance(got: Floats, expected: Floats) -> Floats:
-    """Between lanes; what is not finite is infinitely far from everything but itself."""
+    """Between lanes; what is not finite is infinitely far from everything, itself included."""
     with np.errstate(invalid="ignore"):
-        distance = np.where(got == expected, 0.0, np.abs(got - expected))
-    return np.where(np.isnan(distance), np.inf, distance)
+        distance = np.abs(got - expected)
+    return np.where(np.isfinite(distance), distance, np.inf)
+
+
+def _in_tolerances(distance: Floats, allowed: Floats) -> Floats:
+    """Where the reference itself is not finite, nothing is within its tolerance."""
+    with np.errstate(invalid="ignore"):
+        return np.where(np.isfinite(allowed), distance / allowed, np.inf)
 
 
 def _worst(

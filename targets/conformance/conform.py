@@ -10,12 +10,14 @@ from functools import partial
 from ..runner.codes import CodeError, compile_one
 from ..runner.draw import DriverError, Job
 from ..runner.pipeline import pipeline
+from ..runner.reference import STORE
 from ..runner.routes import Route
 from ..runner.runner import Runner
+from ..runner.store import Store
 from ..runner.subject import Subject
 from ..toolchain import Toolchain
 from .plan import Plan
-from .rows import Result, Row
+from .rows import Result, Row, Status
 
 Done = Callable[[int, int], None]
 """Is told how many rows are done, and of how many."""
@@ -31,7 +33,8 @@ def conform(
     done: Done | None = None,
 ) -> list[Row]:
     """A row for each material (with the name it goes by) and route, in this order."""
-    plans = [Plan(label, subject, seed) for label, subject in subjects]
+    store = Store(STORE)
+    plans = [Plan(label, subject, seed, store) for label, subject in subjects]
     rows: dict[tuple[int, int], Row] = {}
     with ThreadPoolExecutor(os.cpu_count() or 1) as threads:
         pending = {
@@ -65,5 +68,10 @@ def _row(plan: Plan, route: Route, runner: Runner, toolchain: Toolchain) -> Row:
             results += plan.compared(series, route, device, pictures)
     except (CodeError, DriverError) as error:
         return made(status="failed", problem=str(error))
-    agrees = all(result.comparison.agrees for result in results)
-    return made(status="agrees" if agrees else "differs", device=device, results=tuple(results))
+    return made(status=_status(results), device=device, results=tuple(results))
+
+
+def _status(results: Sequence[Result]) -> Status:
+    if any(result.comparison.wrong for result in results):
+        return "differs"
+    return "agrees" if all(result.comparison.agrees for result in results) else "undecided"

@@ -9,12 +9,15 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.node import reachable
 from ...compiler.reference.picture import Expected, RasterRules
+from ...compiler.semantics.shader import Shader
 from ...frozen import changed
 from ..runner.draw import Device, Picture
 from ..runner.reference import remembered
 from ..runner.routes import Route
 from ..runner.shots import Shot
+from ..runner.store import Store
 from ..runner.subject import Subject
 from .cases import Series, series_of
 from .compare import compare
@@ -28,8 +31,11 @@ Floats = NDArray[np.float64]
 class Plan:
     """The cases of one material. Used by several threads."""
 
-    def __init__(self, label: str, subject: Subject, seed: int) -> None:
-        """Raises what ``Instance`` and ``take`` raise: every case is complete."""
+    def __init__(self, label: str, subject: Subject, seed: int, store: Store) -> None:
+        """``store`` keeps what the reference has drawn.
+
+        Raises what ``Instance`` and ``take`` raise: every case is complete.
+        """
         self.label = label
         self.subject = subject
         self.work = [
@@ -39,15 +45,17 @@ class Plan:
         """Series with their draws."""
         self._expected: dict[tuple[int, RasterRules], Expected] = {}
         self._lock = Lock()
+        self._store = store
         plain = tuple(changed(target, blend="none") for target in subject.shader.targets)
         self._unblended = replace(subject.shader, targets=plain)
+        self._called = _called(subject.shader)
         self._formats = [row["format"] for row in subject.reflection["targets"]]
 
     def compared(
         self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
     ) -> Iterator[Result]:
         """A result for each case of a series, whose pictures a route has drawn."""
-        driver = DRIVERS[route.driver]
+        driver = DRIVERS[route.driver].with_functions(self._called)
         for case, picture in zip(series.cases, pictures, strict=True):
             expected = self._wanted(case.shot, _rules(case.shot, device, driver), series.exact)
             got = _arrays(picture)
@@ -64,8 +72,14 @@ class Plan:
         with self._lock:
             if key not in self._expected:
                 shader = self._unblended if exact else self.subject.shader
-                self._expected[key] = remembered(shader, shot, rules)
+                self._expected[key] = remembered(shader, shot, rules, self._store)
             return self._expected[key]
+
+
+def _called(shader: Shader) -> frozenset[str]:
+    """The builtins that a shader calls."""
+    roots = [shader.clip_position, *(target.value for target in shader.targets)]
+    return frozenset(str(node.data) for node in reachable(roots) if node.op == "call")
 
 
 def _rules(shot: Shot, device: Device, driver: DriverRow) -> RasterRules:

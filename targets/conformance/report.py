@@ -1,77 +1,24 @@
-"""A conformance run as a table for terminals, as JSON, and as a page with pictures."""
+"""A conformance run as JSON, and as a page with pictures."""
 
 from __future__ import annotations
 
 import base64
 import io
 import math
-from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from numpy.typing import NDArray
 
 from ..runner.pictures import to_image
 from .compare import Comparison
-from .rows import STATUSES, Result, Row
+from .rows import Result, Row
+from .summary import by_material, counted, details, devices, lacking, share, tools
 
 TEMPLATE = "report.html.j2"
-AMPLIFIED = 1000.0
-"""So many times brighter than it is, a difference is shown."""
-
-
-def table(rows: Sequence[Row]) -> Iterator[tuple[str, ...]]:
-    """Cells for a terminal: a heading, then a line for each row."""
-    yield "material", "route", "max |difference|", "undecided", "result"
-    for row in rows:
-        measured = row.status in ("agrees", "differs")
-        difference = f"{row.max_difference:.1e}" if measured else "–"
-        undecided = f"{row.undecided} of {row.covered}" if measured else "–"
-        yield row.material, row.route.name, difference, undecided, row.status
-
-
-def counted(rows: Iterable[Row]) -> str:
-    """``12 agree, 1 differs``: how many rows there are of each status."""
-    counts = Counter(row.status for row in rows)
-    words = {"agrees": "agree", "differs": "differ"}
-    shown = (
-        f"{counts[status]} {words.get(status, status) if counts[status] != 1 else status}"
-        for status in STATUSES
-        if counts[status]
-    )
-    return ", ".join(shown)
-
-
-def drawn_by(rows: Iterable[Row]) -> Iterator[str]:
-    """A line for each route: what drew, and by which tools; or why nothing did."""
-    for row in {row.route.name: row for row in rows}.values():
-        if row.status == "not run":
-            yield f"{row.route.name}: not run: {row.problem}"
-        elif row.device is not None:
-            tools = ", ".join(f"{name} {version}" for name, version in row.versions.items())
-            yield f"{row.route.name}: {row.device.name} {row.device.version}; {tools}"
-
-
-def details(row: Row) -> Iterator[str]:
-    """Lines that say what is wrong with a row; none if it agrees."""
-    if row.problem:
-        yield row.problem
-    for result in row.results:
-        comparison = result.comparison
-        if comparison.wrong and comparison.worst:
-            worst = comparison.worst
-            yield (
-                f"{result.case}: {comparison.wrong} of {comparison.covered} pixels; the worst, at "
-                f"({worst.x}, {worst.y}), is {_lanes(worst.got)} and should be "
-                f"{_lanes(worst.expected)}"
-            )
-        elif comparison.too_undecided:
-            yield (
-                f"{result.case}: {comparison.undecided} of {comparison.pixels} pixels hang on "
-                "rounding, which is too many to prove anything"
-            )
 
 
 def as_json(rows: Sequence[Row]) -> dict[str, Any]:
@@ -88,17 +35,19 @@ def page(rows: Sequence[Row]) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    materials = list(dict.fromkeys(row.material for row in rows))
-    groups = [
-        {
-            "name": name,
-            "references": _references([row for row in rows if row.material == name]),
-            "rows": [_row_page(row) for row in rows if row.material == name],
-        }
-        for name in materials
+    routes = {row.route.name: row.route for row in rows}
+    materials = [
+        {"name": name, "references": list(_references(own)), "rows": list(map(_row_page, own))}
+        for name, own in by_material(rows).items()
     ]
-    template = environment.get_template(TEMPLATE)
-    return template.render(groups=groups, summary=counted(rows), amplified=f"{AMPLIFIED:g}")
+    return environment.get_template(TEMPLATE).render(
+        summary=counted(rows),
+        routes=[{"name": name.split(":"), "title": r.title} for name, r in routes.items()],
+        materials=materials,
+        devices=devices(rows),
+        tools=tools(rows),
+        lacking=lacking(rows),
+    )
 
 
 def _row_json(row: Row) -> dict[str, Any]:
@@ -134,43 +83,57 @@ def _comparison_json(comparison: Comparison) -> dict[str, Any]:
 
 
 def _row_page(row: Row) -> dict[str, Any]:
-    device = row.device
     return {
         "route": row.route.name,
-        "title": row.route.title,
         "status": row.status,
+        "share": share(row) if row.results else "",
         "difference": f"{row.max_difference:.2e}" if row.results else "",
-        "undecided": row.undecided if row.results else "",
-        "device": f"{device.name} {device.version}" if device else "",
-        "versions": ", ".join(f"{name} {v}" for name, v in row.versions.items()),
-        "details": list(details(row)),
+        "undecided": f"{row.undecided} of {row.covered}" if row.results else "",
+        "details": list(details(row)) if row.status != "not run" else [],
         "pictures": [_pictures(r) for r in row.results if not r.comparison.agrees],
     }
 
 
-def _references(rows: Sequence[Row]) -> list[dict[str, str]]:
-    """The reference's picture of each case, from the first row that has any."""
-    results = next((row.results for row in rows if row.results), ())
-    return [
-        {"case": result.case, "picture": _embedded(result.expected.targets[0])}
-        for result in results
-    ]
+def _references(rows: Sequence[Row]) -> Iterator[dict[str, str]]:
+    """The reference's picture of each case and target, from the first row that has any."""
+    for result in next((row.results for row in rows if row.results), ()):
+        targets = result.expected.targets
+        for number, target in enumerate(targets):
+            name = f"{result.case}, target {number}" if len(targets) > 1 else result.case
+            yield {"name": name, "picture": _embedded(target)}
 
 
 def _pictures(result: Result) -> dict[str, str]:
-    got, expected = result.got[0], result.expected.targets[0]
-    with np.errstate(invalid="ignore"):
-        difference = np.abs(got - expected) * AMPLIFIED
-    difference[result.expected.undecided] = [0.0, 0.0, 1.0, 1.0]
+    """What is wrong, in the target with the worst pixel."""
+    worst = result.comparison.worst
+    number = worst.target if worst else 0
+    got, expected = result.got[number], result.expected.targets[number]
+    difference, times = _difference(got, expected, result.expected.undecided)
     return {
-        "case": result.case,
+        "case": f"{result.case}, target {number}" if len(result.got) > 1 else result.case,
         "got": _embedded(got),
         "expected": _embedded(expected),
         "difference": _embedded(difference, linear=False),
+        "times": f"{times:g}",
     }
 
 
-def _embedded(pixels: Any, *, linear: bool = True) -> str:
+def _difference(
+    got: NDArray[np.float64], expected: NDArray[np.float64], undecided: NDArray[np.bool_]
+) -> tuple[NDArray[np.float64], float]:
+    """The largest difference of any lane in grey, and so many times brighter, a power of ten."""
+    with np.errstate(invalid="ignore"):
+        distance = np.abs(got - expected).max(axis=2)
+    distance = np.where(np.isfinite(distance), distance, np.inf)
+    measured = distance[np.isfinite(distance) & ~undecided]
+    largest = measured.max(initial=0.0)
+    times = 10.0 ** math.floor(-math.log10(largest)) if largest > 0 else 1.0
+    shown = np.repeat(np.minimum(distance * times, 1.0)[:, :, None], 4, axis=2)
+    shown[undecided] = [0.0, 0.2, 0.6, 1.0]
+    return shown, times
+
+
+def _embedded(pixels: NDArray[np.float64], *, linear: bool = True) -> str:
     """A picture as a ``data:`` address."""
     file = io.BytesIO()
     to_image(pixels, linear=linear).save(file, "PNG")
@@ -179,7 +142,3 @@ def _embedded(pixels: Any, *, linear: bool = True) -> str:
 
 def _finite(number: float) -> float | None:
     return number if math.isfinite(number) else None
-
-
-def _lanes(values: Sequence[float]) -> str:
-    return f"({', '.join(f'{value:.6g}' for value in values)})"

@@ -16,9 +16,10 @@ from .compare import Comparison
 
 Floats = NDArray[np.float64]
 
-Status = Literal["agrees", "differs", "failed", "not run"]
-STATUSES: tuple[Status, ...] = ("agrees", "differs", "failed", "not run")
-"""``failed``: a compiler or driver on the route refused. ``not run``: the route lacks its tools."""
+Status = Literal["agrees", "differs", "undecided", "failed", "not run"]
+STATUSES: tuple[Status, ...] = ("agrees", "differs", "undecided", "failed", "not run")
+"""``undecided``: so many pixels hang on rounding that agreement of the others proves too little.
+``failed``: a compiler or driver on the route refused. ``not run``: the route lacks its tools."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -38,10 +38,11 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
     With ``missing``, only those that have no value.
     """
     placed = _set_by_scene(instance.reflection)
-    without = {name.partition("[")[0] for name in instance.missing}
+    without = [name.replace("[", ".") for name in instance.missing]
     for row in instance.reflection["parameters"]:
         name = row["name"]
-        if name not in placed and (not missing or name in without):
+        unset = any(f"{each}.".startswith(f"{name}.") for each in without)
+        if name not in placed and (unset or not missing):
             instance.set(name, _value(row, random.Random(f"{seed} {name}")))
 
 

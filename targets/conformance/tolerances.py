@@ -6,8 +6,8 @@ radius is the reference's own, for what fixed-function filtering may do.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +18,8 @@ class DriverRow:
     relative: float
     reason: str
     """Why these two are what they are."""
+    functions: Mapping[str, float] = field(default_factory=dict)
+    """Builtins that are further off, and what each adds to ``absolute`` where it is called."""
     interpolates_snapped: bool = False
     """Whether attributes go by the snapped places of vertices, as coverage does everywhere."""
     clips_sides: bool = False
@@ -29,11 +31,18 @@ class DriverRow:
     mip_bits: int = 8
     """Of the level of detail, likewise."""
 
+    def with_functions(self, called: Collection[str]) -> DriverRow:
+        """The row for a material that calls these builtins."""
+        extra = max((self.functions.get(name, 0.0) for name in called), default=0.0)
+        return replace(self, absolute=self.absolute + extra)
+
 
 _LLVM = DriverRow(
     1e-5,
     1e-4,
     "float32 arithmetic, and functions close to exact",
+    # Mesa's polynomial for the arc sine; WGSL and Vulkan allow more, by way of atan2.
+    functions={"asin": 3e-4, "acos": 3e-4},
     edge_slack=2.0**-11,
     mip_bits=4,
 )
@@ -45,13 +54,16 @@ _SWIFTSHADER = DriverRow(
     clips_sides=True,
     mip_bits=6,
 )
+# GL leaves open who owns a pixel that lies on an edge, and rows from the bottom up turn a top-left
+# rule over: such pixels are undecided.
+_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16)
 
 DRIVERS: Mapping[str, DriverRow] = {
     "lavapipe": _LLVM,
     "llvmpipe": _LLVM,
     "swiftshader": _SWIFTSHADER,
     "webgpu": _SWIFTSHADER,
-    "webgl2": _SWIFTSHADER,
+    "webgl2": _WEBGL,
 }
 """By a route's driver."""
 

@@ -36,9 +36,8 @@ def expected(
     )
 
 
-def remembered(shader: Shader, shot: Shot, rules: RasterRules) -> Expected:
+def remembered(shader: Shader, shot: Shot, rules: RasterRules, store: Store) -> Expected:
     """The same, from the store if the reference has drawn it before."""
-    store = Store(STORE)
     name = _digest(shader, shot, rules)
     kept = store.read(name)
     if kept is not None:
@@ -70,7 +69,8 @@ def _graph_text(shader: Shader) -> str:
 
 @cache
 def _code_digest() -> str:
-    """Changes with the code that says what a program means."""
-    root = Path(__file__).parents[2]
-    folders = (root / "compiler" / "reference", root / "compiler" / "ir", root / "stdlib")
-    return digest_of_sources(*folders, Path(__file__).parent)
+    """Changes with the code that says what a program means, and what a texture's bytes do."""
+    root, here = Path(__file__).parents[2], Path(__file__).parent
+    meaning = digest_of_sources(root / "compiler" / "reference", root / "compiler" / "ir")
+    texels = [(here / name).read_bytes() for name in ("reference.py", "textures.py", "mipmaps.py")]
+    return digest(meaning, *texels)
