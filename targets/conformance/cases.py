@@ -1,7 +1,8 @@
 """The pictures in which a material is compared: what people meet, and what breaks shaders.
 
 Between them they have defaults and drawn values, all lights and none, lights inside the mesh,
-non-uniform scale, back faces, triangles that cross the near plane, and textures in every slot.
+non-uniform scale, back faces, triangles that cross the near and
+the far plane, and textures in every slot.
 """
 
 from __future__ import annotations
@@ -51,12 +52,12 @@ def series_of(reflection: Mapping[str, Any], seed: int = 0) -> Iterator[Series]:
     """All cases of one material; ``seed`` is where its values are drawn from."""
     yield Series(exact=True, cases=(
         _defaults(reflection),
-        _stretched(reflection, seed, UNCOVERED),
+        _stretched("stretched", reflection, seed, UNCOVERED),
         _behind(reflection, seed + 1),
         _inside(reflection, seed + 2),
     ))  # fmt: skip
     if any(row["blend"] != "none" for row in reflection["targets"]):
-        yield Series(exact=False, cases=(_stretched(reflection, seed, BACKDROP),))
+        yield Series(exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP),))
 
 
 def _defaults(reflection: Mapping[str, Any]) -> Case:
@@ -65,7 +66,7 @@ def _defaults(reflection: Mapping[str, Any]) -> Case:
     return _case("defaults", instance, sphere(32, 16), Scene(light_count=2))
 
 
-def _stretched(reflection: Mapping[str, Any], seed: int, clear: Color) -> Case:
+def _stretched(name: str, reflection: Mapping[str, Any], seed: int, clear: Color) -> Case:
     """Scaled by another factor along each axis, with all lights, close to the mesh and inside."""
     scene = Scene(
         eye=(-0.7, 1.1, 2.6),
@@ -73,7 +74,7 @@ def _stretched(reflection: Mapping[str, Any], seed: int, clear: Color) -> Case:
         light_distance=0.35,
         light_count=64,
     )
-    return _case("stretched", _sampled(reflection, seed), torus(24, 16), scene, clear)
+    return _case(name, _sampled(reflection, seed), torus(24, 16), scene, clear)
 
 
 def _behind(reflection: Mapping[str, Any], seed: int) -> Case:
@@ -83,8 +84,14 @@ def _behind(reflection: Mapping[str, Any], seed: int) -> Case:
 
 
 def _inside(reflection: Mapping[str, Any], seed: int) -> Case:
-    """Walls that cross the near plane and stand behind the eye."""
-    scene = Scene(eye=(0.35, -0.2, 0.4), target=(-0.5, 0.1, -0.6), near=0.25, fov=math.radians(75))
+    """Walls that stand behind the eye, and before it are cut off by the near and far plane."""
+    scene = Scene(
+        eye=(0.35, -0.2, 0.4),
+        target=(-0.5, 0.1, -0.6),
+        near=0.8,
+        far=1.5,
+        fov=math.radians(75),
+    )
     return _case("inside", _sampled(reflection, seed), cube(), scene)
 
 

@@ -72,6 +72,8 @@ def _row(plan: Plan, route: Route, runner: Runner, toolchain: Toolchain) -> Row:
 
 
 def _status(results: Sequence[Result]) -> Status:
-    if any(result.comparison.wrong for result in results):
+    comparisons = [result.comparison for result in results]
+    if any(comparison.wrong for comparison in comparisons):
         return "differs"
-    return "agrees" if all(result.comparison.agrees for result in results) else "undecided"
+    seen = any(comparison.covered for comparison in comparisons)
+    return "agrees" if seen and all(c.agrees for c in comparisons) else "undecided"

@@ -57,7 +57,7 @@ class Plan:
         """A result for each case of a series, whose pictures a route has drawn."""
         driver = DRIVERS[route.driver].with_functions(self._called)
         for case, picture in zip(series.cases, pictures, strict=True):
-            expected = self._wanted(case.shot, _rules(case.shot, device, driver), series.exact)
+            expected = self._wanted(case.shot, rules_of(case.shot, device, driver), series.exact)
             got = _arrays(picture)
             steps = [0.0] * len(got)
             if not series.exact:
@@ -82,7 +82,8 @@ def _called(shader: Shader) -> frozenset[str]:
     return frozenset(str(node.data) for node in reachable(roots) if node.op == "call")
 
 
-def _rules(shot: Shot, device: Device, driver: DriverRow) -> RasterRules:
+def rules_of(shot: Shot, device: Device, driver: DriverRow) -> RasterRules:
+    """By which rules a device rasterises a shot."""
     return RasterRules(
         shot.width,
         shot.height,
@@ -91,6 +92,7 @@ def _rules(shot: Shot, device: Device, driver: DriverRow) -> RasterRules:
         clips_sides=driver.clips_sides,
         edge_slack=driver.edge_slack,
         subtexel_bits=device.subtexel_bits or driver.subtexel_bits,
+        varying_bits=driver.varying_bits,
         mip_bits=device.mip_bits or driver.mip_bits,
     )
 

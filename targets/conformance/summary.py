@@ -72,6 +72,8 @@ def lacking(rows: Iterable[Row]) -> Mapping[str, Sequence[str]]:
 def details(row: Row) -> Iterator[str]:
     """Lines that say what is wrong with a row; none if it agrees."""
     yield from row.problem.splitlines()
+    if row.results and not row.covered:
+        yield "no scene shows anything of it, which proves nothing"
     for result in row.results:
         comparison = result.comparison
         if comparison.wrong and comparison.worst:

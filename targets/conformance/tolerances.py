@@ -26,6 +26,8 @@ class DriverRow:
     """Whether it cuts triangles off at the sides of the picture, and snaps what that makes."""
     edge_slack: float = 0.0
     """By how many pixels it misjudges on which side of an edge a pixel lies."""
+    varying_bits: int = 19
+    """Of what is interpolated, relative to its largest corner. No API promises any."""
     subtexel_bits: int = 8
     """Of filter weights, where the API does not tell."""
     mip_bits: int = 8
@@ -47,9 +49,11 @@ _LLVM = DriverRow(
     mip_bits=4,
 )
 _SWIFTSHADER = DriverRow(
-    3e-4,
-    5e-4,
-    "its sin and cos are off by up to 2e-4; Vulkan and WGSL allow 2^-11",
+    1e-5,
+    1e-4,
+    "float32 arithmetic, and most functions close to exact",
+    # As far off as Vulkan and WGSL allow.
+    functions={"sin": 2.0**-11, "cos": 2.0**-11, "tan": 2.0**-10},
     interpolates_snapped=True,
     clips_sides=True,
     mip_bits=6,

@@ -126,7 +126,7 @@ class _Drawing:
         )
 
     def _radius(self, target: Floats) -> Floats:
-        """How far a device's choices, all together, may move each lane: the sum of what each may."""
+        """How far a device's choices may move each lane: the sum of what each of them may."""
         kinds = self._stages.ways.kind
         distance = np.abs(target - target[0])
         parts = [distance[kinds == kind].max(axis=0) for kind in np.unique(kinds)]

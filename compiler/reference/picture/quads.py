@@ -9,6 +9,7 @@ import numpy as np
 from ..namespace import Lane, Lanes
 from .coverage import Fragments
 from .faces import Faces
+from .sampler import Variants
 from .scene import Floats, Ints
 
 
@@ -61,20 +62,39 @@ class Barycentric:
         self._whole = bool(faces.whole[quads.face].all())
         self._weights = faces.weights[quads.face]
 
-    def perspective(self, values: Lanes) -> Lanes:
-        """Values at the vertices (lanes; arrays or single numbers), as seen in perspective."""
-        return tuple(self._crossed(lane) if np.ndim(lane) else lane for lane in values)
+    def perspective(self, values: Lanes, ways: Variants, first: int) -> Lanes:
+        """Values at the vertices (lanes; arrays or single numbers), as seen in perspective.
+
+        With a leading axis of variants where those move what is interpolated; ``first`` is any
+        number by which crossings differ.
+        """
+        return tuple(
+            self._crossed(lane, ways, first + i) if np.ndim(lane) else lane
+            for i, lane in enumerate(values)
+        )
 
     def flat(self, values: Lanes) -> Lanes:
         """The values of each triangle's first vertex."""
         first = self._faces.corners[self._face, 0]
         return tuple(lane[first][:, None, None] if np.ndim(lane) else lane for lane in values)
 
-    def _crossed(self, lane: Lane) -> Floats:
+    def _crossed(self, lane: Lane, ways: Variants, number: int) -> Floats:
         corners = lane[self._faces.corners[self._face]].astype(np.float64)
         if not self._whole:
             corners = (self._weights @ corners[:, :, None])[:, :, 0]
-        return self._mixed(corners.T, self._perspective)
+        mixed = self._mixed(corners.T, self._perspective)
+        if not ways.nudge.any():
+            return mixed
+        largest = np.abs(corners).max(axis=1)[:, None, None]
+        return mixed + self._nudges(ways, number) * largest
+
+    def _nudges(self, ways: Variants, number: int) -> Floats:
+        """By how much each variant is off, (variants, 1, side, side)."""
+        side = len(self.x[0, 0]) if len(self.x) else 1
+        checker = (-1.0) ** (np.add.outer(np.arange(side), np.arange(side)) + number)
+        signs = np.where(ways.checkered[:, None, None, None] == 1, checker, 1.0)
+        nudges: Floats = ways.nudge[:, None, None, None] * signs
+        return nudges
 
     @staticmethod
     def _mixed(corners: Floats, shares: tuple[Floats, ...]) -> Floats:

@@ -16,8 +16,9 @@ from ..namespace import Lane, Lanes
 from .margins import Margins
 from .scene import Floats, Ints, Texels
 
-_COORDINATE_MARGIN = 4e-6
-"""How far a texture coordinate may be off in float32, relative to itself or to the texture."""
+_COORDINATE_MARGIN = 2.0**-15
+"""How far a texture coordinate may be off, relative to itself or to the texture: some devices find
+the nearest texel in 16 bits."""
 _FARTHEST = 1e9
 """Coordinates beyond are as good as none."""
 
@@ -36,8 +37,13 @@ class Variants:
     """Likewise along y: the left column, or the pixel's own."""
     level: Floats
     """What is added to the level of detail."""
+    nudge: Floats
+    """By how much interpolated values are off, relative to the largest of their corners."""
+    checkered: Ints
+    """1: to the other side in every other pixel and lane."""
     kind: Ints
-    """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level."""
+    """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level;
+    5 and 6 what is interpolated, everything alike and checkered."""
     order: Floats
     """Of the norm that makes a length of the derivatives: 2; any between the largest lane
     (infinity) and the sum (1) is allowed."""
@@ -46,20 +52,29 @@ class Variants:
         return len(self.across)
 
 
-def variants(subtexel_bits: int | None, mip_bits: int | None) -> Variants:
+_EXACT = (0.0, 0.0, -1, -1, 0.0, 0.0, 0, 0, 2.0)
+
+
+def variants(
+    subtexel_bits: int | None, mip_bits: int | None, varying_bits: int | None
+) -> Variants:
     """The exact way to read and, where a device's bits matter, those at their limits."""
-    found = [(0.0, 0.0, -1, -1, 0.0, 0, 2.0)]
+    found = [_EXACT]
     if subtexel_bits is not None:
         step = 2.0**-subtexel_bits
-        found += [(shift, 0.0, -1, -1, 0.0, 1, 2.0) for shift in (-step, step)]
-        found += [(0.0, shift, -1, -1, 0.0, 2, 2.0) for shift in (-step, step)]
+        found += [(shift, 0.0, *_EXACT[2:7], 1, 2.0) for shift in (-step, step)]
+        found += [(0.0, shift, *_EXACT[2:7], 2, 2.0) for shift in (-step, step)]
     if mip_bits is not None:
         step = 2.0**-mip_bits
-        found += [(0.0, 0.0, row, column, 0.0, 3, 2.0) for row in (0, 1) for column in (0, 1)]
-        found += [(0.0, 0.0, -1, -1, *how) for how in ((-step, 4, np.inf), (step, 4, 1.0))]
-    across, down, row, column, level, kind, order = np.array(found).T
-    rows, columns, kinds = (numbers.astype(np.int64) for numbers in (row, column, kind))
-    return Variants(across, down, rows, columns, level, kinds, order)
+        choices = [(row, column) for row in (0, 1) for column in (0, 1)]
+        found += [(0.0, 0.0, *choice, *_EXACT[4:7], 3, 2.0) for choice in choices]
+        found += [(*_EXACT[:4], *how) for how in ((-step, 0, 0, 4, np.inf), (step, 0, 0, 4, 1.0))]
+    if varying_bits is not None:
+        step = 2.0**-varying_bits
+        found += [(*_EXACT[:5], step, checkered, 5 + checkered, 2.0) for checkered in (0, 1)]
+    across, down, row, column, level, nudge, checkered, kind, order = np.array(found).T
+    rows, columns, flags, kinds = (n.astype(np.int64) for n in (row, column, checkered, kind))
+    return Variants(across, down, rows, columns, level, nudge, flags, kinds, order)
 
 
 class Image:

@@ -25,6 +25,12 @@ class Geometry:
     triangles: Ints
     """(triangles, 3) numbers of vertices, in the order of drawing; the first one is provoking."""
 
+    @property
+    def vertex_count(self) -> int:
+        """How many vertices there are; without any attribute, as many as the triangles name."""
+        counts = [len(values) for values in self.attributes.values()]
+        return counts[0] if counts else int(self.triangles.max(initial=-1)) + 1
+
 
 @dataclass(frozen=True, slots=True)
 class Texels:
@@ -53,6 +59,9 @@ class RasterRules:
     cull: Cull = "none"
     subtexel_bits: int | None = None
     """Binary places of a linear filter's weights; ``None``: exact, with a radius of 0."""
+    varying_bits: int | None = None
+    """Binary places of what is interpolated, relative to the largest of its corners; ``None``:
+    exact."""
     mip_bits: int | None = None
     """Likewise, of the level of detail."""
 

@@ -64,12 +64,12 @@ class Stages:
         called = {str(node.data) for node in nodes if node.op in ("call", "native")}
         self.side = 2 if called.intersection(_COMPARES_NEIGHBOURS) else 1
         read = [node.data for node in nodes if isinstance(node.data, Resource)]
-        self.ways = _ways(read, textures, rules, bool(called & {"ddx", "ddy"}))
+        self.ways = _ways(read, textures, rules, bool(called & {"ddx", "ddy"}), self._crossings)
         self._images = {r: Image(_texels(textures, r), r, self.ways) for r in read}
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """The vertex stage."""
-        count = len(next(iter(geometry.attributes.values()), ()))
+        count = geometry.vertex_count
         margins = Margins((count,))
 
         def leaves(node: Node) -> Lanes | None:
@@ -98,8 +98,10 @@ class Stages:
 
         def leaves(node: Node) -> Lanes | None:
             if node.op == "interpolate":
-                crossed = place.flat if node.data == "flat" else place.perspective
-                return crossed(vertices.crossings[node.id])
+                values = vertices.crossings[node.id]
+                if node.data == "flat":
+                    return place.flat(values)
+                return place.perspective(values, self.ways, first=self._crossings.index(node))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return inputs[str(node.data)] if node.op == "input" else self._parameter(node)
@@ -143,15 +145,20 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
 
 
 def _ways(
-    read: list[Resource], textures: Mapping[str, Texels], rules: RasterRules, derivatives: bool
+    read: list[Resource],
+    textures: Mapping[str, Texels],
+    rules: RasterRules,
+    derivatives: bool,
+    crossings: list[Node],
 ) -> Variants:
-    """The variants of reading that make a difference to a shader."""
+    """The variants of reading and interpolating that make a difference to a shader."""
     varied = [r for r in read if any(level.size > 4 for level in _texels(textures, r).levels)]
     smooth = any(dict(r.state)["filter"] == "linear" for r in varied)
     mipped = any(dict(r.state)["mip"] != "none" for r in varied)
     return variants(
         rules.subtexel_bits if smooth else None,
         rules.mip_bits if mipped or derivatives else None,
+        rules.varying_bits if any(node.data != "flat" for node in crossings) else None,
     )
 
 
