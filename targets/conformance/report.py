@@ -113,8 +113,8 @@ def _pictures(result: Result) -> dict[str, str]:
         "case": f"{result.case}, target {number}" if len(result.got) > 1 else result.case,
         "got": _embedded(got),
         "expected": _embedded(expected),
-        "difference": _embedded(difference, linear=False),
-        "times": f"{times:g}",
+        "difference": _embedded(difference),
+        "times": f"{times:.0e}",
     }
 
 
@@ -133,10 +133,10 @@ def _difference(
     return shown, times
 
 
-def _embedded(pixels: NDArray[np.float64], *, linear: bool = True) -> str:
+def _embedded(pixels: NDArray[np.float64]) -> str:
     """A picture as a ``data:`` address."""
     file = io.BytesIO()
-    to_image(pixels, linear=linear).save(file, "PNG")
+    to_image(pixels).save(file, "PNG")
     return f"data:image/png;base64,{base64.b64encode(file.getvalue()).decode('ascii')}"
 
 

@@ -38,9 +38,9 @@ def digest(*ingredients: str | bytes) -> str:
 
 
 def digest_of_sources(*folders: Path) -> str:
-    """The digest of the Python files below some folders, for what their code has a part in."""
-    paths = (path for folder in folders for path in sorted(folder.rglob("*.py")))
-    return digest(*(path.read_bytes() for path in paths))
+    """The digest of the code below some folders, Python's and JavaScript's, for what it makes."""
+    files = (path for folder in folders for path in sorted(folder.rglob("*")))
+    return digest(*(path.read_bytes() for path in files if path.suffix in (".py", ".mjs")))
 
 
 class Store:

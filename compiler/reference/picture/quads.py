@@ -86,7 +86,8 @@ class Barycentric:
         if not ways.nudge.any():
             return mixed
         largest = np.abs(corners).max(axis=1)[:, None, None]
-        return mixed + self._nudges(ways, number) * largest
+        nudged: Floats = mixed + self._nudges(ways, number) * largest
+        return nudged
 
     def _nudges(self, ways: Variants, number: int) -> Floats:
         """By how much each variant is off, (variants, 1, side, side)."""

@@ -55,9 +55,7 @@ class Variants:
 _EXACT = (0.0, 0.0, -1, -1, 0.0, 0.0, 0, 0, 2.0)
 
 
-def variants(
-    subtexel_bits: int | None, mip_bits: int | None, varying_bits: int | None
-) -> Variants:
+def variants(subtexel_bits: int | None, mip_bits: int | None, varying_bits: int | None) -> Variants:
     """The exact way to read and, where a device's bits matter, those at their limits."""
     found = [_EXACT]
     if subtexel_bits is not None:

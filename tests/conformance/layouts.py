@@ -1,0 +1,182 @@
+"""Programs that show every lane of their parameters: one pixel of a row for each vector or column.
+
+Elements are read by computed indices, so that a wrong stride shows as well as a wrong offset.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import count
+from random import Random
+
+from burnish.compiler.ir.types import Array, Scalar, Struct, Type
+from burnish.compiler.layout import STANDARD_GROUPS
+
+from ..layout.declarations import ELEMENTS
+from .declarations import (
+    PLAIN,
+    Declarations,
+    Unit,
+    Value,
+    choice,
+    size_of,
+    units_of,
+    value_of,
+)
+
+GROUPS = (*STANDARD_GROUPS, "weather")
+LARGEST = 24
+"""Pixels of all parameters: drivers take seconds to compile more."""
+PASS = "Values"
+INT = Scalar("int")
+SEVERAL = 3
+"""Lights in an array; the most, where their number is only known when drawing."""
+
+Lights = Mapping[str, Sequence[Mapping[str, Value]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """A program, the values of its parameters, and what it has to draw."""
+
+    text: str
+    values: Mapping[str, Value]
+    units: Sequence[Unit]
+    """Pixel by pixel."""
+
+
+def random_layout(seed: int, largest: int = LARGEST) -> Layout:
+    """Parameters of all groups, and lights with members of their own, one alone and an array.
+
+    The parameters take up to ``largest`` pixels, and those of a light some more.
+    """
+    chance = Random(seed)
+    declarations = Declarations(chance)
+    types = _types(declarations, largest, depth=2)
+    light = _types(declarations, largest // 6, depth=1)
+    groups = [chance.choice(GROUPS) for _ in types]
+    return _layout(chance, list(zip(types, groups, strict=True)), light, declarations.structs)
+
+
+def _types(declarations: Declarations, largest: int, depth: int) -> list[Type]:
+    """As many types as take no more than ``largest`` pixels; those that are too large are left."""
+    types: list[Type] = []
+    for _ in range(max(largest // 3, 2)):
+        drawn = declarations.type(depth)
+        if sum(map(size_of, [*types, drawn])) <= largest:
+            types.append(drawn)
+    return types or [INT]
+
+
+def every_type() -> Layout:
+    """All that is neither array nor structure, over the groups by turns."""
+    return _listed(PLAIN)
+
+
+def every_element() -> Layout:
+    """Arrays of everything that is stored in its own way, of one element and of several."""
+    return _listed([Array(element, count) for element in ELEMENTS for count in (1, 3)])
+
+
+def _listed(types: Sequence[Type]) -> Layout:
+    placed = [(type_, GROUPS[i % len(GROUPS)]) for i, type_ in enumerate(types)]
+    return _layout(Random(0), placed, [INT], [])
+
+
+def _layout(
+    chance: Random,
+    parameters: Sequence[tuple[Type, str]],
+    light: Sequence[Type],
+    structs: Sequence[Struct],
+) -> Layout:
+    values = {f"p{i}": value_of(chance, type_) for i, (type_, _) in enumerate(parameters)}
+    counted = chance.random() < 0.5
+    probe = Struct("Probe", (("id", INT), *((f"m{i}", type_) for i, type_ in enumerate(light))))
+    lights = _lights(chance, probe, counted)
+    units = [
+        unit
+        for i, (type_, _) in enumerate(parameters)
+        for unit in units_of(f"p{i}", type_, values[f"p{i}"])
+    ]
+    shown = [*units, *_light_units(probe, lights)]
+    everything = {**values, **lights, "alone": lights["alone"][0]}
+    return Layout(_text(parameters, probe, structs, len(units), counted), everything, shown)
+
+
+def _lights(chance: Random, probe: Struct, counted: bool) -> Lights:
+    """Values for the lights of the rig, in its order; each has an id of its own."""
+    counts = {"alone": 1, "several": chance.randint(0, SEVERAL) if counted else SEVERAL}
+    ids = count()
+    return {
+        name: [{**value_of(chance, probe), "id": next(ids)} for _ in range(number)]
+        for name, number in counts.items()
+    }
+
+
+def _light_units(probe: Struct, lights: Lights) -> Iterator[Unit]:
+    for name, each in lights.items():
+        for i, light in enumerate(each):
+            yield from units_of(f"{name}[{i}]", probe, light)
+
+
+def _text(
+    parameters: Sequence[tuple[Type, str]],
+    probe: Struct,
+    structs: Sequence[Struct],
+    units: int,
+    counted: bool,
+) -> str:
+    """The program; its parameters take ``units`` pixels, the lights the next ones."""
+    slots: list[str] = []
+
+    def named(expression: str) -> str:
+        slots.append(expression)
+        return f"n{len(slots) - 1}"
+
+    places = [(type_, f"p{i}") for i, (type_, _) in enumerate(parameters)]
+    shown = choice(places, "number", named)
+    light = choice([(type_, f"light.{name}") for name, type_ in probe.members], "number", _inline)
+    each = size_of(probe)
+    lines = [
+        *(_braced(f"struct {struct.name}", _fields(struct)) for struct in structs),
+        _braced(
+            "light Probe : Light",
+            [f"param {line}" for line in _fields(probe)] + ["to_light = vec3(0, 0, 1)"],
+        ),
+        _braced("rig Lit", ["alone : Probe", f"several : Probe[{'<= ' * counted}{SEVERAL}]"]),
+        f"term probed(wanted: int, number: int) per light ="
+        f" if light.id == wanted then {light} else vec4(0)",
+        _braced(
+            "material Shown",
+            [
+                *(
+                    f"param p{i} : {type_} per {group}"
+                    for i, (type_, group) in enumerate(parameters)
+                ),
+                "number = int(frag_coord.x)",
+                f"beyond = number - {units}",
+                *(f"n{i} = {expression}" for i, expression in enumerate(slots)),
+                f"shown = if number < {units} then {shown}"
+                f" else probed(beyond / {each}, beyond mod {each})",
+            ],
+        ),
+        _braced(
+            f"pass {PASS}",
+            ["clip_position = vec4(vertex_position, 1)", "target value : rgba32f = material.shown"],
+        ),
+    ]
+    return "\n".join(lines)
+
+
+def _inline(expression: str) -> str:
+    """In a term there are no slots to name things by."""
+    return f"({expression})"
+
+
+def _fields(struct: Struct) -> list[str]:
+    return [f"{name} : {type_}" for name, type_ in struct.members]
+
+
+def _braced(head: str, lines: Sequence[str]) -> str:
+    return "\n    ".join([f"{head} {{", *lines]) + "\n}"

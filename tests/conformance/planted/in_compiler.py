@@ -1,0 +1,78 @@
+"""Errors in the passes: guards that are missing, ranges and rewritings that do not hold."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from burnish.compiler.passes import guard, ranges, rates
+from burnish.stdlib.builtins import BUILTINS
+from burnish.stdlib.builtins.facts import UNIT, Fact
+from burnish.stdlib.builtins.row import RangeRule, everywhere
+
+from .planting import QUICKEST, Plant, Planted, replaced
+
+
+def unguarded(builtin: str) -> Plant:
+    """The hardware's own operation, whatever the operands."""
+
+    def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
+        row = replace(BUILTINS[builtin], domain=everywhere)
+        patch.setattr(guard, "BUILTINS", {**BUILTINS, builtin: row})
+
+    return plant
+
+
+def claimed(builtin: str, rule: RangeRule) -> Plant:
+    """A range that a builtin's values do not keep to."""
+
+    def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
+        row = replace(BUILTINS[builtin], range=rule)
+        patch.setattr(ranges, "BUILTINS", {**BUILTINS, builtin: row})
+
+    return plant
+
+
+GUARDS = [
+    ("div", "operations: Arithmetic", "glsl"),
+    ("mod", "operations: Arithmetic", "hlsl"),
+    ("mod", "operations: Arithmetic", "wgsl"),
+    ("smoothstep", "operations: Limits", "wgsl"),
+    ("sqrt", "operations: Powers", "glsl"),
+    ("inversesqrt", "operations: Powers", "hlsl"),
+    ("log", "operations: Powers", "wgsl"),
+    ("log2", "operations: Powers", "glsl"),
+    ("pow", "operations: Powers", "hlsl"),
+    ("asin", "operations: Angles", "wgsl"),
+    ("acos", "operations: Angles", "glsl"),
+    ("atan2", "operations: Angles", "hlsl"),
+    ("normalize", "operations: Geometry", "wgsl"),
+    ("div", "integers: Signed", "glsl"),
+    ("div", "integers: Unsigned", "hlsl"),
+    ("mod", "integers: Signed", "wgsl"),
+    ("mod", "integers: Unsigned", "glsl"),
+    ("to_int", "integers: Converted", "glsl"),
+    ("to_uint", "integers: Converted", "hlsl"),
+]
+"""Builtin, material and language."""
+
+PLANTED = [
+    *(
+        Planted(f"{builtin} without its guard", material, QUICKEST[language], unguarded(builtin))
+        for builtin, material, language in GUARDS
+    ),
+    Planted("clamp without its guard", "operations: Limits", "chromium:webgpu", unguarded("clamp"),
+            "failed"),
+    Planted("differences are never negative", "operations: Powers", QUICKEST["glsl"],
+            claimed("sub", lambda _facts, _same: Fact(0.0, 1e9))),
+    Planted("floors lie between 0 and 1", "operations: Limits", QUICKEST["hlsl"],
+            claimed("floor", lambda _facts, _same: Fact(0.5, 1.0))),
+    Planted("products have length one", "operations: Geometry", QUICKEST["wgsl"],
+            claimed("mul", lambda _facts, _same: UNIT)),
+    Planted("absolute values are not zero", "integers: Unsigned", QUICKEST["glsl"],
+            claimed("abs", lambda _facts, _same: Fact(1.0, 9.0))),
+    Planted("everything is affine", "pipeline: Crossing", QUICKEST["glsl"],
+            replaced(rates, "_is_affine", lambda _node: True)),
+]  # fmt: skip

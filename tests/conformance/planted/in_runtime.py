@@ -1,0 +1,156 @@
+"""Errors between named values and a driver: blocks, derived values, textures, and the pipeline."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from burnish.targets.runner import blocks, derived, instance, shapes
+from burnish.targets.runner.draw import Draw, Image, Job
+from burnish.targets.runner.shapes import Numbers, Shape
+from burnish.targets.runner.textures import Texture
+
+from .planting import QUICKEST, Planted, job, replaced
+
+write, write_numbers = blocks.write, blocks._write_numbers
+image = Texture.image
+step = derived.compute
+
+
+def _shifted(block: bytearray, offset: int, shape: Shape, value: Any) -> None:
+    """A lane too far, where there is room."""
+    whole = bytearray(len(block) + 4)
+    write(whole, offset + 4, shape, value)
+    held = whole[: len(block)]
+    block[:] = bytes(a | b for a, b in zip(block, held, strict=True))
+
+
+def _rows(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
+    """Rows where columns belong."""
+    turned = tuple(zip(*lanes, strict=True)) if shape.columns else lanes
+    write_numbers(block, offset, shape, turned)
+
+
+def _tight(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
+    """Columns without the gaps between them."""
+    write_numbers(block, offset, replace(shape, column_stride=4 * shape.lanes), lanes)
+
+
+def _big_endian(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
+    scratch = bytearray(len(block))
+    write_numbers(scratch, offset, shape, lanes)
+    changed = np.frombuffer(scratch, "<u4").byteswap().tobytes()
+    block[:] = bytes(a | b for a, b in zip(block, changed, strict=True))
+
+
+def _inverted(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
+    """Truths that are not."""
+    values = tuple(not lane for lane in lanes) if shape.kind == "bool" else lanes
+    write_numbers(block, offset, shape, values)
+
+
+def _without_stride(shape: Shape, position: int) -> tuple[str, int, Shape]:
+    """Elements right behind each other."""
+    name, offset, inner = shapes.part(shape, position)
+    size = 4 * inner.lanes if isinstance(inner, Numbers) and not inner.columns else None
+    return name, offset if size is None else position * size, inner
+
+
+def _of_the_operand(steps: Any, inputs: Any) -> Any:
+    """The value from before the last step."""
+    last = steps[-1]
+    alike = [number for number in last["args"] if steps[number]["type"] == last["type"]]
+    return step(steps[: alike[0] + 1] if alike else steps, inputs)
+
+
+class Stale:
+    """Derived values that are computed once, and kept while parameters change."""
+
+    def __init__(self) -> None:
+        self._first: dict[int, Any] = {}
+
+    def __call__(self, steps: Any, inputs: Any) -> Any:
+        return self._first.setdefault(id(steps), step(steps, inputs))
+
+
+def _mirrored(texture: Texture) -> Image:
+    """The first row at the bottom."""
+    whole = image(texture)
+    row = len(whole.levels[0]) // whole.height
+    first = whole.levels[0]
+    turned = b"".join(first[at : at + row] for at in range(len(first) - row, -1, -row))
+    return replace(whole, levels=(turned, *whole.levels[1:]))
+
+
+def _levels_of_another(texture: Texture) -> Image:
+    """Smaller levels with their texels in the wrong order."""
+    whole = image(texture)
+    others = (np.frombuffer(level, "<u4")[::-1].tobytes() for level in whole.levels[1:])
+    return replace(whole, levels=(whole.levels[0], *others))
+
+
+def _draws(change: Callable[[Draw], Draw]) -> Callable[[Job], Job]:
+    return lambda asked: replace(asked, draws=tuple(map(change, asked.draws)))
+
+
+def _last_vertex_first(draw: Draw) -> Draw:
+    turned = np.roll(np.frombuffer(draw.indices, "<u4").reshape(-1, 3), 1, axis=1)
+    return replace(draw, indices=turned.tobytes())
+
+
+def _samplers(**state: Any) -> Callable[[Job], Job]:
+    def change(asked: Job) -> Job:
+        slots = tuple(replace(slot, **state) for slot in asked.pipeline.textures)
+        return replace(asked, pipeline=replace(asked.pipeline, textures=slots))
+
+    return change
+
+
+def _blended(asked: Job) -> Job:
+    """Every blend as ``add``."""
+    targets = tuple(replace(target, blend="add") for target in asked.pipeline.targets)
+    return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
+
+
+def _front(asked: Job) -> Job:
+    return replace(asked, pipeline=replace(asked.pipeline, front_face="cw"))
+
+
+def _textures_exchanged(draw: Draw) -> Draw:
+    return replace(draw, textures=draw.textures[::-1])
+
+
+GLSL, HLSL, WGSL = QUICKEST["glsl"], QUICKEST["hlsl"], QUICKEST["wgsl"]
+
+PLANTED = [
+    Planted("blocks a lane too far", "storage: Plain", GLSL, replaced(instance, "write", _shifted)),
+    Planted("matrices by rows", "storage: Products", HLSL,
+            replaced(blocks, "_write_numbers", _rows)),
+    Planted("columns without gaps", "storage: Products", WGSL,
+            replaced(blocks, "_write_numbers", _tight)),
+    Planted("big-endian", "storage: Plain", GLSL, replaced(blocks, "_write_numbers", _big_endian)),
+    Planted("bools inverted", "storage: Plain", HLSL,
+            replaced(blocks, "_write_numbers", _inverted)),
+    Planted("elements without gaps", "storage: Elements", WGSL,
+            replaced(blocks, "part", _without_stride)),
+    Planted("a step too few", "storage: Plain", GLSL,
+            replaced(derived, "compute", _of_the_operand)),
+    Planted("stale values", "storage: Plain", HLSL, replaced(derived, "compute", Stale())),
+    Planted("rows from below", "textures: Wraps", HLSL, replaced(Texture, "image", _mirrored)),
+    Planted("wrong smaller levels", "textures: Levels", WGSL,
+            replaced(Texture, "image", _levels_of_another)),
+    Planted("textures exchanged", "textures: Wraps", GLSL, job(_draws(_textures_exchanged))),
+    Planted("all repeat", "textures: Wraps", GLSL, job(_samplers(wrap="repeat"))),
+    Planted("all mirror", "textures: Wraps", HLSL, job(_samplers(wrap="mirror"))),
+    Planted("all smooth", "textures: Wraps", WGSL, job(_samplers(filter="linear"))),
+    Planted("all coarse", "textures: Wraps", GLSL, job(_samplers(filter="nearest"))),
+    Planted("nearest levels", "textures: Levels", HLSL, job(_samplers(mip="nearest"))),
+    Planted("no levels", "textures: Levels", WGSL, job(_samplers(mip="none"))),
+    Planted("flat from the last vertex", "pipeline: Crossing", GLSL,
+            job(_draws(_last_vertex_first))),
+    Planted("clockwise front faces", "pipeline: Crossing", HLSL, job(_front)),
+    Planted("added instead of blended", "pipeline: Veil", GLSL, job(_blended)),
+]  # fmt: skip

@@ -1,0 +1,161 @@
+"""The pictures by which materials are compared have in them what they say."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import burnish
+from burnish.targets.conformance.cases import SIZE, UNCOVERED, Case, series_of
+from burnish.targets.runner.instance import Instance
+
+from ..examples.kit import FOLDER
+
+Floats = NDArray[np.float64]
+
+
+@cache
+def reflection_of(name: str, material: str, pass_: str | None = None) -> Mapping[str, Any]:
+    """An example's."""
+    return burnish.compile(FOLDER / f"{name}.burnish", (), pass_=pass_)[material].reflection
+
+
+@cache
+def cases_of(name: str, material: str) -> dict[str, Case]:
+    """An example's cases with exact targets, by name."""
+    (series,) = (s for s in series_of(reflection_of(name, material)) if s.exact)
+    return {case.name: case for case in series.cases}
+
+
+def plastic(case: str) -> Case:
+    return cases_of("plastic", "Plastic")[case]
+
+
+def matrix(instance: Instance, name: str) -> Floats:
+    """A matrix with its rows and columns as in mathematics."""
+    return np.array(instance.get(name)).T
+
+
+def clip_positions(case: Case) -> Floats:
+    """Of the corners of all triangles, (triangles, 3, 4)."""
+    instance = case.shot.instance
+    places = case.shot.attributes["vertex_position"]
+    whole = np.concatenate([places, np.ones((len(places), 1))], axis=1)
+    to_clip = matrix(instance, "view_projection") @ matrix(instance, "object_to_world")
+    positions: Floats = (whole @ to_clip.T)[case.shot.triangles]
+    return positions
+
+
+def areas(case: Case) -> Floats:
+    """Twice the signed area of the triangles before the eye, positive counter-clockwise."""
+    corners = clip_positions(case)
+    corners = corners[(corners[..., 3] > 0.1).all(axis=1)]
+    places = corners[..., :2] / corners[..., 3:]
+    (ax, ay), (bx, by), (cx, cy) = (places[:, i].T for i in range(3))
+    found: Floats = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    return found
+
+
+def light_places(case: Case) -> list[Any]:
+    instance = case.shot.instance
+    used = instance.get("lamps")[: instance.get("lamps.count")]
+    return [*(lamp["place"] for lamp in used), instance.get("torch.place")]
+
+
+def test_names_are_told_apart() -> None:
+    assert list(cases_of("plastic", "Plastic")) == ["defaults", "stretched", "behind", "inside"]
+
+
+def test_pictures_are_not_square() -> None:
+    assert SIZE[0] != SIZE[1]
+    for case in cases_of("plastic", "Plastic").values():
+        assert (case.shot.width, case.shot.height) == SIZE
+        assert case.shot.clear == (UNCOVERED,)
+
+
+def test_defaults_are_among_them() -> None:
+    given = plastic("defaults").shot.instance
+    assert given.get("power") == 48.0 and given.get("albedo") is None
+    assert plastic("stretched").shot.instance.get("power") != 48.0
+
+
+def test_no_lights_and_all_lights() -> None:
+    counts = {name: case.shot.instance.get("lamps.count")
+              for name, case in cases_of("plastic", "Plastic").items()}  # fmt: skip
+    assert counts["behind"] == 0
+    assert counts["stretched"] == 8
+    assert 0 < counts["defaults"] < 8
+
+
+def test_scale_is_not_uniform() -> None:
+    linear = matrix(plastic("stretched").shot.instance, "object_to_world")[:3, :3]
+    scales = np.linalg.svd(linear, compute_uv=False)
+    assert scales[0] > 1.3 * scales[1] > 1.3 * scales[2]
+    assert np.linalg.det(linear) > 0
+    assert abs(linear - linear.T).max() > 0.1
+
+
+def test_lights_are_inside_the_mesh() -> None:
+    case = plastic("stretched")
+    vertices = case.shot.attributes["vertex_position"]
+    world = vertices @ matrix(case.shot.instance, "object_to_world")[:3, :3].T
+    reach = np.linalg.norm(world, axis=1).max()
+    for place in light_places(case):
+        assert np.linalg.norm(place) < reach / 2
+
+
+def test_back_faces_are_seen() -> None:
+    assert (areas(plastic("behind")) < 0).all()
+    assert (areas(plastic("inside")) < 0).any()
+    assert (areas(plastic("defaults")) > 0).any()
+
+
+def test_walls_are_cut_by_near_and_far_plane_and_stand_behind_the_eye() -> None:
+    _, _, z, w = np.moveaxis(clip_positions(plastic("inside")), -1, 0)
+    assert ((z < 0).any(axis=1) & (z > 0).any(axis=1)).any()
+    assert ((z > w) & (w > 0)).any()
+    assert (w < 0).any()
+
+
+def test_the_rest_is_between_the_planes() -> None:
+    for name in ("defaults", "stretched", "behind"):
+        _, _, z, w = np.moveaxis(clip_positions(plastic(name)), -1, 0)
+        assert ((z > 0) & (z < w)).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "material"),
+    [
+        ("plastic", "Plastic"),
+        ("properties", "Mapped"),
+        ("own_light", "Screen"),
+        ("gold", "TarnishedGold"),
+    ],
+)
+def test_every_texture_has_a_picture(name: str, material: str) -> None:
+    for case in ("stretched", "behind", "inside"):
+        instance = cases_of(name, material)[case].shot.instance
+        for row in instance.reflection["textures"]:
+            texels = instance.textures()[row["name"]].linear()[0]
+            assert len(texels) > 1 and np.ptp(texels) > 0.2
+
+
+def test_seeds_change_values_but_not_the_defaults() -> None:
+    reflection = reflection_of("plastic", "Plastic")
+    (first,), (second,) = series_of(reflection, 0), series_of(reflection, 1)
+    before, after = ([case.shot.draw() for case in s.cases] for s in (first, second))
+    assert before[0] == after[0]
+    assert all(a != b for a, b in zip(before[1:], after[1:], strict=True))
+
+
+def test_what_blends_is_drawn_both_ways() -> None:
+    exact, blended = series_of(reflection_of("blending", "Glass", "Transparent"))
+    assert exact.exact and not blended.exact
+    assert UNCOVERED not in blended.cases[0].shot.clear
+    (only,) = series_of(reflection_of("blending", "Glass", "Forward"))
+    assert only.exact

@@ -1,0 +1,88 @@
+"""Every example under each of its rigs and passes, on every route, against the reference."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish import api
+from burnish.compiler.diagnostics.diagnostic import Report
+from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax import ast
+from burnish.compiler.syntax.parser import parse
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.rows import Row
+from burnish.targets.conformance.summary import details
+from burnish.targets.runner.routes import ROUTES
+
+from ..examples.kit import EXAMPLES, VARIANTS, Variant
+from .kit import PROFILES, Studio
+
+LEAST_COVERED = 0.1
+"""Of the pixels of all cases together."""
+
+Key = tuple[Variant, str, str]
+"""A variant, a material and a route."""
+
+
+WANTED = "material", False
+"""Kind of a record, and whether it is abstract."""
+
+
+def _materials(path: Path) -> Iterator[str]:
+    for declared in parse(Source(path.name, path.read_text("utf-8")), Report()).declarations:
+        if isinstance(declared, ast.Record) and (declared.kind, declared.abstract) == WANTED:
+            yield declared.name.text
+
+
+CASES = [
+    pytest.param(
+        (variant, material, route),
+        id=f"{variant}-{material}-{route}",
+        # One process draws all of a file, if processes are given groups.
+        marks=pytest.mark.xdist_group(variant.path.stem),
+    )
+    for variant in VARIANTS
+    for material in _materials(variant.path)
+    for route in ROUTES
+]
+
+
+@pytest.fixture(scope="session")
+def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
+    """What a run over a file finds, with all its rigs, passes and materials."""
+
+    @cache
+    def found(path: Path) -> dict[Key, Row]:
+        compiled = [
+            (variant, material)
+            for variant in VARIANTS
+            if variant.path == path
+            for material in burnish.compile(path, PROFILES, rig=variant.rig, pass_=variant.pass_)
+        ]
+        subjects = [(f"{variant}", material) for variant, material in compiled]
+        rows = conform(subjects, list(ROUTES.values()), studio.runner, studio.toolchain)
+        keys = [(variant, m.name, route) for variant, m in compiled for route in ROUTES]
+        return dict(zip(keys, rows, strict=True))
+
+    return found
+
+
+@pytest.mark.parametrize("key", CASES)
+def test_it_agrees(rows: Callable[[Path], dict[Key, Row]], key: Key) -> None:
+    row = rows(key[0].path)[key]
+    assert row.status == "agrees", "\n".join(details(row)) or row.status
+    assert row.covered > LEAST_COVERED * sum(r.comparison.pixels for r in row.results)
+    assert all(np.isfinite(target).all() for result in row.results for target in result.got)
+    assert len({result.case for result in row.results}) == len(row.results) >= 4
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_the_variants_are_those_of_the_command(path: Path) -> None:
+    ours = [(variant.rig, variant.pass_) for variant in VARIANTS if variant.path == path]
+    assert sorted(api.variants(path), key=str) == sorted(ours, key=str)

@@ -1,0 +1,35 @@
+"""That a conformance run finds errors: many are planted, one at a time, and each has to show."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from burnish.targets.conformance.rows import Row
+
+from .kit import Studio
+from .planted import in_compiler, in_reference, in_runtime, in_targets
+from .planted.planting import Planted
+from .subjects import row
+
+PLANTED = [
+    *in_targets.PLANTED,
+    *in_compiler.PLANTED,
+    *in_runtime.PLANTED,
+    *in_reference.PLANTED,
+]
+
+
+@pytest.mark.parametrize("planted", PLANTED, ids=str)
+def test_it_is_found(
+    studio: Studio, planted: Planted, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    with monkeypatch.context() as patch:
+        planted.plant(patch, tmp_path)
+        found = row(studio, planted.material, planted.route)
+    assert found.status == planted.status, _told(found)
+
+
+def _told(found: Row) -> str:
+    return found.problem or f"undecided: {found.undecided}, max: {found.max_difference:g}"

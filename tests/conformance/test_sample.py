@@ -1,0 +1,197 @@
+"""Values that are drawn for a material keep its promises, and are the same every time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish.targets.conformance.sample import sample_textures, sample_values, with_inputs
+from burnish.targets.runner.instance import Instance
+from burnish.targets.runner.meshes import sphere
+from burnish.targets.runner.scene import Scene, scene_names
+
+from ..examples.kit import VARIANTS, Variant
+
+SEEDS = range(5)
+
+EVERYTHING = """\
+burnish 1
+
+struct Part {
+    tint  : rgb
+    way   : direction<world>
+    count : int
+    turn  : mat2
+}
+
+material Everything {
+    attribute level : uint
+    attribute curl  : vec3
+
+    param exponent : float in 1..512
+    param far      : float in 1000..1e6
+    param half     : float in 0..1 = 0.5
+    param below    : float in -9..-5
+    param free     : float
+    param large    : float = 100
+    param signed   : int in -20..20
+    param lowest   : int = -2147483648
+    param highest  : uint = 4294967295u
+    param masks    : uvec4 in 0..15
+    param dim      : rgb in 0.2..0.4
+    param near     : point<world> in -1..1
+    param way      : direction<world>
+    param axis     : direction<object>
+    param place    : point<world>
+    param turn     : mat3
+    param corner   : mat4 = mat4(2)
+    param angled   : angle in 10deg..20deg
+    param flags    : bvec3
+    param weights  : float[5]
+    param parts    : Part[3]
+    map   first    : texture2d
+    map   second   : texture2d = gray
+    map   bumps    : texture2d = flat_normal
+
+    color = vec3(exponent + far + half + below + free + large + float(signed + lowest)) * dim * near
+        + way * place + axis + turn[0] + corner[1].xyz * angled + vec3(flags) * weights[2]
+        + parts[1].tint * parts[2].way * float(parts[0].count) + vec3(parts[1].turn[0], 1)
+        + (first(uv) + second(uv) + bumps(uv)).rgb + vec3(masks.xyz) * float(highest)
+        + curl * float(level)
+}
+"""
+
+
+def everything() -> Instance:
+    """An instance of a material with parameters of all kinds."""
+    (material,) = burnish.compile(EVERYTHING, (), hoist=False).materials
+    return material.instance()
+
+
+def sampled(seed: int) -> Instance:
+    """The same with values."""
+    instance = everything()
+    sample_values(instance, seed)
+    sample_textures(instance, seed)
+    Scene().apply(instance, 1.0)
+    return instance
+
+
+def _leaves(row: Mapping[str, Any], value: Any) -> Iterator[tuple[Mapping[str, Any], Any]]:
+    """Rows without members, each with a value that is no array's."""
+    if row["layout"].get("count") is not None:
+        element = {**row, "layout": {**row["layout"], "count": None}}
+        for inner in value:
+            yield from _leaves(element, inner)
+    elif row["members"]:
+        for member in row["members"]:
+            yield from _leaves(member, value[member["name"]])
+    else:
+        yield row, value
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_values_keep_promises(seed: int) -> None:
+    instance = sampled(seed)
+    assert instance.missing == ()
+    for parameter in instance.reflection["parameters"]:
+        for row, value in _leaves(parameter, instance.get(parameter["name"])):
+            lanes = np.array(value, dtype=float).ravel()
+            assert np.isfinite(lanes).all()
+            if row.get("range"):
+                assert (row["range"][0] <= lanes).all() and (lanes <= row["range"][1]).all()
+            if row["type"].startswith("direction"):
+                assert math.isclose(math.hypot(*lanes), 1.0, rel_tol=1e-6)
+            if row["type"].startswith("rgb"):
+                assert (lanes >= 0).all() and (lanes <= 1).all()
+
+
+def test_values_go_through_their_ranges() -> None:
+    drawn = [sampled(seed) for seed in range(40)]
+    for name, low, high in [
+        ("exponent", 60, 450), ("signed", -15, 15), ("below", -8.5, -5.5), ("free", -0.8, 0.8),
+        ("large", 60, 300), ("half", 0.2, 0.8),
+    ]:  # fmt: skip
+        values = [instance.get(name) for instance in drawn]
+        assert min(values) < low and max(values) > high, name
+    flags = [lane for instance in drawn for lane in instance.get("flags")]
+    assert {True, False} == set(flags)
+    assert len({instance.get("lowest") for instance in drawn}) > 30
+
+
+def test_what_lights_are_called_by_may_be_a_materials_parameter() -> None:
+    """``place`` and ``axis`` stand for a scene's lights only behind the name of one."""
+    assert {"place", "axis"} <= set(scene_names()["lights"])
+    instance = everything()
+    sample_values(instance, 0)
+    assert instance.get("place") is not None and instance.get("axis") is not None
+
+
+def test_seeds_decide() -> None:
+    assert sampled(3).blocks() == sampled(3).blocks()
+    assert sampled(3).textures() == sampled(3).textures()
+    assert sampled(3).blocks()["Material"] != sampled(4).blocks()["Material"]
+
+
+def test_a_draw_depends_on_the_name_and_not_on_what_else_there_is() -> None:
+    less = EVERYTHING.replace("    param far      : float in 1000..1e6\n", "").replace(" far +", "")
+    (material,) = burnish.compile(less, (), hoist=False).materials
+    instance = material.instance()
+    sample_values(instance, 1)
+    whole = sampled(1)
+    for name in ("exponent", "free", "turn", "parts", "weights"):
+        assert instance.get(name) == whole.get(name)
+    assert whole.get("way") != whole.get("axis")
+
+
+def test_only_what_is_missing() -> None:
+    instance = everything()
+    sample_values(instance, 0, missing=True)
+    assert instance.get("half") == 0.5 and instance.get("large") == 100.0
+    assert instance.get("exponent") is not None and instance.get("way") is not None
+
+
+def test_textures_vary_and_differ() -> None:
+    instance = sampled(0)
+    textures = instance.textures()
+    for texture in textures.values():
+        texels = texture.linear()[0]
+        assert len(texture.levels) >= 5
+        assert (texels.std(axis=(0, 1)) > 0.02).all()
+        assert (np.ptp(texels, axis=0).max(0) > 0.05).all()
+        assert (np.ptp(texels, axis=1).max(0) > 0.05).all()
+        lanes = [texels[..., i] for i in range(4)]
+        assert all(abs(a - b).max() > 0.05 for i, a in enumerate(lanes) for b in lanes[:i])
+    assert len({texture.levels[0] for texture in textures.values()}) == len(textures)
+    assert len({(texture.width, texture.height) for texture in textures.values()}) > 1
+
+
+def test_flat_normals_stay_near_to_flat() -> None:
+    normals = 2 * sampled(0).textures()["bumps"].linear()[0][..., :3] - 1
+    assert (normals[..., 2] > 0.5).all() and abs(normals[..., :2]).max() < 0.6
+
+
+def test_vertex_inputs_that_a_mesh_lacks() -> None:
+    mesh = with_inputs(everything().reflection, sphere(8, 4))
+    level, curl = mesh.channels["level"], mesh.channels["curl"]
+    assert level.shape == (len(mesh), 1) and level.dtype.kind == "i" and (level >= 0).all()
+    assert curl.shape == (len(mesh), 3) and (np.ptp(curl, axis=0) > 0.1).all()
+    assert len(np.unique(level)) > 2
+    assert mesh.channels["normal"] is not None
+
+
+@pytest.mark.parametrize("variant", VARIANTS, ids=str)
+@pytest.mark.parametrize("seed", SEEDS)
+def test_examples_take_them(variant: Variant, seed: int) -> None:
+    for material in burnish.compile(variant.path, (), rig=variant.rig, pass_=variant.pass_):
+        instance = material.instance()
+        sample_values(instance, seed)
+        sample_textures(instance, seed)
+        Scene(light_count=64).apply(instance, 1.5)
+        assert instance.missing == ()
+        assert all(instance.blocks().values())

@@ -1,0 +1,251 @@
+"""Shaders written by hand, drawn beside Burnish's of the same surface, and held against both.
+
+What the library computes stands on both sides of every other comparison; here it stands on one.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import burnish
+from burnish.api import CompiledMaterial
+from burnish.compiler.diagnostics.source import Span
+from burnish.compiler.reference.picture import Expected
+from burnish.targets.conformance.compare import compare
+from burnish.targets.conformance.plan import rules_of
+from burnish.targets.conformance.tolerances import DRIVERS
+from burnish.targets.runner.codes import Codes, Stage, compile_one
+from burnish.targets.runner.draw import BlockSlot, Job, Pipeline, Place, Target, VertexInput
+from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
+from burnish.targets.runner.pipeline import pipeline
+from burnish.targets.runner.reference import expected
+from burnish.targets.runner.routes import ROUTES, Route
+from burnish.targets.runner.scene import Scene
+from burnish.targets.runner.shots import Color, Shot, take
+
+from ..bench import __file__ as bench
+from .kit import PROFILES, Studio
+
+FOLDER = Path(bench).parent
+SIZE = (72, 56)
+UNCOVERED: Color = (-8.0, -8.0, -8.0, -8.0)
+BLOCK_SIZE = 368
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A stage, or both, as the compilers of routes take them."""
+
+    name: str
+    target: str
+    profile: str
+    entry_points: Mapping[Stage, str]
+    text: str
+    spans: Mapping[int, Span] = field(default_factory=dict)
+
+
+def texts(profile: str) -> tuple[Text, ...]:
+    """The hand-written shaders in the language of a profile."""
+    target, _, dialect = profile.partition(":")
+    if target == "glsl":
+        return tuple(
+            Text(f"phong.{suffix}.glsl", target, dialect, {stage: "main"}, _glsl(suffix, dialect))
+            for stage, suffix in _SUFFIXES.items()
+        )
+    text = (FOLDER / "twins" / f"phong.{target}").read_text(encoding="utf-8")
+    if target == "hlsl":
+        entries: dict[Stage, str] = {"vertex": "vsmain", "fragment": "main"}
+        # By Direct3D's rules it lies in the last lane of the matrix, and by Vulkan's behind it.
+        text = text.replace(" float p;", "")
+    else:
+        entries = {"vertex": "vsmain", "fragment": "fsmain"}
+    return (Text(f"phong.{target}", target, dialect, entries, text),)
+
+
+_SUFFIXES: Mapping[Stage, str] = {"vertex": "vert", "fragment": "frag"}
+_HEADERS = {
+    "gl330": "#version 330 core",
+    "es300": "#version 300 es\nprecision highp float;\nprecision highp int;",
+}
+
+
+def _glsl(suffix: str, dialect: str) -> str:
+    """The GLSL for Vulkan, or by some words of OpenGL's."""
+    text = (FOLDER / "twins" / f"phong.{suffix}.glsl").read_text(encoding="utf-8")
+    if dialect == "vulkan":
+        return text
+    varying = "out" if suffix == "vert" else "in"
+    text = re.sub(rf"layout\(location=\d\) {varying}", varying, text)
+    text = text.replace("#version 450", _HEADERS[dialect]).replace(",set=0,binding=0", "")
+    in_gl = r"\1 gl_Position.z = 2.0*gl_Position.z-gl_Position.w;"
+    return re.sub(r"(gl_Position=.*;)", in_gl, text)
+
+
+# --- the scene, in numbers -----------------------------------------------------------------------
+
+STRETCHED = ((1.1, -0.5, 0.0, 0.1), (0.6, 0.5, 0.1, -0.1), (0.0, 0.2, 0.8, 0.2), (0, 0, 0, 1))
+
+SCENES: Mapping[str, tuple[Mesh, Scene]] = {
+    "sphere": (sphere(32, 16), Scene()),
+    "stretched torus": (
+        torus(24, 16), Scene(eye=(-0.7, 1.1, 2.6), object_to_world=STRETCHED)
+    ),
+    "inside": (
+        cube(), Scene(eye=(0.35, -0.2, 0.4), target=(-0.5, 0.1, -0.6), fov=math.radians(75))
+    ),
+}  # fmt: skip
+
+VALUES: Mapping[str, Any] = {
+    "ka": (0.5, 0.3, 0.2),
+    "kd": (0.7, 0.4, 0.25),
+    "ks": (0.3, 0.6, 0.9),
+    "power": 17.0,
+    "ambient_light": (0.2, 0.15, 0.1),
+    "sun.direction": (0.48, -0.8, 0.36),
+    "sun.diffuse_color": (0.8, 0.7, 0.6),
+    "lamp.place": (0.5, 0.4, 0.9),
+    "lamp.diffuse_color": (0.2, 0.5, 0.4),
+    "torch.place": (-0.9, 1.2, 1.6),
+    "torch.axis": (0.36, -0.48, -0.8),
+    "torch.inner": math.radians(12),
+    "torch.outer": math.radians(31),
+    "torch.diffuse_color": (0.9, 0.2, 0.8),
+}
+
+
+def block(scene: Scene) -> bytes:
+    """The hand-written block, filled by hand: columns and rows of 16 bytes."""
+    world = np.array(scene.object_to_world)
+    inner, outer = VALUES["torch.inner"], VALUES["torch.outer"]
+    normal_matrix = np.linalg.inv(world[:3, :3]).T
+    rows: list[Any] = [
+        *world.T,
+        *scene.world_to_clip(SIZE[0] / SIZE[1]).T,
+        *((*column, 0) for column in normal_matrix.T),
+        (*scene.eye, 0),
+        (*VALUES["ka"], 0),
+        (*VALUES["kd"], 0),
+        (*VALUES["ks"], VALUES["power"]),
+        (*VALUES["ambient_light"], 0),
+        (*VALUES["sun.direction"], 0),
+        (*VALUES["sun.diffuse_color"], 0),
+        (*VALUES["lamp.place"], 0),
+        (*VALUES["lamp.diffuse_color"], 0),
+        (*VALUES["torch.place"], math.cos(outer)),
+        (*VALUES["torch.axis"], 1 / (math.cos(inner) - math.cos(outer))),
+        (*VALUES["torch.diffuse_color"], 0),
+    ]
+    return b"".join(struct.pack("<4f", *row) for row in rows)
+
+
+# --- drawing -------------------------------------------------------------------------------------
+
+
+@cache
+def material(error: str = "") -> CompiledMaterial:
+    """Burnish's, with a line more."""
+    source = (FOLDER / "surface.burnish").read_text(encoding="utf-8")
+    source = source.replace("    color = ", f"    {error}\n    color = ")
+    (made,) = burnish.compile(source, PROFILES).materials
+    return made
+
+
+def shot(scene: str, error: str = "") -> Shot:
+    """What Burnish's shader is to draw."""
+    mesh, placed = SCENES[scene]
+    taken = take(material(error).instance(), mesh, placed, SIZE, UNCOVERED)
+    for name, value in VALUES.items():
+        taken.instance.set(name, value)
+    return taken
+
+
+def by_hand(route: Route, codes: Codes) -> Pipeline:
+    """The hand-written shaders' own pipeline."""
+    in_gl = route.profile in ("glsl:gl330", "glsl:es300")
+    place = Place("P", None, None) if in_gl else Place("P", 0, 0)
+    return Pipeline(
+        codes.vertex,
+        codes.fragment,
+        inputs=(VertexInput("aPos", 0, "float32x3"), VertexInput("aNrm", 1, "float32x3")),
+        blocks=(BlockSlot(place, BLOCK_SIZE),),
+        textures=(),
+        targets=(Target("rgba32float"),),
+        first_row="bottom" if in_gl else "top",
+    )
+
+
+def drawn(studio: Studio, route: Route, job: Job) -> Floats:
+    """The only target of the only draw."""
+    assert studio.runner.problem(route) is None
+    (picture,) = studio.runner.draw(route, job)
+    pixels = np.frombuffer(picture.targets[0], "<f4").reshape(SIZE[1], SIZE[0], 4)
+    return pixels.astype(np.float64)
+
+
+def drawn_by_burnish(studio: Studio, route: Route, taken: Shot) -> Floats:
+    codes = compile_one(route, material().files, studio.toolchain)
+    made = pipeline(material().reflection, route, codes, exact=True)
+    return drawn(studio, route, Job(made, (taken.draw(),)))
+
+
+def drawn_by_hand(studio: Studio, route: Route, scene: str) -> Floats:
+    taken = shot(scene)
+    codes = compile_one(route, texts(route.profile), studio.toolchain)
+    vertices = tuple(
+        taken.attributes[name].astype("<f4").tobytes()
+        for name in ("vertex_position", "vertex_normal")
+    )
+    filled = replace(taken.draw(), vertices=vertices, blocks=(block(SCENES[scene][1]),))
+    return drawn(studio, route, Job(by_hand(route, codes), (filled,)))
+
+
+def drawn_by_reference(studio: Studio, route: Route, taken: Shot, error: str = "") -> Expected:
+    rules = rules_of(taken, studio.runner.device(route), DRIVERS[route.driver])
+    return expected(material(error).shader, taken, rules)
+
+
+def agree(got: Floats, wanted: Expected, route: Route) -> bool:
+    return compare((got,), wanted, DRIVERS[route.driver], [0.0]).agrees
+
+
+@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("name", ROUTES)
+def test_twins_agree(studio: Studio, name: str, scene: str) -> None:
+    route, taken = ROUTES[name], shot(scene)
+    ours, theirs = drawn_by_burnish(studio, route, taken), drawn_by_hand(studio, route, scene)
+    wanted = drawn_by_reference(studio, route, taken)
+    colours = wanted.targets[0][wanted.covered][:, :3]
+    assert (np.ptp(colours, axis=0) > 0.1).all()
+    assert agree(ours, wanted, route)
+    assert agree(theirs, wanted, route)
+    assert agree(ours, replace(wanted, targets=(theirs,)), route)
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        "normal_matrix = mat3(object_to_world)",
+        "normal = -inherited.normal",
+        "to_eye = normalize(position - eye)",
+        "position = inherited.position + 0.01 * inherited.normal",
+        "clip_position = view_projection * vec4(position.xzy, 1)",
+    ],
+)
+def test_an_error_in_the_library_shows(studio: Studio, error: str) -> None:
+    route = ROUTES["lavapipe:glsl"]
+    theirs = drawn_by_hand(studio, route, "stretched torus")
+    wanted = drawn_by_reference(studio, route, shot("stretched torus", error), error)
+    assert not wanted.undecided.all() and not agree(theirs, wanted, route)
