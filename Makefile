@@ -13,17 +13,19 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 help: ## Say what there is to make
 	@sed -n 's/^\([a-z]*\):.*## /make \1\t/p' $(MAKEFILE_LIST) | expand -t 14
 
-demo: $(VENV)/installed ## Compile examples/plastic.burnish for all backends into build/
+demo: $(VENV)/installed ## Compile examples/plastic.burnish for all backends into build/, and draw it
 	@$(BIN)/burnish compile examples/plastic.burnish -o build
+	@$(BIN)/burnish render examples/plastic.burnish -o build/plastic.png
 	@echo
 	@echo 'build/Plastic.vert.*   vertex shaders: hlsl for Direct3D, glsl for Vulkan, wgsl for WebGPU'
 	@echo 'build/Plastic.frag.*   fragment shaders, likewise'
 	@echo 'build/Plastic.json     the reflection: what a host has to bind where'
+	@echo 'build/plastic.png      what it looks like, drawn by the reference: on the CPU, without a driver'
 	@echo
 	@echo 'Next: . $(BIN)/activate; burnish --help'
 
 test: tools lint ## Install what the tests need, then check style, types and behaviour
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist loadgroup
 
 lint: $(VENV)/dev build/mypy/burnish ## Check style and types
 	$(BIN)/ruff format --check .

@@ -6,6 +6,8 @@ interrupted. Starting fast is a feature, so nothing here loads the compiler.
 
 from __future__ import annotations
 
+import sys
+from io import TextIOWrapper
 from typing import Any
 
 import click
@@ -14,6 +16,7 @@ from . import __version__
 from .commands.check import check
 from .commands.compile import compile_
 from .commands.conform import conform
+from .commands.console import FAILED
 from .commands.doctor import doctor
 from .commands.explain import explain
 from .commands.render import render
@@ -24,13 +27,26 @@ INTERRUPTED = 130
 
 
 class _QuietGroup(click.Group):
-    """Ends on Ctrl-C without a word."""
+    """Ends on Ctrl-C without a word, and with one where standard output cannot take any more."""
+
+    def main(self, *arguments: Any, **options: Any) -> Any:
+        """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, TextIOWrapper):
+                stream.reconfigure(errors="backslashreplace")
+        return super().main(*arguments, **options)
 
     def invoke(self, context: click.Context) -> Any:
         try:
             return super().invoke(context)
         except KeyboardInterrupt:
             context.exit(INTERRUPTED)
+        except BrokenPipeError:
+            raise  # A reader that has left, as `head` does; click knows what to do.
+        except OSError as error:
+            place = "" if error.filename is None else f"`{error.filename}`: "
+            click.echo(f"error: {place}{error.strerror or error}", err=True)
+            context.exit(FAILED)
 
 
 @click.group(cls=_QuietGroup, context_settings={"help_option_names": ["-h", "--help"]})

@@ -9,17 +9,19 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from .console import FAILED, show, wants_color
+from .console import FAILED, remark, show, wants_color
 from .failures import told
 from .options import pass_option, rig_option, search_option
-from .progress import Progress
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial
     from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
 
-COLORS = {"agrees": "green", "differs": "red", "failed": "red", "not run": "yellow"}
+COLORS = {
+    "agrees": "green", "differs": "red", "undecided": "red", "failed": "red", "not run": "yellow"
+}  # fmt: skip
+DISAGREEMENT = {"differs", "undecided", "failed"}
 
 
 class Request(NamedTuple):
@@ -52,14 +54,15 @@ class Request(NamedTuple):
 @pass_option
 @search_option
 def conform(**chosen: Any) -> None:
-    """Draw the materials of each FILE by every route, and compare with the reference.
-
-    All rigs and passes that a file declares are drawn, unless --rig and --pass name one.
+    """Draw each FILE by every route, and hold it against the reference.
 
     A route is one way from Burnish's text to a picture: a compiler and a driver. Each material is
-    drawn in several scenes, with default and drawn values. The exit code is 1 if any route
-    disagrees with the reference, or fails; what lacks its tools is `not run`, which is no pass:
-    the exit code is 1, too, if such a route was asked for by name, or nothing was run at all.
+    drawn in several scenes, with default and drawn values, in every rig and by every pass that its
+    file declares, unless --rig and --pass name one.
+
+    The exit code is 1 if any route differs from the reference or fails, or if so much hangs on
+    rounding that agreement would prove nothing. A route that lacks its tools is `not run`, which is
+    no pass: the exit code is 1, too, if such a route was asked for by name, or nothing was run.
 
     \b
     Example:
@@ -68,6 +71,7 @@ def conform(**chosen: Any) -> None:
     """
     request = Request(**chosen)
     with told():
+        _check_report(request.report)
         rows = _rows(request)
         _tell(rows)
         if request.report is not None:
@@ -76,26 +80,49 @@ def conform(**chosen: Any) -> None:
             click.get_current_context().exit(FAILED)
 
 
+def _check_report(folder: Path | None) -> None:
+    """Before anything is drawn, which may take long. Raises ``CompileError``."""
+    from .output import obstacle, unwritable
+
+    if folder is not None and (reason := obstacle(folder)):
+        raise unwritable(folder, reason)
+
+
 def _rows(request: Request) -> list[Row]:
     from ..targets.conformance.conform import conform as run
     from ..targets.runner.routes import select
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
+    from .progress import Progress
 
     routes = select([request.routes])
     if not routes:
         raise click.UsageError("--routes names no route")
-    subjects = [
-        (_label(path, material, variant), material)
-        for path in request.files
-        for variant in _variants(path, request)
-        for material in _materials(path, request, variant, routes)
-    ]
     with Runner(routes) as runner, Toolchain() as toolchain, Progress("comparing") as progress:
         return run(
-            subjects, routes, runner, toolchain,
+            _subjects(request, routes), routes, runner, toolchain,
             seed=request.seed, done=lambda done, total: progress.tell(done / total),
         )  # fmt: skip
+
+
+def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, CompiledMaterial]]:
+    """Every material in every rig and pass, with the name that it goes by."""
+    from .. import api
+
+    profiles = sorted({route.profile for route in routes})
+    results = [
+        (path, variant, api.compile(
+            path, profiles, rig=variant[0], pass_=variant[1], search_path=request.search_path
+        ))
+        for path in request.files
+        for variant in _variants(path, request)
+    ]  # fmt: skip
+    show(found for _, _, result in results for found in result.diagnostics)
+    return [
+        (_label(path, material, variant), material)
+        for path, variant, result in results
+        for material in result.materials
+    ]
 
 
 Variant = tuple[str | None, str | None]
@@ -103,7 +130,7 @@ Variant = tuple[str | None, str | None]
 
 
 def _variants(path: Path, request: Request) -> list[Variant]:
-    """All under which the file's materials are drawn, as far as the command line leaves a choice."""
+    """All that the command line leaves a choice of."""
     from .. import api
 
     found = api.variants(path, search_path=request.search_path)
@@ -115,45 +142,46 @@ def _label(path: Path, material: CompiledMaterial, variant: Variant) -> str:
     return " × ".join([f"{path.name}: {material.name}", *filter(None, variant)])
 
 
-def _materials(
-    path: Path, request: Request, variant: Variant, routes: Sequence[Route]
-) -> tuple[CompiledMaterial, ...]:
-    from .. import api
-
-    result = api.compile(
-        path,
-        sorted({route.profile for route in routes}),
-        rig=variant[0],
-        pass_=variant[1],
-        search_path=request.search_path,
-    )
-    show(result.diagnostics)
-    return result.materials
-
-
 def _tell(rows: Sequence[Row]) -> None:
-    from ..targets.conformance.report import counted, details, drawn_by, table
+    from ..targets.conformance.summary import counted, details, devices, lacking, tools
 
-    cells = list(table(rows))
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-    color = wants_color(sys.stdout)
-    for line in cells:
-        *plain, status = (cell.ljust(width) for cell, width in zip(line, widths, strict=True))
-        shown = click.style(status.rstrip(), fg=COLORS.get(line[-1]))
-        click.echo("  ".join([*plain, shown]), color=color)
-    click.echo()
-    for line_ in drawn_by(rows):
-        click.echo(line_)
+    _print_table(rows)
+    for driver, device in devices(rows).items():
+        click.echo(f"drawn by {driver}: {device}")
+    if versions := tools(rows):
+        click.echo(f"with {', '.join(f'{name} {version}' for name, version in versions.items())}")
+    for problem, names in lacking(rows).items():
+        click.echo(f"not run by {', '.join(names)}: {problem}")
     for row in rows:
-        if row.status != "not run":
-            for line_ in details(row):
-                click.echo(f"{row.material}, {row.route.name}: {line_}", err=True)
+        if row.status in DISAGREEMENT:
+            lines = [f"{row.material}, {row.route.name} {row.status}", *details(row)]
+            remark("error", "\n  ".join(lines))
     click.echo(counted(rows))
 
 
+def _print_table(rows: Sequence[Row]) -> None:
+    """A heading for each material, and below it a line for each route."""
+    from ..targets.conformance.summary import HEADINGS, by_material, cells
+
+    widths = [max(map(len, column)) for column in zip(HEADINGS, *map(cells, rows), strict=True)]
+    color = wants_color(sys.stdout)
+
+    def line(texts: Sequence[str]) -> str:
+        padded = [text.ljust(width) for text, width in zip(texts, widths, strict=True)]
+        padded[1] = click.style(padded[1], fg=COLORS.get(texts[1]))
+        return "  ".join(["", *padded]).rstrip()
+
+    click.echo(line(HEADINGS))
+    for material, own in by_material(rows).items():
+        click.echo(click.style(material, bold=True), color=color)
+        for row in own:
+            click.echo(line(cells(row)), color=color)
+    click.echo()
+
+
 def _passed(rows: Sequence[Row], *, asked: bool) -> bool:
-    statuses = [row.status for row in rows]
-    if "differs" in statuses or "failed" in statuses or "agrees" not in statuses:
+    statuses = {row.status for row in rows}
+    if statuses & DISAGREEMENT or "agrees" not in statuses:
         return False
     return not (asked and "not run" in statuses)
 

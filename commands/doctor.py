@@ -18,11 +18,12 @@ _INDENT = " " * 10
 
 @click.command()
 def doctor() -> None:
-    """Look for the tools that `--validate`, `render`, `conform` and the tests use.
+    """Look for external tools, and say what they are for.
 
-    Compiling needs none of them. For each that is missing the command that installs it is shown,
-    and what there is not without it; the exit code is 1 if one is. Below stand the routes by which
-    pictures are drawn, and which of them can run.
+    `compile --validate`, `render --on`, `conform` and the tests use them; compiling needs none. For
+    each that is missing the command that installs it is shown, and what there is not without it;
+    the exit code is 1 if one is. Below stand the routes by which pictures are drawn, and which of
+    them can run.
 
     \b
     Example:

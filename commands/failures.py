@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import NoReturn
 
 import click
 
-from .console import FAILED, show, wants_color
+from .console import FAILED, remark, show
 
 PACKAGES = {"numpy": "NumPy", "PIL": "Pillow"}
 
 
-def fail(text: str) -> None:
+def fail(text: str) -> NoReturn:
     """Tells an error that has no place in a file, and ends the command."""
-    word = click.style("error", fg="red", bold=True) if wants_color(sys.stderr) else "error"
-    click.echo(f"{word}: {text}", err=True, color=True)
+    remark("error", text)
     click.get_current_context().exit(FAILED)
 
 
@@ -34,7 +33,6 @@ def told() -> Iterator[None]:
         from ..targets.runner.values import ParameterError
     except ModuleNotFoundError as error:
         needed(error)
-        return
     try:
         yield
     except CompileError as error:
@@ -42,15 +40,17 @@ def told() -> Iterator[None]:
         click.get_current_context().exit(FAILED)
     except UnknownRouteError as error:
         raise click.UsageError(str(error)) from error
-    except (
-        CodeError, DriverError, MeshError, MissingValuesError, ParameterError, PictureError
-    ) as error:  # fmt: skip
+    except DriverError as error:
+        fail(str(error).replace("\n", "\n  "))
+    except (CodeError, MeshError, MissingValuesError, ParameterError, PictureError) as error:
         fail(str(error))
+    except MemoryError:
+        fail("there is not enough memory to draw this: a smaller picture may do")
     except ModuleNotFoundError as error:
         needed(error)
 
 
-def needed(error: ModuleNotFoundError) -> None:
+def needed(error: ModuleNotFoundError) -> NoReturn:
     """Says how to install what is missing; anything but the known packages is a defect."""
     package = PACKAGES.get((error.name or "").partition(".")[0])
     if package is None:

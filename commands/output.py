@@ -10,6 +10,23 @@ from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
 
 
+def obstacle(folder: Path, file: str = "") -> str | None:
+    """Why nothing, or no such file, can be written into a folder, which need not be there yet.
+
+    ``None`` if it may work. To be asked before what takes long.
+    """
+    try:
+        nearest = next(path for path in (folder, *folder.absolute().parents) if path.exists())
+        if file and (folder / file).is_dir():
+            return "it is a folder"
+    except OSError as error:
+        return error.strerror
+    if not nearest.is_dir():
+        return f"`{nearest}` is a file, not a folder"
+    allowed = os.access(nearest, os.W_OK | os.X_OK)
+    return None if allowed else f"nobody but its owner may write into `{nearest}`"
+
+
 def write_all(folder: Path, texts: Mapping[str, str]) -> None:
     """Write each text under its name; ``CompileError`` if that cannot be, and nothing is changed.
 

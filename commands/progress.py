@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-import time
+from threading import Lock, Timer
 from types import TracebackType
 from typing import Any, Self
 
@@ -19,12 +19,18 @@ class Progress:
     """A bar on standard error, if that is a terminal; a context manager."""
 
     def __init__(self, label: str) -> None:
-        self._label = label
-        self._started = time.monotonic()
         self._bar: Any = None
-        self._shown = 0
+        self._timer: Timer | None = None
+        self._lock = Lock()
+        self._reached = 0
+        if sys.stderr is not None and sys.stderr.isatty():
+            self._bar = click.progressbar(length=_STEPS, label=label, file=sys.stderr)
+            self._timer = Timer(PATIENCE, self._appear)
+            self._timer.daemon = True
 
     def __enter__(self) -> Self:
+        if self._timer is not None:
+            self._timer.start()
         return self
 
     def __exit__(
@@ -33,16 +39,25 @@ class Progress:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        if self._bar is not None:
-            self._bar.__exit__(kind, error, trace)
+        if self._timer is not None:
+            self._timer.cancel()
+        with self._lock:
+            if self._bar is not None and self._bar.entered:
+                self._bar.__exit__(kind, error, trace)
+            self._bar = None
 
     def tell(self, share: float) -> None:
         """``share`` of the work is done, from 0 to 1."""
-        if self._bar is None:
-            if not sys.stderr.isatty() or time.monotonic() - self._started < PATIENCE:
-                return
-            self._bar = click.progressbar(length=_STEPS, label=self._label, file=sys.stderr)
-            self._bar.__enter__()
-        reached = round(share * _STEPS)
-        self._bar.update(reached - self._shown)
-        self._shown = reached
+        with self._lock:
+            self._reached = round(share * _STEPS)
+            self._draw()
+
+    def _appear(self) -> None:
+        with self._lock:
+            if self._bar is not None:
+                self._bar.__enter__()
+                self._draw()
+
+    def _draw(self) -> None:
+        if self._bar is not None and self._bar.entered:
+            self._bar.update(self._reached - self._bar.pos)

@@ -2,31 +2,33 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from .console import show
+from .console import FAILED, remark
 from .failures import fail, told
 from .options import file_argument, pass_option, rig_option, search_option
-from .progress import Progress
 
 if TYPE_CHECKING:
-    from ..api import CompiledMaterial
-    from ..targets.runner.instance import Instance
-    from ..targets.runner.pictures import Panel
-    from ..targets.runner.render import Floats
     from ..targets.runner.routes import Route
-    from ..targets.runner.shots import Shot
+    from ..targets.runner.runner import Runner
+    from ..targets.runner.sheet import Panel
 
 REFERENCE = "reference"
 EVERYTHING = "all"
-LARGEST = 8192
+LARGEST = 4096
+"""Pixels of a side. The reference takes 4 GB of memory for a square of them."""
+LARGEST_SHEET = 2**27
+"""Pixels of all pictures on a sheet together."""
 MESHES = ("sphere", "plane", "cube", "torus")
 BACKGROUND = "#1b1d21"
+
+Color = tuple[float, float, float, float]
 
 
 class Request(NamedTuple):
@@ -34,11 +36,12 @@ class Request(NamedTuple):
 
     file: Path
     output: Path
-    on: str
+    on: tuple[str, ...]
     mesh: str
     size: tuple[int, int]
     values: tuple[tuple[str, str], ...]
-    background: str
+    background: Color
+    """Linear light."""
     target: str | None
     material: str | None
     rig: str | None
@@ -46,10 +49,14 @@ class Request(NamedTuple):
     search_path: tuple[Path, ...]
 
 
+def _names(_context: click.Context, _option: click.Parameter, given: str) -> tuple[str, ...]:
+    return tuple(name.strip() for name in given.split(",") if name.strip())
+
+
 def _size(_context: click.Context, _option: click.Parameter, given: str) -> tuple[int, int]:
-    found = re.fullmatch(r"(\d+)(?:x(\d+))?", given)
+    found = re.fullmatch(r"([0-9]+)(?:x([0-9]+))?", given)
     if not found:
-        raise click.BadParameter(f"'{given}' is neither 512 nor 640x480")
+        raise click.BadParameter(f"'{given}' is neither like 512 nor like 640x480")
     size = int(found[1]), int(found[2] or found[1])
     if not all(1 <= side <= LARGEST for side in size):
         raise click.BadParameter(f"a side has 1 to {LARGEST} pixels")
@@ -59,25 +66,42 @@ def _size(_context: click.Context, _option: click.Parameter, given: str) -> tupl
 def _pairs(
     _context: click.Context, _option: click.Parameter, given: Sequence[str]
 ) -> tuple[tuple[str, str], ...]:
+    pairs = []
     for text in given:
-        if not re.match(r"[^=]+=", text):
+        name, _, value = (part.strip() for part in text.partition("="))
+        if not name or not value:
             raise click.BadParameter(f"'{text}' is not NAME=VALUE")
-    return tuple(
-        (name.strip(), value.strip()) for name, _, value in (t.partition("=") for t in given)
-    )
+        pairs.append((name, value))
+    return tuple(pairs)
+
+
+def _color(_context: click.Context, _option: click.Parameter, given: str) -> Color:
+    from ..targets.runner.literals import color_lanes
+
+    lanes = color_lanes(given)
+    if lanes is None:
+        raise click.BadParameter(f"'{given}' is no colour, which would be '#b5651d'")
+    red, green, blue, *alpha = lanes
+    return red, green, blue, alpha[0] if alpha else 1.0
 
 
 @click.command()
 @file_argument
 @click.option(
     "-o", "--output", metavar="PICTURE", required=True, type=click.Path(path_type=Path),
-    help="The file to write, .png or another image format.",
+    help="The file to write: .png, .jpg or another image format.",
 )  # fmt: skip
 @click.option(
-    "--on", metavar="ROUTE,…", default=REFERENCE, show_default=True,
+    "--on", metavar="ROUTE,…", default=REFERENCE, show_default=True, callback=_names,
     help="What draws: `reference`, routes as `burnish doctor` lists them, or `all`.",
 )  # fmt: skip
-@click.option("--mesh", type=click.Choice(MESHES), default="sphere", show_default=True)
+@click.option(
+    "--mesh",
+    type=click.Choice(MESHES),
+    default="sphere",
+    show_default=True,
+    help="What to draw on.",
+)
 @click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,
     help="Pixels of the picture, or of each one on a sheet.",
@@ -87,7 +111,7 @@ def _pairs(
     help="A parameter or a texture; may be given many times.",
 )  # fmt: skip
 @click.option(
-    "--background", metavar="COLOR", default=BACKGROUND, show_default=True,
+    "--background", metavar="COLOR", default=BACKGROUND, show_default=True, callback=_color,
     help="What is behind the mesh.",
 )  # fmt: skip
 @click.option("--target", metavar="NAME", help="The render target to show, if not the first.")
@@ -98,13 +122,19 @@ def _pairs(
 def render(**chosen: Any) -> None:
     """Draw the materials of FILE.
 
-    The reference needs no GPU. It defines what a picture has to be, and the other routes are
-    Burnish's texts on real compilers and drivers. Of several materials or routes the picture is a
-    sheet: a row for each material, a column for each route.
+    The reference, which needs no GPU, defines what a picture has to be. Other routes are Burnish's
+    texts on real compilers and drivers. Of several materials, rigs or routes there is a picture
+    each, side by side on a sheet.
 
-    A scene with a camera and lights is set up by itself; `--set` comes after it. Values are
-    written like `power=32`, `base=#ff8800`, `torch.axis=0,-1,0`, `torch.outer=40deg`,
-    `lamps.count=2`, `lamps[0].place=0,2,1`, `albedo=picture.png`, `albedo=srgb:photo.jpg`.
+    A scene with a camera and lights is set up by itself; --set changes it. A value is written as
+
+    \b
+        power=32                     a number; also 40deg, true
+        base=#ff8800                 a colour; or base=1,0.25,0 in linear light
+        torch.axis=0,-1,0            a part of a light, or of a structure
+        lamps.count=2                how many lights of an array shine
+        'lamps[0].place=0,2,1'       one of them
+        albedo=bricks.png            a texture: data, or with srgb:bricks.jpg colours
 
     \b
     Example:
@@ -118,35 +148,38 @@ def render(**chosen: Any) -> None:
 
 
 def _render(request: Request) -> None:
-    from ..targets.runner.pictures import save, sheet
+    from ..targets.runner.runner import Runner
+    from .panels import panels
+    from .progress import Progress
+    from .subjects import subjects
 
+    _check_output(request.output)
     routes = _routes(request.on)
-    materials = _materials(request, [route for route in routes if route is not None])
-    shots = [(material, _shot(material, request)) for material in materials]
-    total = len(shots) * len(routes)
-    with Progress("drawing") as progress:
-
-        def tell(done: int) -> Callable[[float], None]:
-            return lambda share: progress.tell((done + share) / total)
-
-        panels = list(_panels(shots, routes, request, tell))
-    only = panels[0]
-    if total == 1:
-        if only.image is None:
-            fail(f"{only.title}: {only.note}")
-            return
-        save(only.image, request.output)
-    else:
-        rows = [panels[at : at + len(routes)] for at in range(0, total, len(routes))]
-        save(sheet(rows, request.size), request.output)
-    click.echo(f"{', '.join(material.name for material in materials)}: {request.output}")
+    drivers = [route for route in routes if route is not None]
+    with Progress("drawing") as progress, Runner(drivers) as runner:
+        _tell_lacking_tools(drivers, runner, fatal=EVERYTHING not in request.on)
+        found = subjects(request, drivers)
+        _check_total(len(found) * len(routes), request.size)
+        drawn = list(panels(found, routes, request.target, runner, progress))
+    _save(drawn, len(routes), request)
+    click.echo(f"{'; '.join(subject.label for subject in found)}: {request.output}")
+    _tell_failures(drawn)
 
 
-def _routes(text: str) -> list[Route | None]:
+def _check_output(path: Path) -> None:
+    """Before anything is drawn, which may take long. Raises ``PictureError``."""
+    from ..targets.runner.pictures import check_format
+    from .output import obstacle
+
+    check_format(path)
+    if reason := obstacle(path.parent, path.name):
+        fail(f"cannot write `{path}`: {reason}")
+
+
+def _routes(names: Sequence[str]) -> list[Route | None]:
     """What draws; ``None`` is the reference. Raises ``UnknownRouteError``."""
     from ..targets.runner.routes import select
 
-    names = [name.strip() for name in text.split(",") if name.strip()]
     own = [None] if {REFERENCE, EVERYTHING} & set(names) else []
     others = select(name for name in names if name != REFERENCE)
     if not own and not others:
@@ -154,83 +187,46 @@ def _routes(text: str) -> list[Route | None]:
     return [*own, *others]
 
 
-def _materials(request: Request, routes: Sequence[Route]) -> tuple[CompiledMaterial, ...]:
-    from .. import api
-
-    result = api.compile(
-        request.file,
-        sorted({route.profile for route in routes}),
-        material=request.material,
-        rig=request.rig,
-        pass_=request.pass_,
-        search_path=request.search_path,
-    )
-    show(result.diagnostics)
-    return result.materials
+def _tell_lacking_tools(routes: Sequence[Route], runner: Runner, *, fatal: bool) -> None:
+    """Says which routes cannot draw on this machine, and why; where ``fatal``, ends the command."""
+    lacking: dict[str, list[str]] = {}
+    for route in routes:
+        if problem := runner.problem(route):
+            lacking.setdefault(problem, []).append(route.name)
+    for problem, names in lacking.items():
+        remark("error" if fatal else "note", f"nothing is drawn by {', '.join(names)}: {problem}")
+    if lacking and fatal:
+        click.get_current_context().exit(FAILED)
 
 
-def _shot(material: CompiledMaterial, request: Request) -> Shot:
-    from ..targets.runner.meshes import mesh
-    from ..targets.runner.scene import Scene
-    from ..targets.runner.shots import take
-
-    instance = material.instance()
-    shot = take(instance, mesh(request.mesh), Scene(), request.size, _color(request.background))
-    _apply(request, instance)
-    return shot
-
-
-def _apply(request: Request, instance: Instance) -> None:
-    for name, text in request.values:
-        instance.set_text(name, text)
-
-
-def _color(text: str) -> tuple[float, float, float, float]:
-    """A colour literal as linear light."""
-    from ..targets.runner.textures import Texture
-
-    red, green, blue, alpha = Texture.solid(text).linear()[0][0, 0].tolist()
-    return red, green, blue, alpha
-
-
-def _panels(
-    shots: Sequence[tuple[CompiledMaterial, Shot]],
-    routes: Sequence[Route | None],
-    request: Request,
-    tell: Callable[[int], Callable[[float], None]],
-) -> Iterator[Panel]:
-    """A panel for each material and route, in rows of materials."""
-    from ..targets.runner.pictures import Panel, to_image
-    from ..targets.runner.render import by_reference, by_route
-    from ..targets.runner.runner import Runner
-    from ..targets.toolchain import Toolchain
-
-    wanted = [route for route in routes if route is not None]
-    with Runner(wanted) as runner, Toolchain() as toolchain:
-        for number, (material, shot, route) in enumerate(
-            (material, shot, route) for material, shot in shots for route in routes
-        ):
-            progress = tell(number)
-            if route is None:
-                title, note = f"{material.name}: reference", "float64"
-                targets = by_reference(material, shot, progress)
-            elif problem := runner.problem(route):
-                yield Panel(f"{material.name}: {route.name}", problem, None)
-                continue
-            else:
-                device = runner.device(route)
-                title, note = f"{material.name}: {route.name}", f"{device.name} {device.version}"
-                targets = by_route(material, shot, route, runner, toolchain)
-            progress(1.0)
-            yield Panel(title, note, to_image(_chosen(material, targets, request.target)))
-
-
-def _chosen(material: CompiledMaterial, targets: tuple[Floats, ...], wanted: str | None) -> Floats:
-    names = [row["name"] for row in material.reflection["targets"]]
-    if wanted is None:
-        return targets[0]
-    if wanted not in names:
+def _check_total(count: int, size: tuple[int, int]) -> None:
+    width, height = size
+    if count * width * height > LARGEST_SHEET:
         raise click.UsageError(
-            f"{material.name} writes no target '{wanted}', but {', '.join(names)}"
+            f"a sheet of {count} pictures of {width} x {height} pixels is too large: "
+            "choose a smaller --size, or fewer routes"
         )
-    return targets[names.index(wanted)]
+
+
+def _save(drawn: Sequence[Panel], routes: int, request: Request) -> None:
+    """Writes the picture, or a sheet: a row for each subject by its routes, or nearly a square."""
+    from ..targets.runner.pictures import save
+    from ..targets.runner.sheet import sheet
+
+    if len(drawn) == 1 and drawn[0].image is not None:
+        save(drawn[0].image, request.output)
+        return
+    is_table = 1 < routes < len(drawn)
+    columns = routes if is_table else math.ceil(math.sqrt(len(drawn)))
+    save(sheet(drawn, columns, request.size), request.output)
+
+
+def _tell_failures(drawn: Sequence[Panel]) -> None:
+    """Says why what could not be drawn could not, and ends the command if there is such."""
+    from .panels import BROKEN
+
+    failures = [panel for panel in drawn if panel.problem == BROKEN]
+    for panel in failures:
+        remark("error", f"{', '.join(panel.titles)}: {panel.note}".replace("\n", "\n  "))
+    if failures:
+        click.get_current_context().exit(FAILED)

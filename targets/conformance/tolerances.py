@@ -26,7 +26,7 @@ class DriverRow:
     """Whether it cuts triangles off at the sides of the picture, and snaps what that makes."""
     edge_slack: float = 0.0
     """By how many pixels it misjudges on which side of an edge a pixel lies."""
-    varying_bits: int = 19
+    varying_bits: int = 18
     """Of what is interpolated, relative to its largest corner. No API promises any."""
     subtexel_bits: int = 8
     """Of filter weights, where the API does not tell."""

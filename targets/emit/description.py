@@ -130,6 +130,9 @@ class Profile:
     """Depth range of clip space; Burnish's own is 0..1."""
     rows_up: bool = False
     """The framebuffer's first row is the bottom one, unless the program was emitted flipped."""
+    clip_y_down: bool = False
+    """The API's own clip y points down: a host turns the viewport over for a program that was not
+    emitted flipped, and only for that, so that either comes out the right way round."""
     single_file: bool = False
     """Both stages can stand in one text."""
     preamble: tuple[str, ...] = ()

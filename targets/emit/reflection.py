@@ -27,6 +27,7 @@ def backend_table(
 ) -> BackendTable:
     """What a host has to know of an emission; ``files`` are file names by stage (or ``both``)."""
     names, bindings = emission.names, emission.bindings
+    turned = flip_y and not profile.clip_y_down
     return BackendTable(
         language=target.name,
         files=tuple(
@@ -65,8 +66,8 @@ def backend_table(
         host_uniforms=emission.host_uniforms,
         clip_depth=profile.clip_depth,
         flip_y=flip_y,
-        front_face="cw" if flip_y else "ccw",
-        first_row="bottom" if profile.rows_up and not flip_y else "top",
+        front_face="cw" if turned else "ccw",
+        first_row="bottom" if profile.rows_up != turned else "top",
     )  # fmt: skip
 
 

@@ -51,6 +51,7 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 VULKAN = Profile(
     name="vulkan",
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
+    clip_y_down=True,
     preamble=("#version 450",),
     texture="sampler2D({texture}, {sampler})",
     inputs={

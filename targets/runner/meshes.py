@@ -6,7 +6,7 @@ outside), y up, with triangles counter-clockwise as seen from outside.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,16 +38,16 @@ class Mesh:
 
     def __post_init__(self) -> None:
         if "position" not in self.channels:
-            raise MeshError("a mesh needs the channel 'position'")
+            raise MeshError("a mesh needs the channel `position`")
         counts = {name: len(values) for name, values in self.channels.items()}
         if len(set(counts.values())) > 1:
             shown = ", ".join(f"{name} {count}" for name, count in counts.items())
             raise MeshError(f"the channels of a mesh have different numbers of vertices: {shown}")
         for name, values in self.channels.items():
             if values.ndim != 2 or values.shape[1] != CHANNELS.get(name, values.shape[1]):
-                raise MeshError(f"the channel '{name}' has the shape {values.shape}")
+                raise MeshError(f"the channel `{name}` has the shape {values.shape}")
             if not np.isfinite(values).all():
-                raise MeshError(f"the channel '{name}' has values that are not finite")
+                raise MeshError(f"the channel `{name}` has values that are not finite")
         if self.triangles.ndim != 2 or self.triangles.shape[1] != 3:
             raise MeshError(f"triangles have the shape {self.triangles.shape} and not (n, 3)")
         if self.triangles.size and not 0 <= self.triangles.min() <= self.triangles.max() < len(
@@ -63,6 +63,16 @@ class Mesh:
 def mesh(name: str) -> Mesh:
     """The mesh of that name in ``MESHES``; ``KeyError`` if there is none."""
     return MESHES[name]()
+
+
+def farthest_first(mesh: Mesh, eye: Sequence[float]) -> Mesh:
+    """The mesh with its triangles ordered for blending, for a viewer at ``eye`` in object space.
+
+    What stands behind has to be in the picture before what is blended with it.
+    """
+    middles = mesh.channels["position"][mesh.triangles].mean(axis=1)
+    distances = np.linalg.norm(middles - np.asarray(eye), axis=1)
+    return Mesh(mesh.channels, mesh.triangles[np.argsort(-distances, kind="stable")])
 
 
 def sphere(around: int = 64, down: int = 32) -> Mesh:

@@ -9,7 +9,7 @@ from typing import Any
 
 from ...compiler.diagnostics.nearest import suggestion
 from .shapes import Elements, Members, Shape, part, shape_of
-from .values import ParameterError
+from .values import ParameterError, UnknownParameterError
 
 _NAME = re.compile(r"\w+(\.\w+|\[\d+\])*")
 _STEP = re.compile(r"\w+|\[\d+\]")
@@ -59,7 +59,7 @@ class Names:
             parameter = ".".join(steps[:end])
             if parameter in self.shapes:
                 return self._inside(parameter, steps[end:], name)
-        raise ParameterError(name, self._unknown(name))
+        raise UnknownParameterError(name, self._unknown(name))
 
     def _inside(self, parameter: str, steps: list[str], name: str) -> Place:
         owner, shape, path = parameter, self.shapes[parameter], []

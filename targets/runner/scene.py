@@ -66,25 +66,34 @@ class Scene:
         return _perspective(self.fov, aspect, self.near, self.far) @ _look_at(self.eye, self.target)
 
     def _place_lights(self, instance: Instance, roles: Mapping[str, str]) -> None:
+        """Gives every light its place, also those that an array has beyond the count it is given.
+
+        So a count can be changed afterwards.
+        """
         lights = instance.reflection["lights"]
-        counts = [
-            1 if row["capacity"] is None else min(row["capacity"], self.light_count)
-            for row in lights
-        ]
-        if any(row["capacity"] is not None and row["count"] is None for row in lights):
-            counts = [row["capacity"] or 1 if row["count"] is None else count
-                      for row, count in zip(lights, counts, strict=True)]  # fmt: skip
-        number, total = 0, sum(counts)
+        counts = [self._count(row) for row in lights]
+        total = sum(counts)
+        shining, spare = 0, total
         for row, count in zip(lights, counts, strict=True):
-            for i in range(count):
-                place = row["name"] if row["capacity"] is None else f"{row['name']}[{i}]"
-                if i == 0 and row["count"] is not None:
-                    instance.set(row["count"], count)
-                for member in _members(instance, row):
-                    if member in roles:
-                        value = self._light(roles[member], number, total)
-                        instance.set(f"{place}.{member}", value)
-                number += 1
+            further = (row["capacity"] or 1) - count
+            numbers = (*range(shining, shining + count), *range(spare, spare + further))
+            shining, spare = shining + count, spare + further
+            members = [member for member in _members(instance, row) if member in roles]
+            placed = [
+                {member: self._light(roles[member], number, total) for member in members}
+                for number in numbers
+            ]
+            if members:
+                instance.set(row["name"], placed[0] if row["capacity"] is None else placed)
+            if row["count"] is not None:
+                instance.set(row["count"], count)
+
+    def _count(self, light: Mapping[str, Any]) -> int:
+        """How many lights a row of the reflection's stands for."""
+        if light["capacity"] is None:
+            return 1
+        capacity: int = light["capacity"]
+        return capacity if light["count"] is None else min(capacity, self.light_count)
 
     def _light(self, role: str, number: int, total: int) -> Vector:
         """What light ``number`` of ``total`` has for a role."""
@@ -116,7 +125,7 @@ def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[
         values = mesh.channels.get(row["name"], mesh.channels.get(channel))
         if values is None:
             raise MeshError(
-                f"{reflection['material']} reads the vertex input '{row['name']}' "
+                f"{reflection['material']} reads the vertex input `{row['name']}` "
                 f"({row['type']}), which the mesh does not have: it has {', '.join(mesh.channels)}"
             )
         found[row["name"]] = _with_lanes(row, values)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.reference.picture import Geometry
 from .draw import Draw
 from .instance import Instance
 from .meshes import Indices, Mesh
@@ -39,7 +40,7 @@ class Shot:
         return Draw(
             width=self.width,
             height=self.height,
-            vertex_count=max(map(len, self.attributes.values()), default=0),
+            vertex_count=Geometry(self.attributes, self.triangles).vertex_count,
             vertices=tuple(
                 _bytes(row["representation"], self.attributes[row["name"]])
                 for row in reflection["vertex_inputs"]

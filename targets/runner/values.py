@@ -36,6 +36,10 @@ class ParameterError(ValueError):
         """The parameter, or the part of one: ``lamps[2].place``."""
 
 
+class UnknownParameterError(ParameterError):
+    """A name that no parameter has."""
+
+
 def initial(shape: Shape) -> Value:
     """The value before a host sets one: what has a default has that."""
     match shape:

@@ -30,7 +30,9 @@ EXAMPLES = 15
 """For each row; the suite has to stay quick."""
 
 rows = pytest.mark.parametrize(
-    "row", [row for row in BUILTINS.values() if not row.uniform_control_flow], ids=lambda row: row.name
+    "row",
+    [row for row in BUILTINS.values() if not row.uniform_control_flow],
+    ids=lambda row: row.name,
 )
 
 

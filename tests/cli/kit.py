@@ -15,7 +15,8 @@ PLAIN = "material Plain { color = #ffffff }\n"
 
 def invoke(*arguments: object) -> Result:
     """Run a command in this process; anything but a proper exit is raised."""
-    return CliRunner().invoke(main, list(map(str, arguments)), catch_exceptions=False)
+    words = list(map(str, arguments))
+    return CliRunner().invoke(main, words, catch_exceptions=False, prog_name="burnish")
 
 
 def shell(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:

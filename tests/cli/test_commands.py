@@ -146,6 +146,50 @@ def test_a_reader_that_leaves(tmp_path: Path) -> None:
     assert run.stderr == b""
 
 
+DRAWING = [
+    "render m.burnish -o m.png --size 4", "conform m.burnish --routes llvmpipe", "targets"
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("line", DRAWING)
+def test_a_full_device_for_output(line: str, tmp_path: Path) -> None:
+    (tmp_path / "m.burnish").write_text(PLAIN)
+    with Path("/dev/full").open("w") as full:
+        run = subprocess.run(
+            [sys.executable, "-m", "burnish", *line.split()],
+            cwd=tmp_path, stdout=full, stderr=subprocess.PIPE, timeout=60, check=False,
+        )  # fmt: skip
+    assert (run.returncode, run.stderr) == (1, b"error: No space left on device\n")
+
+
+@pytest.mark.parametrize("line", DRAWING)
+@pytest.mark.parametrize("stream", [1, 2])
+def test_closed_streams(line: str, stream: int, tmp_path: Path) -> None:
+    """As in ``burnish … >&-``."""
+    (tmp_path / "m.burnish").write_text(PLAIN)
+    command = f'exec "$0" -m burnish {line} {stream}>&-'
+    run = subprocess.run(
+        ["sh", "-c", command, sys.executable],
+        cwd=tmp_path, capture_output=True, timeout=60, check=False,
+    )  # fmt: skip
+    assert (run.returncode, run.stderr) == (0, b"")
+
+
+@pytest.mark.parametrize(
+    ("encoding", "name"), [("latin-1", b"\\u540d.burnish: "), ("utf-8", "名.burnish: ".encode())]
+)
+def test_terminals_with_few_letters(encoding: str, name: bytes, tmp_path: Path) -> None:
+    (tmp_path / "名.burnish").write_text(PLAIN)
+    environment = {**os.environ, "PYTHONIOENCODING": encoding}
+    for line, wanted in (("conform --routes llvmpipe 名.burnish", name), ("render --help", b"")):
+        run = subprocess.run(
+            [sys.executable, "-m", "burnish", *line.split()],
+            cwd=tmp_path, env=environment, capture_output=True, timeout=60, check=False,
+        )  # fmt: skip
+        assert (run.returncode, run.stderr) == (0, b"")
+        assert wanted in run.stdout
+
+
 WATCH = ["compile", "m.burnish", "-t", "wgsl", "-o", "out", "--watch"]
 
 

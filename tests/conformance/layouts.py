@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from itertools import count
 from random import Random
 
-from burnish.compiler.ir.types import Array, Scalar, Struct, Type
+from burnish.compiler.ir.types import Array, Scalar, ScalarKind, Struct, Type, Vector
 from burnish.compiler.layout import STANDARD_GROUPS
 
-from ..layout.declarations import ELEMENTS
+from ..layout.declarations import ELEMENTS, KINDS
 from .declarations import (
     PLAIN,
     Declarations,
@@ -77,6 +77,23 @@ def every_type() -> Layout:
 def every_element() -> Layout:
     """Arrays of everything that is stored in its own way, of one element and of several."""
     return _listed([Array(element, count) for element in ELEMENTS for count in (1, 3)])
+
+
+def every_neighbour() -> Layout:
+    """Every number of lanes behind every other, where gaps come from: in a block and a structure."""
+    types = [_lanes(KINDS[i % len(KINDS)], size) for i, size in enumerate(NEIGHBOURS)]
+    inside = Struct("Inside", tuple((f"m{i}", type_) for i, type_ in enumerate(types)))
+    parameters = [*types, Scalar("float"), Array(inside, 2)]
+    placed = [(type_, "material") for type_ in parameters]
+    return _layout(Random(0), placed, types, [inside])
+
+
+NEIGHBOURS = (1, 1, 2, 1, 3, 1, 4, 2, 2, 3, 2, 4, 3, 3, 4, 4, 1)
+"""Numbers of lanes, in which each pair of them occurs."""
+
+
+def _lanes(kind: ScalarKind, size: int) -> Type:
+    return Scalar(kind) if size == 1 else Vector(kind, size)
 
 
 def _listed(types: Sequence[Type]) -> Layout:

@@ -21,7 +21,7 @@ from burnish.targets.runner.shots import Shot, take
 
 from .declarations import Unit
 from .kit import REFERENCE, Floats, Studio, compiled
-from .layouts import PASS, Layout, every_element, every_type, random_layout
+from .layouts import PASS, Layout, every_element, every_neighbour, every_type, random_layout
 
 SEEDS = range(24)
 FRESH = secrets.randbelow(2**32)
@@ -56,13 +56,17 @@ def programs(studio: Studio) -> dict[str, Program]:
         "every type, hoisted": program_of(every_type(), hoist=True),
         "every type": program_of(every_type(), hoist=False),
         "every element": program_of(every_element(), hoist=False),
+        "every neighbour": program_of(every_neighbour(), hoist=False),
         **{f"seed {n}": program_of(random_layout(n), hoist=n % 2 == 0) for n in SEEDS},
     }
     studio.prepare(*(program.material for program in made.values()))
     return made
 
 
-NAMES = ["every type, hoisted", "every type", "every element", *(f"seed {n}" for n in SEEDS)]
+NAMES = [
+    "every type, hoisted", "every type", "every element", "every neighbour",
+    *(f"seed {n}" for n in SEEDS),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("name", NAMES)

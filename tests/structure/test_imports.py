@@ -93,3 +93,27 @@ for name in ("toolchain", "runner"):
 
 def test_compiling_loads_only_what_it_needs() -> None:
     subprocess.run([sys.executable, "-c", COMPILE], check=True, timeout=60)
+
+
+COMMAND = """
+import sys
+from burnish.cli import main
+main(sys.argv[1:], standalone_mode=False)
+drawing = ("toolchain", "runner", "conformance")
+for name in ("numpy", "PIL", *(f"burnish.targets.{part}" for part in drawing)):
+    assert name not in sys.modules, name
+"""
+STARTING = """
+for name in ("jinja2", "burnish.api", "burnish.compiler"):
+    assert name not in sys.modules, name
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "check"),
+    [("--version", STARTING), ("render --help", STARTING), ("compile m.burnish -o out", "")],
+)
+def test_commands_load_only_what_they_need(line: str, check: str, tmp_path: Path) -> None:
+    (tmp_path / "m.burnish").write_text("material M { color = vec3(1) }")
+    command = [sys.executable, "-c", COMMAND + check, *line.split()]
+    subprocess.run(command, cwd=tmp_path, check=True, timeout=60)

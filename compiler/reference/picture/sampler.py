@@ -17,8 +17,10 @@ from .margins import Margins
 from .scene import Floats, Ints, Texels
 
 _COORDINATE_MARGIN = 2.0**-15
-"""How far a texture coordinate may be off, relative to itself or to the texture: some devices find
-the nearest texel in 16 bits."""
+"""How far a texture coordinate may be off, in textures: some devices find the nearest texel in 16
+bits."""
+_FLOAT32_MARGIN = 4e-6
+"""How far it may be off besides, relative to itself."""
 _FARTHEST = 1e9
 """Coordinates beyond are as good as none."""
 
@@ -140,8 +142,10 @@ class Reader:
         x, y = u * width, v * height
         if image.state["filter"] == "nearest":
             if varies:
-                self._margins.at_whole(x, _COORDINATE_MARGIN * (width + np.abs(x)))
-                self._margins.at_whole(y, _COORDINATE_MARGIN * (height + np.abs(y)))
+                # Variants that read another level have other texels, which is no decision.
+                same = number == number[:1]
+                self._margins.at_whole(np.where(same, x, x[:1]), _nearest_margin(x, width))
+                self._margins.at_whole(np.where(same, y, y[:1]), _nearest_margin(y, height))
             return self._texel(np.floor(x), np.floor(y), number)
         x = x - 0.5 + ways.across[:, None, None, None]
         y = y - 0.5 + ways.down[:, None, None, None]
@@ -160,6 +164,12 @@ class Reader:
         row = _wrapped(y.astype(np.int64), height, image.state["wrap"])
         texel: Floats = image.table[image.starts[level] + row * width + column]
         return texel
+
+
+def _nearest_margin(place: Floats, size: Ints) -> Floats:
+    """How far a place in texels may be off where the nearest is taken."""
+    off: Floats = _COORDINATE_MARGIN * size + _FLOAT32_MARGIN * np.abs(place)
+    return off
 
 
 def _tame(coordinate: Lane) -> Floats:

@@ -1,0 +1,93 @@
+"""The pictures that ``burnish render`` makes: of each subject by each route."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import product
+from typing import TYPE_CHECKING
+
+from .progress import Progress
+from .subjects import Subject, target_number
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from ..targets.runner.render import Floats
+    from ..targets.runner.routes import Route
+    from ..targets.runner.runner import Runner
+    from ..targets.runner.sheet import Panel
+    from ..targets.toolchain import Toolchain
+
+NOT_RUN = "not run"
+"""What a panel says of a route that lacks its tools."""
+BROKEN = "failed"
+"""What it says where a compiler or a driver refused."""
+
+
+def panels(
+    subjects: Sequence[Subject],
+    routes: Sequence[Route | None],
+    target: str | None,
+    runner: Runner,
+    progress: Progress,
+) -> Iterator[Panel]:
+    """A panel for each subject and route, in rows of subjects; the route ``None`` is the reference.
+
+    ``target`` is the render target that is shown. What could not be drawn is a panel that says so;
+    where there is only one, ``CodeError`` or ``DriverError`` is raised.
+    """
+    from ..targets.runner.codes import CodeError
+    from ..targets.runner.draw import DriverError
+    from ..targets.runner.sheet import Panel
+    from ..targets.toolchain import Toolchain
+
+    pairs = list(product(subjects, routes))
+    with Toolchain() as toolchain:
+        for done, (subject, route) in enumerate(pairs):
+
+            def tell(share: float, done: int = done) -> None:
+                progress.tell((done + share) / len(pairs))
+
+            titles = (*subject.titles, route.name if route else "reference")
+            problem = runner.problem(route) if route else None
+            if problem:
+                yield Panel(titles, problem, None, NOT_RUN)
+                continue
+            try:
+                note, targets = _drawn(subject, route, runner, toolchain, tell)
+            except (CodeError, DriverError) as error:
+                if len(pairs) == 1:
+                    raise
+                yield Panel(titles, str(error), None, BROKEN)
+            else:
+                yield Panel(titles, note, _image(subject, targets, target))
+            tell(1)
+
+
+def _drawn(
+    subject: Subject,
+    route: Route | None,
+    runner: Runner,
+    toolchain: Toolchain,
+    tell: Callable[[float], None],
+) -> tuple[str, tuple[Floats, ...]]:
+    """What drew, and what is in the targets."""
+    from ..targets.runner.render import by_reference, by_route
+
+    if route is None:
+        return "float64", by_reference(subject.material, subject.shot, tell)
+    device = runner.device(route)
+    targets = by_route(subject.material, subject.shot, route, runner, toolchain)
+    return f"{device.name}, {device.version}", targets
+
+
+def _image(subject: Subject, targets: Sequence[Floats], wanted: str | None) -> Image:
+    from ..targets.runner.pictures import to_image
+
+    reflection = subject.material.reflection
+    number = target_number(reflection, wanted)
+    lanes = _LANES[reflection["targets"][number]["representation"]]
+    return to_image(targets[number], lanes=lanes)
+
+
+_LANES = {"float": 1, "vec2": 2, "vec4": 4}

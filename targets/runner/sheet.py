@@ -1,0 +1,110 @@
+"""Contact sheets: several pictures on one, each with words below that say what it shows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PIL import Image, ImageDraw, ImageFont
+
+GAP = 16
+"""Between panels, and around all of them; pixels."""
+NARROWEST = 128
+"""A panel leaves its caption at least this much room, however small its picture is."""
+NOTE_LINES = 3
+"""A note is cut after so many lines; a title never is."""
+PAPER, BOX, INK, FAINT = (44, 47, 53), (54, 57, 64), (240, 240, 240), (165, 168, 175)
+
+Font = ImageFont.ImageFont | ImageFont.FreeTypeFont
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Panel:
+    """One picture on a sheet, or the place where it would be."""
+
+    titles: tuple[str, ...]
+    """Lines below the picture: what it shows."""
+    note: str
+    """In fainter letters below them: what drew it."""
+    image: Image.Image | None
+    """``None`` where there is none."""
+    problem: str = ""
+    """Why there is none, to be written in its place; two or three words."""
+
+
+def sheet(panels: Sequence[Panel], columns: int, size: tuple[int, int]) -> Image.Image:
+    """Panels in rows of ``columns``, each picture ``size`` large with its caption below."""
+    width, height = size
+    cell = max(width, NARROWEST)
+    font = ImageFont.load_default(max(13, min(cell // 32, 48)))
+    line = round(1.3 * _height(font))
+    captions = [_caption(panel, font, cell) for panel in panels]
+    rows = [range(at, min(at + columns, len(panels))) for at in range(0, len(panels), columns)]
+    heights = [height + line * max(len(captions[i]) for i in row) + line // 2 for row in rows]
+    page = Image.new("RGB", (
+        GAP + min(columns, len(panels)) * (cell + GAP), GAP + sum(heights) + GAP * len(rows)
+    ), PAPER)  # fmt: skip
+    pen = ImageDraw.Draw(page)
+    top = GAP
+    for row, row_height in zip(rows, heights, strict=True):
+        for column, i in enumerate(row):
+            left = GAP + column * (cell + GAP)
+            _put_picture(page, pen, panels[i], (left, top), size, font)
+            for number, (text, ink) in enumerate(captions[i]):
+                pen.text((left, top + height + line // 3 + number * line), text, ink, font)
+        top += row_height + GAP
+    return page
+
+
+def _put_picture(
+    page: Image.Image,
+    pen: ImageDraw.ImageDraw,
+    panel: Panel,
+    corner: tuple[int, int],
+    size: tuple[int, int],
+    font: Font,
+) -> None:
+    if panel.image is not None:
+        page.paste(panel.image, corner)
+        return
+    (x, y), (width, height) = corner, size
+    pen.rectangle((x, y, x + width - 1, y + height - 1), fill=BOX, outline=FAINT)
+    pen.text((x + width / 2, y + height / 2), panel.problem, INK, font, anchor="mm")
+
+
+def _caption(panel: Panel, font: Font, width: int) -> list[tuple[str, tuple[int, int, int]]]:
+    """Lines and their ink."""
+    titles = [line for title in panel.titles for line in _wrapped(title, font, width)]
+    note = _wrapped(panel.note, font, width)
+    if len(note) > NOTE_LINES:
+        last = note[NOTE_LINES - 1].rstrip()
+        note = [*note[: NOTE_LINES - 1], _fitting(f"{last} ", font, width, end="…")]
+    return [*((line, INK) for line in titles), *((line, FAINT) for line in note)]
+
+
+def _wrapped(text: str, font: Font, width: int) -> list[str]:
+    """Lines no wider than ``width``, broken behind blanks and marks, or anywhere if need be."""
+    lines, line = [], ""
+    for part in re.findall(r"[^ :_-]*[ :_-]?", " ".join(text.split())):
+        if font.getlength((line + part).rstrip()) > width and line:
+            lines.append(line.rstrip())
+            line = ""
+        line += part
+        while font.getlength(line.rstrip()) > width:
+            head = _fitting(line, font, width)
+            lines.append(head)
+            line = line[len(head) :]
+    return [*lines, line.rstrip()] if line.strip() else lines
+
+
+def _fitting(text: str, font: Font, width: int, end: str = "") -> str:
+    """As much of the text, and at least a letter, as fits with ``end`` behind it."""
+    while len(text) > 1 and font.getlength(text + end) > width:
+        text = text[:-1]
+    return text + end
+
+
+def _height(font: Font) -> float:
+    _, top, _, bottom = font.getbbox("Ag")
+    return bottom - top

@@ -1,0 +1,265 @@
+"""``burnish conform``: the table, the report, and what counts as a pass."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import sync_playwright
+
+from burnish.targets.conformance import plan
+from burnish.targets.conformance.tolerances import DriverRow
+from burnish.targets.runner import routes
+from burnish.targets.toolchain import tools
+from burnish.targets.toolchain.tools import Tool, ToolState, tool_named
+
+from .kit import invoke, tree
+
+UP = "material Up { color = 0.5 + 0.5 * normal }\n"
+NUMBER = r"\d\.\d[eE][-+]\d\d"
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a material."""
+    monkeypatch.chdir(tmp_path)
+    Path("m.burnish").write_text(UP)
+    return tmp_path
+
+
+def test_agreement() -> None:
+    """A heading for each material, a line for each route, and what drew; nothing else."""
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe,lavapipe:glsl")
+    assert (result.exit_code, result.stderr) == (0, "")
+    table, told = result.stdout.split("\n\n")
+    heading, material, *rows = table.splitlines()
+    assert heading == "  route           result  max |difference|  of tolerance  undecided"
+    assert material == "m.burnish: Up"
+    assert [row.split()[0] for row in rows] == ["lavapipe:glsl", "llvmpipe:gl330"]
+    for row in rows:
+        line = rf"  \S+ +agrees  {NUMBER} {{11}}\d+% {{9,12}}\d+ of \d{{4,}}"
+        assert re.fullmatch(line, row), row
+    lavapipe, llvmpipe, tools, count = told.splitlines()
+    assert re.fullmatch(r"drawn by lavapipe: llvmpipe \(LLVM .*\), Mesa [\d.]+.*", lavapipe)
+    assert re.fullmatch(r"drawn by llvmpipe: llvmpipe \(LLVM .*\), .* Mesa [\d.]+", llvmpipe)
+    assert re.fullmatch(r"with glslang [\d.]+, lavapipe .*, moderngl .*, vulkan-val\S+ \S+", tools)
+    assert count == "2 agree"
+
+
+def test_rigs_and_passes() -> None:
+    """All that the file declares, or those that are named."""
+    Path("m.burnish").write_text(
+        "import std.lights.{Point}\nimport std.terms.{lambert}\n"
+        "material Wall { color = lambert(vec3(1)) }\n"
+        "rig Day { sun : Point }\nrig Dusk { moon : Point }\n"
+        "pass Cut : Forward { discard when alpha < 0.5 }\n"
+    )
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    headings = re.findall(r"^m\.burnish: .*", result.stdout, re.MULTILINE)
+    assert headings == [
+        "m.burnish: Wall × Day", "m.burnish: Wall × Day × Cut",
+        "m.burnish: Wall × Dusk", "m.burnish: Wall × Dusk × Cut",
+    ]  # fmt: skip
+    assert result.stdout.endswith("\n4 agree\n")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--rig", "Day", "--pass", "Cut")
+    assert "m.burnish: Wall × Day × Cut\n" in result.stdout
+    assert result.stdout.endswith("\n1 agrees\n")
+
+
+def test_values_that_nobody_has_set() -> None:
+    """Parameters without a default, of all shapes, and vertex inputs that no mesh has."""
+    Path("m.burnish").write_text(
+        "struct Coat { tint : rgb on : bool weights : float[2] }\n"
+        "material Bare {\n"
+        "    param time : float param coat : Coat param coats : Coat[2] param turns : mat3[2]\n"
+        "    attribute groove : float attribute bone : ivec2\n"
+        "    color = coat.tint * time + (if coats[1].on then coats[0].tint else turns[1][0])\n"
+        "        + groove * coat.weights[1] + 0.01 * float(bone.y)\n"
+        "}\n"
+    )
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--seed", "5")
+    assert (result.exit_code, result.stderr) == (0, "")
+
+
+def test_warnings_are_told_once() -> None:
+    """However many rigs a file is compiled with."""
+    Path("m.burnish").write_text(
+        f"import std.lights.{{Point}}\n{UP}rig A {{ p : Point }}\nrig B {{ p : Point }}\n/// lost\n"
+    )
+    for command in (("conform", "--routes", "llvmpipe"), ("render", "-o", "x.png", "--size", 4)):
+        result = invoke(*command, "m.burnish")
+        assert result.exit_code == 0
+        assert result.stderr.startswith("warning[B0113]")
+        assert result.stderr.endswith("\n1 warning\n")
+        assert result.stderr.count("B0113") == 1
+
+
+def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where nothing at all is tolerated, some pixel is wrong; the report shows which."""
+    strict = DriverRow(1e-12, 0.0, "to see what happens")
+    monkeypatch.setattr(plan, "DRIVERS", {"llvmpipe": strict})
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--report", "out")
+    assert result.exit_code == 1
+    assert re.search(rf"^  llvmpipe:gl330  differs  {NUMBER}  ", result.stdout, re.MULTILINE)
+    assert result.stdout.endswith(f"\n1 differs\nreport: {Path('out/index.html')}\n")
+    lanes = r"\((-?[\d.]+, ){3}1\)"
+    detail = rf"\d+ of \d+ pixels; the worst, at \(\d+, \d+\), is {lanes} and should be {lanes}"
+    cases = "".join(rf"  {case}: {detail}\n" for case in ("defaults", "stretched"))
+    assert re.match(rf"error: m\.burnish: Up, llvmpipe:gl330 differs\n{cases}", result.stderr)
+
+    (row,) = json.loads(Path("out/report.json").read_text())["rows"]
+    assert (row["material"], row["route"], row["status"]) == (
+        "m.burnish: Up", "llvmpipe:gl330", "differs",
+    )  # fmt: skip
+    assert row["cases"]["defaults"]["wrong"] > 0
+    page = Path("out/index.html").read_text()
+    assert re.search(r"difference × 1e\+0[4-9]", page)
+    assert tree(Path("out")) == {"report.json", "index.html"}
+
+
+UNDECIDED = {
+    "all on an edge": (
+        "material Edge { color = fract(position.zzz) }",
+        "  behind: {n} of 4032 pixels hang on rounding, which is too many to prove anything\n",
+    ),
+    "nowhere to be seen": (
+        "material Far { position = vec3(0, 0, 9) color = #ffffff }",
+        "  no scene shows anything of it, which proves nothing\n",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "reason"), UNDECIDED.values(), ids=list(UNDECIDED))
+def test_what_proves_nothing_is_no_pass(text: str, reason: str) -> None:
+    Path("m.burnish").write_text(text)
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    assert result.exit_code == 1
+    said = re.sub(r"\d+ of 4032", "{n} of 4032", result.stderr)
+    name = text.split()[1]
+    assert said == f"error: m.burnish: {name}, llvmpipe:gl330 undecided\n{reason}"
+    assert result.stdout.endswith("\n1 undecided\n")
+
+
+def test_a_driver_that_breaks_down(monkeypatch: pytest.MonkeyPatch) -> None:
+    worker = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
+    monkeypatch.setattr(routes.DriverRow, "command", lambda *_: worker)
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    assert result.exit_code == 1
+    assert "\n  llvmpipe:gl330  failed\n" in result.stdout
+    assert result.stdout.endswith("\n1 failed\n")
+    assert result.stderr == (
+        "error: m.burnish: Up, llvmpipe:gl330 failed\n"
+        f"  llvmpipe crashed: {sys.executable}: killed by signal 9\n"
+    )
+
+
+@pytest.mark.usefixtures("no_tools")
+def test_nothing_to_draw_with() -> None:
+    result = invoke("conform", "m.burnish")
+    assert (result.exit_code, result.stderr) == (1, "")
+    assert result.stdout.count(" not run\n") == len(routes.ROUTES) + 1
+    assert (
+        "not run by chromium:webgpu, chromium:webgl2: chromium is missing; to install it: "
+        f"{tool_named('chromium').install}; playwright is missing; to install it: "
+    ) in result.stdout
+    assert result.stdout.endswith(f"\n{len(routes.ROUTES)} not run\n")
+
+
+def without(monkeypatch: pytest.MonkeyPatch, tool: str) -> None:
+    """One tool is not there."""
+    find = tools.inspect_all
+
+    def found(wanted: Iterable[Tool]) -> Mapping[str, ToolState]:
+        states = dict(find(wanted))
+        if tool in states:
+            states[tool] = ToolState(states[tool].tool, (), None, f"{tool} is missing")
+        return states
+
+    monkeypatch.setattr(routes, "inspect_all", found)
+
+
+def test_a_route_without_its_tools(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Among all routes it is only told of; asked for by name, it is an error."""
+    without(monkeypatch, "naga")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe,lavapipe:wgsl-naga")
+    assert (result.exit_code, result.stderr) == (1, "")
+    assert "\n  lavapipe:wgsl-naga  not run\n" in result.stdout
+    assert (
+        "\nnot run by lavapipe:wgsl-naga: naga is missing\n1 agrees, 1 not run\n" in result.stdout
+    )
+
+
+USAGE = "Usage: burnish conform [OPTIONS] FILE…\nTry 'burnish conform --help' for help.\n\nError: "
+BAD = {
+    "": (2, f"{USAGE}Missing argument 'FILE…'.\n"),
+    "m.burnish --routes lavapip": (
+        2, f"{USAGE}there is no route `lavapip`; did you mean `lavapipe`?\n"
+    ),
+    "m.burnish --routes ,": (2, f"{USAGE}--routes names no route\n"),
+    "m.burnish --seed x": (2, f"{USAGE}Invalid value for '--seed': 'x' is not a valid integer.\n"),
+    "none.burnish": (
+        1,
+        "error[B0001]: there is no file `none.burnish`\n  = help: Check the path: it is taken "
+        "relative to the folder the command is run in.\n\n1 error\n",
+    ),
+    "m.burnish --report m.burnish": (
+        1,
+        "error[B0009]: cannot write to `m.burnish`: `m.burnish` is a file, not a folder\n"
+        "  = help: Output folders are made where needed; check that the place may be written to."
+        "\n\n1 error\n",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("line", "expected"), BAD.items(), ids=list(BAD))
+def test_bad_command_lines(line: str, expected: tuple[int, str], folder: Path) -> None:
+    before = tree(folder)
+    result = invoke("conform", *line.split())
+    assert (result.exit_code, result.stdout, result.stderr) == (expected[0], "", expected[1])
+    assert tree(folder) == before
+
+
+def test_an_error_in_any_file_is_told_before_anything_is_drawn() -> None:
+    Path("wrong.burnish").write_text("material M { color = tnt }")
+    result = invoke("conform", "m.burnish", "wrong.burnish", "--routes", "llvmpipe")
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert result.stderr.startswith("error[B0201]: unknown name `tnt`\n")
+
+
+def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is one file, whose links lead somewhere, whose pictures are there, and which says all."""
+    without(monkeypatch, "chromium")
+    Path("w.burnish").write_text(
+        "pass Two : Forward { target more : rgba16f = vec4(normal, 1) }\nmaterial Wall { }\n"
+    )
+    line = ("m.burnish", "w.burnish", "--routes", "llvmpipe,chromium", "--report", "out")
+    assert invoke("conform", *line).exit_code == 1
+    chromium = tool_named("chromium").find()
+    assert chromium is not None
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium[0], args=["--no-sandbox"])
+        page = browser.new_page(viewport={"width": 500, "height": 600})
+        asked: list[str] = []
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto(Path("out/index.html").absolute().as_uri())
+        cells = page.locator("#overview tbody tr").all_inner_texts()
+        targets = page.evaluate(
+            "[...document.links].map(link => document.querySelector(link.hash)?.innerText)"
+        )
+        broken = page.evaluate("[...document.images].filter(i => !i.naturalWidth).length")
+        pictures = page.locator("img").count()
+        wide = page.evaluate("document.documentElement.scrollWidth")
+        text = page.inner_text("body")
+        browser.close()
+    names = ["m.burnish: Up", "w.burnish: Wall", "w.burnish: Wall × Two"]
+    assert [re.split(r"\s*\t\s*", row)[0] for row in cells] == names
+    assert all(re.search(r"\t\d+%\tnot run\tnot run$", row) for row in cells)
+    assert targets == names
+    assert (broken, pictures) == (0, 4 + 4 + 8)
+    assert wide <= 500, "what is wide scrolls by itself"
+    assert "not run: chromium:webgpu, chromium:webgl2" in text
+    assert [url for url in asked if not url.startswith(("file:", "data:"))] == []
