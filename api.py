@@ -25,9 +25,9 @@ from .targets.emit.limits import excesses
 from .targets.emit.reflection import backend_table
 
 if TYPE_CHECKING:
-    from .targets.runner.instance import Instance, MissingValuesError
-    from .targets.runner.textures import PictureError, Texture
-    from .targets.runner.values import ParameterError
+    from .targets.runner.instances.instance import Instance, MissingValuesError
+    from .targets.runner.instances.values import ParameterError
+    from .targets.runner.textures.texture import PictureError, Texture
 
 __all__ = [
     "CompileResult",
@@ -106,7 +106,7 @@ class CompiledMaterial:
 
     def instance(self) -> Instance:
         """Named values to draw the material with, at first its defaults."""
-        from .targets.runner.instance import Instance
+        from .targets.runner.instances.instance import Instance
 
         return Instance(self.reflection)
 

@@ -25,12 +25,12 @@ def told() -> Iterator[None]:
     try:
         from ..compiler.diagnostics.diagnostic import CompileError
         from ..targets.runner.codes import CodeError
-        from ..targets.runner.draw import DriverError
-        from ..targets.runner.instance import MissingValuesError
+        from ..targets.runner.drivers.draw import DriverError
+        from ..targets.runner.instances.instance import MissingValuesError
+        from ..targets.runner.instances.values import ParameterError
         from ..targets.runner.meshes import MeshError
         from ..targets.runner.routes import UnknownRouteError
-        from ..targets.runner.textures import PictureError
-        from ..targets.runner.values import ParameterError
+        from ..targets.runner.textures.texture import PictureError
     except ModuleNotFoundError as error:
         needed(error)
     try:

@@ -37,7 +37,7 @@ def panels(
     where there is only one, ``CodeError`` or ``DriverError`` is raised.
     """
     from ..targets.runner.codes import CodeError
-    from ..targets.runner.draw import DriverError
+    from ..targets.runner.drivers.draw import DriverError
     from ..targets.runner.sheet import Panel
     from ..targets.toolchain import Toolchain
 

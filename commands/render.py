@@ -76,7 +76,7 @@ def _pairs(
 
 
 def _color(_context: click.Context, _option: click.Parameter, given: str) -> Color:
-    from ..targets.runner.literals import color_lanes
+    from ..targets.runner.instances.literals import color_lanes
 
     lanes = color_lanes(given)
     if lanes is None:

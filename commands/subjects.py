@@ -10,7 +10,7 @@ from .failures import fail
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial
-    from ..targets.runner.instance import Instance
+    from ..targets.runner.instances.instance import Instance
     from ..targets.runner.meshes import Mesh
     from ..targets.runner.routes import Route
     from ..targets.runner.shots import Shot
@@ -114,7 +114,7 @@ def _set_values(instances: Sequence[Instance], values: Iterable[tuple[str, str]]
 
     Raises ``UnknownParameterError`` if there is nothing.
     """
-    from ..targets.runner.values import UnknownParameterError
+    from ..targets.runner.instances.values import UnknownParameterError
 
     for name, text in values:
         unknown = []
@@ -133,7 +133,7 @@ def _insist_on_values(instances: Sequence[Instance]) -> None:
     lacking = [instance for instance in instances if instance.missing]
     if not lacking:
         return
-    from ..targets.runner.instance import MissingValuesError
+    from ..targets.runner.instances.instance import MissingValuesError
 
     said = {}
     for instance in lacking:

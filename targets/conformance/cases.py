@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..runner.instance import Instance
+from ..runner.instances.instance import Instance
 from ..runner.meshes import Mesh, cube, plane, sphere, torus
 from ..runner.scene import Scene
 from ..runner.shots import Color, Shot, take

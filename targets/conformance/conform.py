@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
 
 from ..runner.codes import CodeError, compile_one
-from ..runner.draw import DriverError, Job
+from ..runner.drivers.draw import DriverError, Job
 from ..runner.pipeline import pipeline
 from ..runner.reference import STORE
 from ..runner.routes import Route

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runner.pipeline import FORMATS
-from ..runner.srgb import encode_srgb
+from ..runner.textures.srgb import encode_srgb
 
 Floats = NDArray[np.float64]
 

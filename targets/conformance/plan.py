@@ -13,7 +13,7 @@ from ...compiler.ir.node import reachable
 from ...compiler.reference.picture import Expected, RasterRules
 from ...compiler.semantics.shader import Shader
 from ...frozen import changed
-from ..runner.draw import Device, Picture
+from ..runner.drivers.draw import Device, Picture
 from ..runner.reference import remembered
 from ..runner.routes import Route
 from ..runner.shots import Shot

@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..runner.instance import Instance
+from ..runner.instances.instance import Instance
 from ..runner.meshes import Mesh
 from ..runner.scene import scene_names
-from ..runner.textures import Texture
+from ..runner.textures.texture import Texture
 
 SPREAD = 4.0
 """A number with a default is drawn from a range around it: a quarter to four times as much."""

@@ -15,7 +15,7 @@ from typing import Literal, Protocol
 from ...compiler.diagnostics.source import Span
 from ..toolchain import Job, Message, Toolchain, Verdict
 from ..toolchain import __file__ as toolchain_file
-from .draw import Code
+from .drivers.draw import Code
 from .routes import Route
 from .store import Store, digest, digest_of_sources
 

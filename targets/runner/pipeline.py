@@ -6,8 +6,17 @@ from collections.abc import Mapping
 from typing import Any
 
 from .codes import Codes
-from .draw import BlockSlot, Cull, Pipeline, Place, Target, TargetFormat, TextureSlot, VertexFormat
-from .draw import VertexInput as Input
+from .drivers.draw import (
+    BlockSlot,
+    Cull,
+    Pipeline,
+    Place,
+    Target,
+    TargetFormat,
+    TextureSlot,
+    VertexFormat,
+)
+from .drivers.draw import VertexInput as Input
 from .routes import DRIVERS, Route
 
 FORMATS: Mapping[str, TargetFormat] = {

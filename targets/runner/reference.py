@@ -71,6 +71,5 @@ def _graph_text(shader: Shader) -> str:
 def _code_digest() -> str:
     """Changes with the code that says what a program means, and what a texture's bytes do."""
     root, here = Path(__file__).parents[2], Path(__file__).parent
-    meaning = digest_of_sources(root / "compiler" / "reference", root / "compiler" / "ir")
-    texels = [(here / name).read_bytes() for name in ("reference.py", "textures.py", "mipmaps.py")]
-    return digest(meaning, *texels)
+    folders = (root / "compiler" / "reference", root / "compiler" / "ir", here / "textures")
+    return digest(digest_of_sources(*folders), Path(__file__).read_bytes())

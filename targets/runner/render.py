@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ...compiler.reference.picture import RasterRules
 from ..toolchain import Toolchain
 from .codes import compile_one
-from .draw import Job
+from .drivers.draw import Job
 from .pipeline import pipeline
 from .reference import Progress, expected
 from .routes import Route

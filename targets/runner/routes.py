@@ -36,7 +36,7 @@ class DriverRow:
         """What starts a worker, where ``states`` have all the tools that it needs."""
         paths = {name: state.paths[0] for name, state in states.items() if state.paths}
         arguments = (argument.format_map(paths) for argument in self.arguments)
-        return [sys.executable, "-m", f"{_PACKAGE}.{self.module}", *arguments]
+        return [sys.executable, "-m", f"{_PACKAGE}.drivers.{self.module}", *arguments]
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,11 +102,18 @@ DRIVERS: Mapping[str, DriverRow] = {
 }  # fmt: skip
 
 # HLSL text means Direct3D, where SV_Position.w is the reciprocal of Vulkan's: both compilers have
-# to be told. naga's command line turns the picture over unless it is told not to.
+# to be told. DXC lays blocks out by Direct3D's rules, too, if it is asked to. naga's command line
+# turns the picture over unless it is told not to.
 _TO_VULKAN = (
     _Way("glsl", "GLSL by glslang", "glsl:vulkan", "glslang-vulkan"),
     _Way("hlsl-glslang", "HLSL by glslang", "hlsl:sm6", "glslang-hlsl", ("--hlsl-dx-position-w",)),
-    _Way("hlsl-dxc", "HLSL by DXC", "hlsl:sm6", "dxc-spirv", ("-fvk-use-dx-position-w",)),
+    _Way(
+        "hlsl-dxc",
+        "HLSL by DXC",
+        "hlsl:sm6",
+        "dxc-spirv",
+        ("-fvk-use-dx-position-w", "-fvk-use-dx-layout"),
+    ),
     _Way("wgsl-naga", "WGSL by naga", "wgsl:webgpu", "naga", ("--keep-coordinate-space",)),
 )
 

@@ -13,10 +13,10 @@ from types import TracebackType
 from typing import Any, Self
 
 from ..toolchain.workers import Pool, Worker
-from .draw import Device, DriverError, Job, Picture
+from .drivers.draw import Device, DriverError, Job, Picture
+from .drivers.wire import from_json, to_json
 from .routes import DRIVERS, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
-from .wire import from_json, to_json
 
 STORE = "pictures"
 """The name of the store that keeps pictures."""

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .instance import Instance
+from .instances.instance import Instance
 from .meshes import Mesh, MeshError
 
 Matrix = NDArray[np.float64]

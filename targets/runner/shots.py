@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.reference.picture import Geometry
-from .draw import Draw
-from .instance import Instance
+from .drivers.draw import Draw
+from .instances.instance import Instance
 from .meshes import Indices, Mesh
 from .scene import Scene, vertex_data
 

@@ -10,11 +10,11 @@ from functools import cache
 import numpy as np
 
 from burnish.api import CompiledMaterial
-from burnish.targets.runner.draw import Cull
+from burnish.targets.runner.drivers.draw import Cull
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.shots import Color, Shot, take
-from burnish.targets.runner.textures import Texture
+from burnish.targets.runner.textures.texture import Texture
 
 from .cells import CELLS, HEIGHT, WIDTH
 from .kit import compiled

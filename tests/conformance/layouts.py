@@ -80,7 +80,7 @@ def every_element() -> Layout:
 
 
 def every_neighbour() -> Layout:
-    """Every number of lanes behind every other, where gaps come from: in a block and a structure."""
+    """Every number of lanes behind every other, where gaps come from: in blocks and structures."""
     types = [_lanes(KINDS[i % len(KINDS)], size) for i, size in enumerate(NEIGHBOURS)]
     inside = Struct("Inside", tuple((f"m{i}", type_) for i, type_ in enumerate(types)))
     parameters = [*types, Scalar("float"), Array(inside, 2)]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import burnish
 from burnish.targets.conformance.cases import SIZE, UNCOVERED, Case, series_of
-from burnish.targets.runner.instance import Instance
+from burnish.targets.runner.instances.instance import Instance
 
 from ..examples.kit import FOLDER
 

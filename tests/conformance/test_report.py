@@ -14,7 +14,7 @@ from burnish.targets.conformance.report import as_json, page
 from burnish.targets.conformance.rows import Result, Row
 from burnish.targets.conformance.summary import cells, counted, details
 from burnish.targets.conformance.tolerances import DriverRow
-from burnish.targets.runner.draw import Device
+from burnish.targets.runner.drivers.draw import Device
 from burnish.targets.runner.routes import ROUTES
 
 SIZE = (4, 6)

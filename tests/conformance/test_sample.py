@@ -11,7 +11,7 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.sample import sample_textures, sample_values, with_inputs
-from burnish.targets.runner.instance import Instance
+from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import sphere
 from burnish.targets.runner.scene import Scene, scene_names
 

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from burnish.targets.runner.browser.driver import APIS, Browser
-from burnish.targets.runner.draw import DriverError, Job
-from burnish.targets.runner.wire import to_json
+from burnish.targets.runner.drivers.browser.driver import APIS, Browser
+from burnish.targets.runner.drivers.draw import DriverError, Job
+from burnish.targets.runner.drivers.wire import to_json
 
 from . import textual_shaders as shaders
 from .textual_kit import COMMANDS, RED, TIME_LIMIT, Asker, full, pipeline, shoot
@@ -174,7 +174,9 @@ def test_missing_browser(api: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
 
 def test_missing_package(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "playwright.sync_api", None)
-    monkeypatch.delitem(sys.modules, "burnish.targets.runner.browser.chromium", raising=False)
+    monkeypatch.delitem(
+        sys.modules, "burnish.targets.runner.drivers.browser.chromium", raising=False
+    )
     with pytest.raises(DriverError, match=r"playwright.*to install it: .*pip install"):
         Browser(APIS["webgpu"]).device()
 
@@ -195,7 +197,7 @@ def test_texture_reads_in_varying_control_flow() -> None:
 
 
 def test_usage() -> None:
-    command = [sys.executable, "-m", "burnish.targets.runner.browser", "webgl1"]
+    command = [sys.executable, "-m", "burnish.targets.runner.drivers.browser", "webgl1"]
     told = subprocess.run(command, check=False, capture_output=True, text=True, timeout=TIME_LIMIT)
     assert told.returncode == 1
-    assert told.stderr == "usage: python -m burnish.targets.runner.browser webgpu|webgl2\n"
+    assert told.stderr == "usage: python -m burnish.targets.runner.drivers.browser webgpu|webgl2\n"

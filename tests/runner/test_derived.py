@@ -23,8 +23,8 @@ from burnish.compiler.reference.evaluate import evaluate as meaning
 from burnish.compiler.reflection import reflect
 from burnish.compiler.reflection.values import steps
 from burnish.compiler.semantics.shader import Shader
-from burnish.targets.runner.derived import Inputs, compute
-from burnish.targets.runner.shapes import Elements, Member, Members, Numbers, Shape
+from burnish.targets.runner.instances.derived import Inputs, compute
+from burnish.targets.runner.instances.shapes import Elements, Member, Members, Numbers, Shape
 
 from ..layout.memory import read
 from ..passes.kit import World, shaders, stored

@@ -17,7 +17,7 @@ import pytest
 import burnish
 from burnish import Instance, MissingValuesError, ParameterError
 from burnish.compiler.reflection.reflect import FORMAT as WRITTEN_FORMAT
-from burnish.targets.runner.instance import FORMAT
+from burnish.targets.runner.instances.instance import FORMAT
 
 EVERYTHING = """
 import std.lights.{Point, Spot}

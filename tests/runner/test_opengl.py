@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.draw import DriverError, Job
-from burnish.targets.runner.opengl.driver import OpenGL
+from burnish.targets.runner.drivers.draw import DriverError, Job
+from burnish.targets.runner.drivers.opengl.driver import OpenGL
 
 from . import textual_shaders as shaders
 from .textual_kit import NEAREST, SIZE, full, image, pipeline, read, shoot
@@ -48,7 +48,7 @@ def test_bytes_are_filtered_as_floats() -> None:
 
 def test_missing_package(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "moderngl", None)
-    for name in [name for name in sys.modules if ".runner.opengl." in name]:
+    for name in [name for name in sys.modules if ".drivers.opengl." in name]:
         monkeypatch.delitem(sys.modules, name)
     with pytest.raises(DriverError, match=r"moderngl.*to install it: .*pip install"):
         OpenGL().device()

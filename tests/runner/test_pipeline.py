@@ -8,9 +8,16 @@ import pytest
 
 import burnish
 from burnish.compiler.semantics.elaborate import FORMATS as TARGET_FORMATS
-from burnish.targets.runner import draw
 from burnish.targets.runner.codes import Codes
-from burnish.targets.runner.draw import BlockSlot, Code, Place, Target, TextureSlot, VertexInput
+from burnish.targets.runner.drivers import draw
+from burnish.targets.runner.drivers.draw import (
+    BlockSlot,
+    Code,
+    Place,
+    Target,
+    TextureSlot,
+    VertexInput,
+)
 from burnish.targets.runner.pipeline import EXACT, FORMATS, VERTEX_FORMATS, pipeline
 from burnish.targets.runner.routes import ROUTES
 
@@ -91,11 +98,22 @@ def test_a_flipped_material(route: str, front_face: str, first_row: str) -> None
     assert (made.flip_y, made.front_face, made.first_row) == (True, front_face, first_row)
 
 
+def test_what_hosts_of_flipped_texts_are_told() -> None:
+    backends = reflection(flip_y=True)["backends"]
+    assert {name: (row["front_face"], row["first_row"]) for name, row in backends.items()} == {
+        "glsl:vulkan": ("ccw", "top"),
+        "glsl:gl330": ("cw", "top"),
+        "glsl:es300": ("cw", "top"),
+        "hlsl:sm6": ("cw", "bottom"),
+        "wgsl:webgpu": ("cw", "bottom"),
+    }
+
+
 @pytest.mark.parametrize("route", ROUTES.values(), ids=lambda route: route.name)
 def test_exact_targets_keep_what_is_written(route: Any) -> None:
     described = reflection()
     made = pipeline(described, route, CODES, exact=True)
-    assert made.targets == (Target("r32float", "add"), Target("rgba32float", "alpha"))
+    assert made.targets == (Target("r32float"), Target("rgba32float"))
     assert [slot.size for slot in made.blocks] == [row["size"] for row in described["blocks"]]
     identifiers = [slot.place.identifier for slot in made.blocks]
     assert identifiers == [

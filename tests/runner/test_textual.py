@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from burnish.targets.runner.draw import (
+from burnish.targets.runner.drivers.draw import (
     Blend,
     Cull,
     Job,

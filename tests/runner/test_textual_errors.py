@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from burnish.targets.runner.draw import (
+from burnish.targets.runner.drivers.draw import (
     BlockSlot,
     DriverError,
     Job,

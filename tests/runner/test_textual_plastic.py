@@ -10,14 +10,14 @@ import pytest
 
 import burnish
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.draw import Job
-from burnish.targets.runner.instance import Instance
+from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh
 from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.shots import take
-from burnish.targets.runner.textures import Texture
+from burnish.targets.runner.textures.texture import Texture
 from burnish.targets.toolchain import Toolchain
 from burnish.tests.structure.kit import ROOT
 

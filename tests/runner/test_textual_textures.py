@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.draw import (
+from burnish.targets.runner.drivers.draw import (
     Mip,
     TextureFormat,
     Wrap,

@@ -18,8 +18,8 @@ import burnish
 from burnish import PictureError, Texture
 from burnish.compiler.semantics.lower import linear
 from burnish.compiler.semantics.parameters import TEXTURE_DEFAULTS
-from burnish.targets.runner.checks import level_size
-from burnish.targets.runner.textures import default_texture
+from burnish.targets.runner.drivers.checks import level_size
+from burnish.targets.runner.textures.texture import default_texture
 
 SOURCE = """
 material M {

@@ -9,7 +9,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from burnish.targets.runner.draw import (
+from burnish.targets.runner.drivers.draw import (
     Blend,
     BlockSlot,
     Job,
@@ -19,7 +19,7 @@ from burnish.targets.runner.draw import (
     VertexFormat,
     VertexInput,
 )
-from burnish.targets.runner.readback import LANES
+from burnish.targets.runner.drivers.readback import LANES
 
 from .vulkan_kit import (
     PLACE,

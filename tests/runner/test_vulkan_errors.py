@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from burnish.targets.runner.draw import (
+from burnish.targets.runner.drivers.draw import (
     BlockSlot,
     Code,
     DriverError,
@@ -28,7 +28,7 @@ from burnish.targets.runner.draw import (
     TextureSlot,
     VertexInput,
 )
-from burnish.targets.runner.wire import to_json
+from burnish.targets.runner.drivers.wire import to_json
 
 from .vulkan_kit import (
     PAINT,
@@ -235,7 +235,7 @@ def said_by(command: list[str], **environment: str) -> str:
 
 
 def test_a_driver_that_is_not_there() -> None:
-    module = "burnish.targets.runner.vulkan"
+    module = "burnish.targets.runner.drivers.vulkan"
     said = said_by([sys.executable, "-m", module, "/nowhere/icd.json"])
     assert said == "there is no Vulkan driver at /nowhere/icd.json"
 
@@ -243,7 +243,7 @@ def test_a_driver_that_is_not_there() -> None:
 def test_a_driver_that_is_none(tmp_path: Path) -> None:
     icd = tmp_path / "icd.json"
     icd.write_text("{}")
-    said = said_by([sys.executable, "-m", "burnish.targets.runner.vulkan", str(icd)])
+    said = said_by([sys.executable, "-m", "burnish.targets.runner.drivers.vulkan", str(icd)])
     assert said.startswith("loader_parse_icd_manifest")
 
 

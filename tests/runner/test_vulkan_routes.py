@@ -13,13 +13,13 @@ import pytest
 import burnish
 from burnish.targets.runner import meshes
 from burnish.targets.runner.codes import Codes, compile_one
-from burnish.targets.runner.draw import Job
-from burnish.targets.runner.instance import Instance
+from burnish.targets.runner.drivers.draw import Job
+from burnish.targets.runner.drivers.vulkan.blocks import block_sizes
+from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.shots import take
-from burnish.targets.runner.vulkan.blocks import block_sizes
 
 from .vulkan_kit import Asker, Floats, pixels, tools
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from burnish.targets.runner.draw import (
+from burnish.targets.runner.drivers.draw import (
     BlockSlot,
     Code,
     Device,
@@ -33,7 +33,7 @@ from burnish.targets.runner.draw import (
     VertexFormat,
     VertexInput,
 )
-from burnish.targets.runner.wire import from_json, to_json
+from burnish.targets.runner.drivers.wire import from_json, to_json
 from burnish.targets.toolchain.workers import Answer, Worker
 
 from . import textual_shaders as shaders
@@ -42,9 +42,9 @@ Floats = npt.NDArray[np.float32]
 Color = tuple[float, float, float, float]
 
 COMMANDS = {
-    "opengl": ("burnish.targets.runner.opengl",),
-    "webgpu": ("burnish.targets.runner.browser", "webgpu"),
-    "webgl2": ("burnish.targets.runner.browser", "webgl2"),
+    "opengl": ("burnish.targets.runner.drivers.opengl",),
+    "webgpu": ("burnish.targets.runner.drivers.browser", "webgpu"),
+    "webgl2": ("burnish.targets.runner.drivers.browser", "webgl2"),
 }
 GLSL_HEADS = {
     "opengl": "#version 330 core\n",

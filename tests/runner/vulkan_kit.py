@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from burnish.targets import toolchain
-from burnish.targets.runner.draw import (
+from burnish.targets.runner.drivers.draw import (
     Code,
     Device,
     Draw,
@@ -27,8 +27,8 @@ from burnish.targets.runner.draw import (
     Target,
     VertexInput,
 )
+from burnish.targets.runner.drivers.wire import from_json, to_json
 from burnish.targets.runner.routes import DRIVERS
-from burnish.targets.runner.wire import from_json, to_json
 from burnish.targets.toolchain import Toolchain
 from burnish.targets.toolchain.tools import inspect_all, tool_named
 from burnish.targets.toolchain.workers import Answer, Worker

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from burnish.targets.runner import blocks, derived, instance, shapes
-from burnish.targets.runner.draw import Draw, Image, Job
-from burnish.targets.runner.shapes import Numbers, Shape
-from burnish.targets.runner.textures import Texture
+from burnish.targets.runner.drivers.draw import Draw, Image, Job
+from burnish.targets.runner.instances import blocks, derived, instance, shapes
+from burnish.targets.runner.instances.shapes import Numbers, Shape
+from burnish.targets.runner.textures.texture import Texture
 
 from .planting import QUICKEST, Planted, job, replaced
 

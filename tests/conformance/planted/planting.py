@@ -13,7 +13,7 @@ from burnish.frozen import changed
 from burnish.targets import registry
 from burnish.targets.conformance.rows import Status
 from burnish.targets.emit.description import Forms, Profile, Spelling, Target
-from burnish.targets.runner.draw import Job, Picture
+from burnish.targets.runner.drivers.draw import Job, Picture
 from burnish.targets.runner.routes import Route
 from burnish.targets.runner.runner import Runner
 

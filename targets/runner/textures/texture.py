@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .draw import Image, TextureFormat
-from .literals import color_channels
+from ..drivers.draw import Image, TextureFormat
+from ..instances.literals import color_channels
 
 if TYPE_CHECKING:
     import numpy as np
@@ -54,7 +54,7 @@ class Texture:
         Raises ``PictureError`` if there is no picture, if it is damaged, or if a side has more than
         8192 texels, the most that WebGPU promises.
         """
-        from .texel_arrays import read_picture
+        from .arrays import read_picture
 
         return cls.of_array(read_picture(Path(path)), srgb=srgb)
 
@@ -65,8 +65,8 @@ class Texture:
         ``uint8`` and ``uint16`` mean 0..1, and are kept with 8 bits; floats are kept as they are,
         and are linear. Raises ``PictureError`` for arrays of other shapes and kinds.
         """
+        from .arrays import texel_array
         from .mipmaps import levels
-        from .texel_arrays import texel_array
 
         texels, format_ = texel_array(array, srgb)
         height, width, _ = texels.shape

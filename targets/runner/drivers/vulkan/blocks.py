@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from ...toolchain.offsets import ARRAY_STRIDE, BLOCK, MATRIX_STRIDE, OFFSET, UNIFORM
-from ...toolchain.spirv import Op, SpirvError, instructions
+from ....toolchain.offsets import ARRAY_STRIDE, BLOCK, MATRIX_STRIDE, OFFSET, UNIFORM
+from ....toolchain.spirv import Op, SpirvError, instructions
 
 ROW_MAJOR, BINDING, DESCRIPTOR_SET = 4, 33, 34
 

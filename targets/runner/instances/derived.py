@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from ...compiler.reference.functions import evaluate
-from ...compiler.trampoline import Step, run
+from ....compiler.reference.functions import evaluate
+from ....compiler.trampoline import Step, run
 from .shapes import Elements, Members, Numbers, Shape, kind_of
 
 Row = Mapping[str, Any]

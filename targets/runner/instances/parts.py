@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from ...compiler.diagnostics.nearest import suggestion
+from ....compiler.diagnostics.nearest import suggestion
 from .values import ParameterError
 
 if TYPE_CHECKING:

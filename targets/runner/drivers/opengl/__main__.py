@@ -1,4 +1,4 @@
-"""The worker process: ``python -m burnish.targets.runner.opengl``."""
+"""The worker process: ``python -m burnish.targets.runner.drivers.opengl``."""
 
 from __future__ import annotations
 

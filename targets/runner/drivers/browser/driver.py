@@ -7,7 +7,7 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...toolchain.tools import tool_named
+from ....toolchain.tools import tool_named
 from ..checks import check, check_names
 from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, TargetFormat
 from ..readback import to_float

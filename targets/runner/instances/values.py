@@ -11,7 +11,7 @@ import struct
 from collections.abc import Collection, Iterator, Mapping, Set
 from typing import Any
 
-from ...compiler.diagnostics.nearest import suggestion
+from ....compiler.diagnostics.nearest import suggestion
 from .literals import angle, color_lanes
 from .shapes import Elements, Kind, Members, Numbers, Shape, part
 

@@ -1,4 +1,4 @@
-"""The worker: ``python -m burnish.targets.runner.vulkan ICD [SECONDS]``.
+"""The worker: ``python -m burnish.targets.runner.drivers.vulkan ICD [SECONDS]``.
 
 ``ICD`` is the JSON file by which a driver announces itself to Vulkan's loader, and ``SECONDS`` how
 long one draw may take.

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ...compiler.diagnostics.nearest import suggestion
+from ....compiler.diagnostics.nearest import suggestion
 from .shapes import Elements, Members, Shape, part, shape_of
 from .values import ParameterError, UnknownParameterError
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..textures.srgb import decode_srgb
 from .draw import TargetFormat
 
 Lane = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]
@@ -40,14 +40,5 @@ def to_float(
     picture[..., 3] = 1.0
     picture[..., :count] = lanes / np.float32(255.0) if kind == np.uint8 else lanes
     if format == "rgba8unorm-srgb":
-        picture[..., :3] = _decode_srgb(picture[..., :3])
+        picture[..., :3] = decode_srgb(picture[..., :3].astype(np.float64))
     return (picture[::-1] if first_row == "bottom" else picture).tobytes()
-
-
-def _decode_srgb(encoded: NDArray[np.float32]) -> NDArray[np.float64]:
-    """The transfer function of sRGB, IEC 61966-2-1."""
-    wide = encoded.astype(np.float64)
-    linear: NDArray[np.float64] = np.where(
-        wide <= 0.04045, wide / 12.92, ((wide + 0.055) / 1.055) ** 2.4
-    )
-    return linear

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageOps, UnidentifiedImageError
 
-from .draw import TextureFormat
+from ..drivers.draw import TextureFormat
 from .mipmaps import Texels
-from .textures import PictureError
+from .texture import PictureError
 
 MAX_SIDE = 8192
 """Texels; the largest texture that WebGPU promises."""

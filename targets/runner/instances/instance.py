@@ -18,7 +18,7 @@ from .texts import parse
 from .values import ParameterError, changed, filled, initial, plain, rounded, unset
 
 if TYPE_CHECKING:
-    from .textures import Texture
+    from ..textures.texture import Texture
 
 FORMAT = 1
 """The reflection's format that is read here."""
@@ -91,7 +91,7 @@ class Instance:
         read.
         """
         if name in self._names.textures:
-            from .textures import Texture
+            from ..textures.texture import Texture
 
             self._textures[name] = Texture.parse(text)
         else:
@@ -150,7 +150,7 @@ class Instance:
 
     def textures(self) -> dict[str, Texture]:
         """Every texture by name; what was not set is the declared default, of one texel."""
-        from .textures import default_texture
+        from ..textures.texture import default_texture
 
         return {
             row["name"]: self._textures.get(row["name"]) or default_texture(row["default"])
@@ -220,7 +220,7 @@ class Instance:
 
 
 def _texture(name: str, value: object) -> Texture:
-    from .textures import Texture
+    from ..textures.texture import Texture
 
     if not isinstance(value, Texture):
         given = type(value).__name__

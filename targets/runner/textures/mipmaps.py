@@ -8,16 +8,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .draw import TextureFormat
+from ..drivers.draw import TextureFormat
+from .srgb import decode_srgb, encode_srgb
 
 Texels = NDArray[np.uint8 | np.float32]
 """(height, width, 4), as stored."""
 
 Linear = NDArray[np.float64]
 """(height, width, 4), as a shader reads it."""
-
-_SRGB_KNEE = 0.04045
-"""Encoded values up to this lie on the straight part of the curve (IEC 61966-2-1)."""
 
 _BAND = 256
 """Rows that are worked on at a time."""
@@ -32,8 +30,7 @@ def decoded(texels: Texels, format: TextureFormat) -> Linear:
         lanes: Linear = table[texels]
         return lanes
     lanes = np.empty(texels.shape)
-    curve = np.where(table <= _SRGB_KNEE, table / 12.92, ((table + 0.055) / 1.055) ** 2.4)
-    lanes[..., :3] = curve[texels[..., :3]]
+    lanes[..., :3] = decode_srgb(table)[texels[..., :3]]
     lanes[..., 3] = table[texels[..., 3]]
     return lanes
 
@@ -44,10 +41,7 @@ def encoded(lanes: Linear, format: TextureFormat) -> Texels:
         return lanes.astype(np.float32)
     limited = np.clip(lanes, 0.0, 1.0)
     if format == "rgba8unorm-srgb":
-        colors = limited[..., :3]
-        straight = colors <= _SRGB_KNEE / 12.92
-        curve = 1.055 * colors ** (1.0 / 2.4) - 0.055
-        limited[..., :3] = np.where(straight, colors * 12.92, curve)
+        limited[..., :3] = encode_srgb(limited[..., :3])
     return np.rint(limited * 255.0).astype(np.uint8)
 
 

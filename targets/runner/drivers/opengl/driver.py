@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ...toolchain.tools import tool_named
+from ....toolchain.tools import tool_named
 from ..checks import check, check_names
 from ..draw import Device, DriverError, Job, Picture
 

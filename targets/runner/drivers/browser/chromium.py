@@ -13,7 +13,7 @@ from urllib.parse import urlsplit
 
 from playwright.sync_api import Error, Route, sync_playwright
 
-from ...toolchain.tools import tool_named
+from ....toolchain.tools import tool_named
 from ..draw import DriverError
 
 # Only a page from a secure place may use WebGPU. Nobody is asked for this one: `_serve` has it.

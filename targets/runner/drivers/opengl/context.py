@@ -8,7 +8,7 @@ from typing import Any
 
 import moderngl
 
-from ...toolchain.tools import tool_named
+from ....toolchain.tools import tool_named
 from ..draw import DriverError
 
 ENVIRONMENT = {

@@ -7,7 +7,7 @@ from typing import Any
 
 import vulkan as vk
 
-from ...toolchain.spirv import SpirvError
+from ....toolchain.spirv import SpirvError
 from ..checks import check_block_size
 from ..draw import DriverError, Image, Job, Pipeline, TextureSlot
 from .blocks import block_sizes
