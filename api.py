@@ -293,11 +293,11 @@ def _output(shader: Shader, target: Target, profile: Profile, file: EmittedFile)
 
 
 _RUNTIME = {
-    "Instance": "instance",
-    "MissingValuesError": "instance",
-    "ParameterError": "values",
-    "PictureError": "textures",
-    "Texture": "textures",
+    "Instance": "instances.instance",
+    "MissingValuesError": "instances.instance",
+    "ParameterError": "instances.values",
+    "PictureError": "textures.texture",
+    "Texture": "textures.texture",
 }
 """Where the names of the runtime live, which most programs do without: they only compile."""
 

@@ -108,14 +108,11 @@ _TO_VULKAN = (
     _Way("glsl", "GLSL by glslang", "glsl:vulkan", "glslang-vulkan"),
     _Way("hlsl-glslang", "HLSL by glslang", "hlsl:sm6", "glslang-hlsl", ("--hlsl-dx-position-w",)),
     _Way(
-        "hlsl-dxc",
-        "HLSL by DXC",
-        "hlsl:sm6",
-        "dxc-spirv",
+        "hlsl-dxc", "HLSL by DXC", "hlsl:sm6", "dxc-spirv",
         ("-fvk-use-dx-position-w", "-fvk-use-dx-layout"),
     ),
     _Way("wgsl-naga", "WGSL by naga", "wgsl:webgpu", "naga", ("--keep-coordinate-space",)),
-)
+)  # fmt: skip
 
 ROUTES: Mapping[str, Route] = {
     route.name: route

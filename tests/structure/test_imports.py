@@ -55,9 +55,17 @@ DOOR = ("api", "cli", "commands")
         ("targets/emit", ("targets.toolchain", *(f"targets.{name}" for name in BACKENDS))),
         (
             "targets/toolchain",
-            ("targets.emit", "targets.runner", *(f"targets.{name}" for name in BACKENDS)),
+            (
+                "targets.emit",
+                "targets.runner",
+                "targets.conformance",
+                *(f"targets.{name}" for name in BACKENDS),
+            ),
         ),
-        ("targets/runner", ("targets.emit", *(f"targets.{name}" for name in BACKENDS))),
+        (
+            "targets/runner",
+            ("targets.emit", "targets.conformance", *(f"targets.{name}" for name in BACKENDS)),
+        ),
         ("api.py", ("cli", "commands", "targets.toolchain")),
         ("__init__.py", ("cli", "commands", "targets")),
         *(
