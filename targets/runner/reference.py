@@ -63,7 +63,7 @@ def _graph_text(shader: Shader) -> str:
     values = [target.value for target in shader.targets]
     roots = [shader.clip_position, *values, *([shader.discard] if shader.discard else ())]
     nodes = map(repr, reachable(roots))
-    blends = [target.blend for target in shader.targets]
+    blends = [(target.format, target.blend) for target in shader.targets]
     return "\n".join([*nodes, repr([root.id for root in roots]), repr(blends)])
 
 

@@ -1,4 +1,4 @@
-"""``python -m tests.bench [lean] [time] [chains]``: measure all three, or those that are named."""
+"""``python -m tests.bench [lean] [time] [chains] [drawing]``: measure all, or those named."""
 
 from __future__ import annotations
 
@@ -6,11 +6,16 @@ import json
 import sys
 from pathlib import Path
 
-from . import chains, lean, times
+from . import chains, drawing, lean, times
 from .table import Section
 
 OUTPUT = Path(__file__).parents[2] / "build" / "bench.json"
-PARTS = {"lean": lean.measure, "time": times.measure, "chains": chains.measure}
+PARTS = {
+    "lean": lean.measure,
+    "time": times.measure,
+    "chains": chains.measure,
+    "drawing": drawing.measure,
+}
 
 
 def main(wanted: list[str]) -> None:

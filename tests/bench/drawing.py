@@ -1,0 +1,53 @@
+"""How long pictures take: the reference's own, and a conformance run, from nothing and again."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+from burnish.targets.toolchain.tools import cache_folder
+
+from .table import Row, Section
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = sorted((ROOT / "examples").glob("*.burnish"))
+PICTURE_LIMIT = 2.0
+COLD_LIMIT, WARM_LIMIT = 300.0, 20.0
+RUNS = 3
+
+
+def measure() -> Iterator[Section]:
+    """A picture of 512 × 512 pixels, and all examples on the four ways to lavapipe."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        plastic = ROOT / "examples" / "plastic.burnish"
+        picture = ("render", str(plastic), "-o", str(folder / "plastic.png"))
+        best = min(_seconds(folder, *picture) for _ in range(RUNS))
+        yield Section(
+            "render", "A fresh process draws plastic by the reference, 512 × 512",
+            [_row("best of three", best, PICTURE_LIMIT)],
+        )  # fmt: skip
+        run = ("conform", *map(str, EXAMPLES), "--routes", "lavapipe")
+        rows = [
+            _row("from nothing", _seconds(folder / "store", *run), COLD_LIMIT),
+            _row("again", _seconds(folder / "store", *run), WARM_LIMIT),
+        ]
+        yield Section("conform", "All examples on the four lavapipe routes", rows)
+
+
+def _row(what: str, taken: float, limit: float) -> Row:
+    return {"what": what, "s": round(taken, 2), f"at most {limit:g}": taken <= limit}
+
+
+def _seconds(cache: Path, *arguments: str) -> float:
+    """Of one command in a fresh process, whose caches start in an own folder."""
+    moved = {"BURNISH_CACHE": str(cache), "BURNISH_TOOLS": str(cache_folder())}
+    command = [sys.executable, "-m", "burnish", *arguments]
+    started = time.perf_counter()
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=os.environ | moved)
+    return time.perf_counter() - started
