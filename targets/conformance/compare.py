@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.reference.picture import Expected
-from .tolerances import UNDECIDED_SHARE, DriverRow
+from .tolerances import UNDECIDED_FEW, UNDECIDED_SHARE, DriverRow
 
 Floats = NDArray[np.float64]
 
@@ -33,6 +33,8 @@ class Comparison:
     """Of the picture."""
     covered: int
     """Pixels that the reference covers."""
+    proven: int
+    """Covered pixels that are decided."""
     undecided: int
     """Pixels whose value hangs on rounding, which are not compared."""
     wrong: int
@@ -47,7 +49,8 @@ class Comparison:
     @property
     def too_undecided(self) -> bool:
         """Whether so much is undecided that agreement proves nothing."""
-        return self.undecided > UNDECIDED_SHARE * self.pixels
+        many = self.undecided > UNDECIDED_SHARE * self.pixels
+        return many or self.undecided > max(self.proven, UNDECIDED_FEW)
 
     @property
     def agrees(self) -> bool:
@@ -59,7 +62,7 @@ def compare(
     got: tuple[Floats, ...],
     expected: Expected,
     tolerance: DriverRow,
-    steps: Sequence[float],
+    steps: Sequence[Floats | float],
 ) -> Comparison:
     """Compares the targets of two pictures, each (height, width, 4).
 
@@ -81,6 +84,7 @@ def compare(
     return Comparison(
         pixels=decided.size,
         covered=int(expected.covered.sum()),
+        proven=int((expected.covered & decided).sum()),
         undecided=int(expected.undecided.sum()),
         wrong=int(wrong.sum()),
         max_difference=float(measured.max(initial=0)),

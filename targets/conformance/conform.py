@@ -18,6 +18,7 @@ from ..runner.subject import Subject
 from ..toolchain import Toolchain
 from .plan import Plan
 from .rows import Result, Row, Status
+from .tolerances import PROVEN_SHARE
 
 Done = Callable[[int, int], None]
 """Is told how many rows are done, and of how many."""
@@ -34,7 +35,7 @@ def conform(
 ) -> list[Row]:
     """A row for each material (with the name it goes by) and route, in this order."""
     store = Store(STORE)
-    plans = [Plan(label, subject, seed, store) for label, subject in subjects]
+    plans = [_plan(label, subject, seed, store) for label, subject in subjects]
     rows: dict[tuple[int, int], Row] = {}
     with ThreadPoolExecutor(os.cpu_count() or 1) as threads:
         pending = {
@@ -53,7 +54,18 @@ def conform(
     return [rows[place] for place in sorted(rows)]
 
 
-def _row(plan: Plan, route: Route, runner: Runner, toolchain: Toolchain) -> Row:
+def _plan(label: str, subject: Subject, seed: int, store: Store) -> Plan | tuple[str, str]:
+    """A material's plan; or its label, and why it cannot be drawn anywhere."""
+    try:
+        return Plan(label, subject, seed, store)
+    except ValueError as error:
+        return label, str(error)
+
+
+def _row(plan: Plan | tuple[str, str], route: Route, runner: Runner, toolchain: Toolchain) -> Row:
+    if isinstance(plan, tuple):
+        label, reason = plan
+        return Row(label, route, "failed", reason)
     problem = runner.problem(route)
     if problem is not None:
         return Row(plan.label, route, "not run", problem)
@@ -66,7 +78,7 @@ def _row(plan: Plan, route: Route, runner: Runner, toolchain: Toolchain) -> Row:
             shader = pipeline(plan.subject.reflection, route, codes, exact=series.exact)
             pictures = runner.draw(route, Job(shader, draws))
             results += plan.compared(series, route, device, pictures)
-    except (CodeError, DriverError) as error:
+    except (CodeError, DriverError, ValueError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
 
@@ -75,5 +87,5 @@ def _status(results: Sequence[Result]) -> Status:
     comparisons = [result.comparison for result in results]
     if any(comparison.wrong for comparison in comparisons):
         return "differs"
-    seen = any(comparison.covered for comparison in comparisons)
+    seen = any(c.proven > PROVEN_SHARE * c.pixels for c in comparisons)
     return "agrees" if seen and all(c.agrees for c in comparisons) else "undecided"

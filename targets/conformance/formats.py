@@ -23,9 +23,10 @@ def as_stored(targets: Sequence[Floats], formats: Sequence[str]) -> tuple[Floats
     )
 
 
-def format_steps(formats: Sequence[str]) -> list[float]:
-    """How far rounding to each format may move a value of ``as_stored``."""
-    return [_step(FORMATS[name]) for name in formats]
+def format_steps(stored: Sequence[Floats], formats: Sequence[str]) -> list[Floats]:
+    """How far rounding to each format may move the values of ``as_stored``."""
+    pairs = zip(stored, formats, strict=True)
+    return [_steps(values, FORMATS[name]) for values, name in pairs]
 
 
 def _stored(values: Floats, name: str) -> Floats:
@@ -37,7 +38,8 @@ def _stored(values: Floats, name: str) -> Floats:
     return clamped
 
 
-def _step(name: str) -> float:
+def _steps(stored: Floats, name: str) -> Floats:
     if "unorm" in name:
-        return LAYERS * 0.6 / 255
-    return LAYERS * 2.0**-11 if "16" in name else 0.0
+        return np.full_like(stored, LAYERS * 0.6 / 255)
+    half = LAYERS * 2.0**-11 * np.maximum(np.abs(stored), 1.0)
+    return half if "16" in name else np.zeros_like(stored)

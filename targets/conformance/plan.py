@@ -14,6 +14,7 @@ from ...compiler.reference.picture import Expected, RasterRules
 from ...compiler.semantics.shader import Shader
 from ...frozen import changed
 from ..runner.drivers.draw import Device, Picture
+from ..runner.drivers.readback import arrays
 from ..runner.reference import remembered
 from ..runner.routes import Route
 from ..runner.shots import Shot
@@ -48,22 +49,22 @@ class Plan:
         self._store = store
         plain = tuple(changed(target, blend="none") for target in subject.shader.targets)
         self._unblended = replace(subject.shader, targets=plain)
-        self._called = _called(subject.shader)
+        self._at_vertices = called_at_vertices(subject.shader)
         self._formats = [row["format"] for row in subject.reflection["targets"]]
 
     def compared(
         self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
     ) -> Iterator[Result]:
         """A result for each case of a series, whose pictures a route has drawn."""
-        driver = DRIVERS[route.driver].with_functions(self._called)
+        driver = DRIVERS[route.driver].with_functions(self._at_vertices)
         for case, picture in zip(series.cases, pictures, strict=True):
             expected = self._wanted(case.shot, rules_of(case.shot, device, driver), series.exact)
-            got = _arrays(picture)
-            steps = [0.0] * len(got)
+            got = arrays(picture)
+            steps: Sequence[Floats | float] = [0.0] * len(got)
             if not series.exact:
                 stored = as_stored(expected.targets, self._formats)
                 expected, got = replace(expected, targets=stored), as_stored(got, self._formats)
-                steps = format_steps(self._formats)
+                steps = format_steps(stored, self._formats)
             comparison = compare(got, expected, driver, steps)
             yield Result(case.name, comparison, got, expected)
 
@@ -76,10 +77,13 @@ class Plan:
             return self._expected[key]
 
 
-def _called(shader: Shader) -> frozenset[str]:
-    """The builtins that a shader calls."""
-    roots = [shader.clip_position, *(target.value for target in shader.targets)]
-    return frozenset(str(node.data) for node in reachable(roots) if node.op == "call")
+def called_at_vertices(shader: Shader) -> frozenset[str]:
+    """The builtins that a shader calls in the vertex stage."""
+    roots = [target.value for target in shader.targets]
+    everything = reachable([*roots, *([shader.discard] if shader.discard else ())])
+    crossing = [node.operands[0] for node in everything if node.op == "interpolate"]
+    nodes = reachable([shader.clip_position, *crossing])
+    return frozenset(str(node.data) for node in nodes if node.op == "call")
 
 
 def rules_of(shot: Shot, device: Device, driver: DriverRow) -> RasterRules:
@@ -92,14 +96,8 @@ def rules_of(shot: Shot, device: Device, driver: DriverRow) -> RasterRules:
         clips_sides=driver.clips_sides,
         edge_slack=driver.edge_slack,
         subtexel_bits=device.subtexel_bits or driver.subtexel_bits,
+        functions=tuple(sorted(driver.functions.items())),
+        rounding_bits=driver.rounding_bits,
         varying_bits=driver.varying_bits,
         mip_bits=device.mip_bits or driver.mip_bits,
-    )
-
-
-def _arrays(picture: Picture) -> tuple[Floats, ...]:
-    """Each target of a picture, (height, width, 4)."""
-    return tuple(
-        np.frombuffer(data, "<f4").reshape(picture.height, picture.width, 4).astype(np.float64)
-        for data in picture.targets
     )

@@ -66,6 +66,7 @@ def _row_json(row: Row) -> dict[str, Any]:
 def _comparison_json(comparison: Comparison) -> dict[str, Any]:
     worst = comparison.worst
     return {
+        "pixels": comparison.pixels,
         "covered": comparison.covered,
         "undecided": comparison.undecided,
         "wrong": comparison.wrong,

@@ -63,7 +63,11 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh) -> Mesh:
     channels = dict(mesh.channels)
     for row in reflection["vertex_inputs"]:
         name = row["name"]
-        if roles.get(name, name) not in channels:
+        channel = channels.get(name, channels.get(roles.get(name, name)))
+        fits = channel is not None and (channel.dtype.kind == "f") == (
+            row["representation"][0] not in "iu"
+        )
+        if not fits:
             channels[name] = _pattern(row, position)
     return Mesh(channels, mesh.triangles)
 

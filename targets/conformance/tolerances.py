@@ -1,7 +1,7 @@
 """How far a driver's picture may lie from the reference: one row for each, with its reason.
 
 A pixel agrees if ``|got - expected| <= absolute + relative * |expected| + radius``, where the
-radius is the reference's own, for what fixed-function filtering may do.
+radius is the reference's own, for what a device may round on the way.
 """
 
 from __future__ import annotations
@@ -24,6 +24,8 @@ class DriverRow:
     """Whether attributes go by the snapped places of vertices, as coverage does everywhere."""
     clips_sides: bool = False
     """Whether it cuts triangles off at the sides of the picture, and snaps what that makes."""
+    rounding_bits: int = 22
+    """Of what operations give; float32 has 23, and some take several roundings."""
     edge_slack: float = 0.0
     """By how many pixels it misjudges on which side of an edge a pixel lies."""
     varying_bits: int = 18
@@ -73,3 +75,7 @@ DRIVERS: Mapping[str, DriverRow] = {
 
 UNDECIDED_SHARE = 0.03
 """More undecided pixels than this part of the picture prove too little to be a pass."""
+UNDECIDED_FEW = 40
+"""So do more than this and than the decided ones of what is drawn."""
+PROVEN_SHARE = 0.01
+"""Some case has to have so many decided pixels, as a part of its picture."""

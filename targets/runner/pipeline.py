@@ -31,8 +31,8 @@ FORMATS: Mapping[str, TargetFormat] = {
     # Nobody sees the order of lanes in memory.
     "bgra8": "rgba8unorm",
     "bgra8_srgb": "rgba8unorm-srgb",
-    # Drivers need not draw to ten bits a lane, so that the picture is finer than what was asked.
-    "rgb10a2": "rgba32float",
+    # Drivers need not draw to ten bits a lane; eight are clamped and blended alike.
+    "rgb10a2": "rgba8unorm",
     "rgba16f": "rgba16float",
     "rgba32f": "rgba32float",
 }

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
+import numpy as np
+
 from ...compiler.ir.node import reachable
 from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
 from ...compiler.semantics.shader import Shader
+from .drivers.wire import to_json
 from .shots import Shot
 from .store import Store, digest, digest_of_sources
 
@@ -49,13 +53,11 @@ def remembered(shader: Shader, shot: Shot, rules: RasterRules, store: Store) -> 
 
 
 def _digest(shader: Shader, shot: Shot, rules: RasterRules) -> str:
-    draw_ = shot.draw()
-    textures = (part for image in draw_.textures for part in (image.format, *image.levels))
-    inputs = (f"{name} {values.dtype} {values.shape}" for name, values in shot.attributes.items())
-    return digest(
-        _code_digest(), _graph_text(shader), repr(rules), repr(shot.clear),
-        repr(shot.instance.values()), *textures, *inputs, *draw_.vertices, draw_.indices,
-    )  # fmt: skip
+    """Everything that the picture depends on."""
+    kinds = [(name, str(values.dtype)) for name, values in shot.attributes.items()]
+    drawn = json.dumps([to_json(shot.draw()), kinds])
+    values = repr(shot.instance.values())
+    return digest(_code_digest(), np.__version__, _graph_text(shader), repr(rules), values, drawn)
 
 
 def _graph_text(shader: Shader) -> str:
@@ -71,5 +73,5 @@ def _graph_text(shader: Shader) -> str:
 def _code_digest() -> str:
     """Changes with the code that says what a program means, and what a texture's bytes do."""
     root, here = Path(__file__).parents[2], Path(__file__).parent
-    folders = (root / "compiler" / "reference", root / "compiler" / "ir", here / "textures")
+    folders = (root / "compiler", root / "stdlib", here / "textures")
     return digest(digest_of_sources(*folders), Path(__file__).read_bytes())

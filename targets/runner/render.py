@@ -9,6 +9,7 @@ from ...compiler.reference.picture import RasterRules
 from ..toolchain import Toolchain
 from .codes import compile_one
 from .drivers.draw import Job
+from .drivers.readback import arrays
 from .pipeline import pipeline
 from .reference import Progress, expected
 from .routes import Route
@@ -37,7 +38,4 @@ def by_route(
     blends = any(row["blend"] != "none" for row in subject.reflection["targets"])
     shader_pipeline = pipeline(subject.reflection, route, codes, exact=not blends)
     (picture,) = runner.draw(route, Job(shader_pipeline, (shot.draw(),)))
-    return tuple(
-        np.frombuffer(data, "<f4").reshape(picture.height, picture.width, 4).astype(np.float64)
-        for data in picture.targets
-    )
+    return arrays(picture)

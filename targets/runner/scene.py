@@ -138,6 +138,11 @@ _LANES = {"float": 1, "int": 1, "uint": 1}
 def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
     """``values`` with the lanes of the input: further ones are cut off, a missing fourth is 1."""
     representation = row["representation"]
+    if representation[0] in "iu" and values.dtype.kind == "f":
+        raise MeshError(
+            f"the vertex input `{row['name']}` ({row['type']}) takes whole numbers, which the mesh "
+            "does not have there"
+        )
     lanes = _LANES.get(representation) or int(representation[-1])
     given = values.shape[1]
     if given < lanes:

@@ -12,6 +12,7 @@ import os
 from collections.abc import Iterator
 from contextlib import suppress
 from hashlib import blake2b
+from itertools import chain
 from pathlib import Path
 from tempfile import NamedTemporaryFile
 
@@ -39,8 +40,15 @@ def digest(*ingredients: str | bytes) -> str:
 
 def digest_of_sources(*folders: Path) -> str:
     """The digest of the code below some folders, Python's and JavaScript's, for what it makes."""
-    files = (path for folder in folders for path in sorted(folder.rglob("*")))
-    return digest(*(path.read_bytes() for path in files if path.suffix in (".py", ".mjs")))
+    return digest(*chain.from_iterable(map(_sources, folders)))
+
+
+def _sources(folder: Path) -> Iterator[str | bytes]:
+    """Names and contents of the files of code below a folder."""
+    for path in sorted(folder.rglob("*")):
+        if path.suffix in (".py", ".mjs"):
+            yield str(path.relative_to(folder))
+            yield path.read_bytes()
 
 
 class Store:

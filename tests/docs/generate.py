@@ -195,8 +195,10 @@ def conformance_page() -> str:
     """The page on conformance as it is, with the tables of routes and drivers as they are today."""
     page = (DOCS / "conformance.md").read_text(encoding="utf-8")
     page = _spliced(page, "routes", _table(("route", "text", "how"), _routes()))
-    heading = ("driver", "absolute", "relative", "because")
-    return _spliced(page, "tolerances", _table(heading, _tolerances()))
+    heading = ("driver", "absolute", "relative", "because", "and what these functions are off by")
+    page = _spliced(page, "tolerances", _table(heading, _tolerances()))
+    places = ("driver", "interpolated", "operations", "subtexel", "level", "edges, pixels")
+    return _spliced(page, "places", _table(places, _places()))
 
 
 def _routes() -> Iterator[tuple[str, ...]]:
@@ -206,7 +208,14 @@ def _routes() -> Iterator[tuple[str, ...]]:
 
 def _tolerances() -> Iterator[tuple[str, ...]]:
     for name, row in DRIVERS.items():
-        yield f"`{name}`", f"{row.absolute:g}", f"{row.relative:g}", row.reason
+        extra = ", ".join(f"`{called}` {off:.1e}" for called, off in row.functions.items())
+        yield f"`{name}`", f"{row.absolute:g}", f"{row.relative:g}", row.reason, extra
+
+
+def _places() -> Iterator[tuple[str, ...]]:
+    for name, row in DRIVERS.items():
+        bits = (row.varying_bits, row.rounding_bits, row.subtexel_bits, row.mip_bits)
+        yield f"`{name}`", *map(str, bits), f"{row.edge_slack:.1e}" if row.edge_slack else "0"
 
 
 def _spliced(page: str, name: str, text: str) -> str:

@@ -500,7 +500,7 @@ def test_a_reflection_from_a_file_serves_as_well(instance: Instance) -> None:
 
 LEAN = """
 import json, sys
-from burnish.targets.runner.instance import Instance
+from burnish.targets.runner.instances.instance import Instance
 Instance(json.loads(sys.stdin.read())).blocks()
 for name in ("numpy", "PIL", "lark", "burnish.compiler.semantics"):
     assert name not in sys.modules, name

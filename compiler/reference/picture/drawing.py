@@ -121,7 +121,7 @@ class _Drawing:
         return Expected(
             targets=tuple(picture(target[0]) for target in canvas.targets),
             covered=mask(canvas.covered),
-            undecided=mask(canvas.undecided),
+            undecided=mask(canvas.undecided | canvas.shaky),
             radius=tuple(picture(self._radius(target)) for target in canvas.targets),
         )
 

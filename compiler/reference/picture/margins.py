@@ -100,7 +100,7 @@ _AT_WHOLE: Mapping[str, Callable[..., Jump]] = {
 }
 """Builtins of floats that jump, lane by lane."""
 
-_EXACT = frozenset(
+EXACT = frozenset(
     {"lt", "le", "gt", "ge", "eq", "ne", "step", "sign", "floor", "ceil", "trunc", "round",
      "to_int", "to_uint"}
 )  # fmt: skip
@@ -149,6 +149,11 @@ class Margins:
             close = ~(np.abs(value - np.rint(value)) > allowed)
             self._mark(close, np.floor(value), steady)
 
+    def hand_on(self, lane: Lane, new: Lane) -> None:
+        """``new`` is as steady as ``lane``, which it replaces."""
+        if id(lane) in self._steady:
+            self._learn(new, self._steady[id(lane)][1])
+
     def _mark(self, close: Bools, side: Lane, steady: Bools | bool) -> None:
         if np.ndim(side) > self.undecided.ndim and len(side) > 1:
             close = close | (side != side[:1])
@@ -171,7 +176,7 @@ class Margins:
                     self.at_zero(*_AT_ZERO[name](*given), steady)
                 elif jumps and name in _AT_WHOLE:
                     self.at_whole(*_AT_WHOLE[name](*given), steady)
-                self._learn(lane, _EVERYWHERE if name in _EXACT and jumps else steady)
+                self._learn(lane, _EVERYWHERE if name in EXACT and jumps else steady)
 
     # --- what is steady ---------------------------------------------------------------------------
 

@@ -80,12 +80,13 @@ class Barycentric:
 
     def _crossed(self, lane: Lane, ways: Variants, number: int) -> Floats:
         corners = lane[self._faces.corners[self._face]].astype(np.float64)
+        # Of the whole triangle, as what is cut off of it decides how its planes are rounded.
+        largest = np.abs(corners).max(axis=1)[:, None, None]
         if not self._whole:
             corners = (self._weights @ corners[:, :, None])[:, :, 0]
         mixed = self._mixed(corners.T, self._perspective)
         if not ways.nudge.any():
             return mixed
-        largest = np.abs(corners).max(axis=1)[:, None, None]
         nudged: Floats = mixed + self._nudges(ways, number) * largest
         return nudged
 

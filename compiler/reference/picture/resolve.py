@@ -47,6 +47,10 @@ class Canvas:
         self.depth = np.ones(pixels)
         self.covered = np.zeros(pixels, dtype=np.bool_)
         self.undecided = np.zeros(pixels, dtype=np.bool_)
+        """By what they cover."""
+        self.shaky = np.zeros(pixels, dtype=np.bool_)
+        """By what is drawn there, so far."""
+        self._opaque = all(target.blend == "none" for target in targets)
 
     def draw(self, pixel: Ints, depth: Floats, shades: Shades) -> None:
         """Fragments in the order of drawing; several may be of one pixel."""
@@ -59,7 +63,12 @@ class Canvas:
         before, new = self.depth[pixel[members]], depth[members]
         nearer, doubtful = new < before, np.abs(new - before) < DEPTH_MARGIN
         hidden = ~nearer & ~doubtful
-        self.undecided[pixel[members]] |= doubtful | (shades.undecided[members] & ~hidden)
+        unsure = doubtful | (shades.undecided[members] & ~hidden)
+        if self._opaque:
+            # What lies behind a fragment that surely wins is in doubt no more.
+            wins = nearer & ~unsure & ~shades.discarded[members]
+            self.shaky[pixel[members[wins]]] = False
+        self.shaky[pixel[members]] |= unsure
         drawn = members[nearer & ~shades.discarded[members]]
         place = pixel[drawn]
         self.depth[place] = depth[drawn]

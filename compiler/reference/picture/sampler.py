@@ -7,7 +7,7 @@ axis of every read: the first of these variants is the exact one.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -43,9 +43,14 @@ class Variants:
     """By how much interpolated values are off, relative to the largest of their corners."""
     checkered: Ints
     """1: to the other side in every other pixel and lane."""
+    rounding: Floats
+    """By how much operations are off, relative to what they give."""
+    period: Ints
+    """After how many calls the functions that are off by more change sides; 0: they are exact."""
     kind: Ints
     """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level;
-    5 and 6 what is interpolated, everything alike and checkered."""
+    5 and 6 what is interpolated, everything alike and checkered; 7 what operations give; 8 to 10
+    what functions give, with three periods."""
     order: Floats
     """Of the norm that makes a length of the derivatives: 2; any between the largest lane
     (infinity) and the sum (1) is allowed."""
@@ -54,27 +59,42 @@ class Variants:
         return len(self.across)
 
 
-_EXACT = (0.0, 0.0, -1, -1, 0.0, 0.0, 0, 0, 2.0)
+_EXACT = Variants(*(np.array([value]) for value in (0.0, 0.0, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0)))
 
 
-def variants(subtexel_bits: int | None, mip_bits: int | None, varying_bits: int | None) -> Variants:
-    """The exact way to read and, where a device's bits matter, those at their limits."""
+def variants(
+    subtexel_bits: int | None,
+    mip_bits: int | None,
+    varying_bits: int | None,
+    rounding_bits: int | None,
+    functions: bool,
+) -> Variants:
+    """The exact way and, where a device's bits matter, those at their limits."""
     found = [_EXACT]
+
+    def add(kind: int, **changes: float) -> None:
+        new = {name: np.array([value]) for name, value in changes.items()}
+        found.append(replace(_EXACT, kind=np.array([kind]), **new))
+
     if subtexel_bits is not None:
-        step = 2.0**-subtexel_bits
-        found += [(shift, 0.0, *_EXACT[2:7], 1, 2.0) for shift in (-step, step)]
-        found += [(0.0, shift, *_EXACT[2:7], 2, 2.0) for shift in (-step, step)]
+        for step in (-(2.0**-subtexel_bits), 2.0**-subtexel_bits):
+            add(1, across=step)
+            add(2, down=step)
     if mip_bits is not None:
-        step = 2.0**-mip_bits
-        choices = [(row, column) for row in (0, 1) for column in (0, 1)]
-        found += [(0.0, 0.0, *choice, *_EXACT[4:7], 3, 2.0) for choice in choices]
-        found += [(*_EXACT[:4], *how) for how in ((-step, 0, 0, 4, np.inf), (step, 0, 0, 4, 1.0))]
+        for row, column in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            add(3, row=row, column=column)
+        add(4, level=-(2.0**-mip_bits), order=np.inf)
+        add(4, level=2.0**-mip_bits, order=1.0)
     if varying_bits is not None:
-        step = 2.0**-varying_bits
-        found += [(*_EXACT[:5], step, checkered, 5 + checkered, 2.0) for checkered in (0, 1)]
-    across, down, row, column, level, nudge, checkered, kind, order = np.array(found).T
-    rows, columns, flags, kinds = (n.astype(np.int64) for n in (row, column, checkered, kind))
-    return Variants(across, down, rows, columns, level, nudge, flags, kinds, order)
+        add(5, nudge=2.0**-varying_bits)
+        add(6, nudge=2.0**-varying_bits, checkered=1)
+    if rounding_bits is not None:
+        add(7, rounding=2.0**-rounding_bits)
+    if functions:
+        for kind, period in ((8, 1 << 30), (9, 1), (10, 2)):
+            add(kind, period=period)
+    names = [field.name for field in fields(Variants)]
+    return Variants(*(np.concatenate([getattr(one, name) for one in found]) for name in names))
 
 
 class Image:

@@ -59,11 +59,15 @@ class RasterRules:
     cull: Cull = "none"
     subtexel_bits: int | None = None
     """Binary places of a linear filter's weights; ``None``: exact, with a radius of 0."""
+    functions: tuple[tuple[str, float], ...] = ()
+    """Builtins that are off by more than rounding, and by how much, absolutely."""
+    rounding_bits: int | None = None
+    """Binary places of what operations of the fragment stage give; ``None``: exact."""
     varying_bits: int | None = None
     """Binary places of what is interpolated, relative to the largest of its corners; ``None``:
     exact."""
     mip_bits: int | None = None
-    """Likewise, of the level of detail."""
+    """Binary places of the level of detail, likewise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,4 +82,5 @@ class Expected:
     undecided: Bools
     """(height, width): where rounding to float32 may tip a decision the value hangs on."""
     radius: tuple[Floats, ...]
-    """For each target (height, width, 4): how far filtering with the device's bits may be off."""
+    """For each target (height, width, 4): how far filtering, derivatives, interpolation and
+    rounding within the device's bits may move it."""

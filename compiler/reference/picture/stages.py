@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
 
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
-from ...ir.types import width
+from ...ir.types import scalar_kind, width
 from ...semantics.shader import Shader
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
-from .margins import Margins
+from .margins import EXACT, Margins
 from .quads import Barycentric
 from .sampler import Image, Reader, Variants, variants
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
 
 _COMPARES_NEIGHBOURS = ("sample", "ddx", "ddy")
+_NOT_ROUNDED = EXACT | {"neg", "abs", "min", "max", "clamp", "saturate", *_COMPARES_NEIGHBOURS}
+"""What gives one of its operands, or a number that float32 has, or has bounds of its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +62,13 @@ class Stages:
         self._position = shader.clip_position
         self._targets = tuple(target.value for target in shader.targets)
         self._discard = shader.discard
+        self._functions = dict(rules.functions)
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "interpolate"]
         called = {str(node.data) for node in nodes if node.op in ("call", "native")}
         self.side = 2 if called.intersection(_COMPARES_NEIGHBOURS) else 1
         read = [node.data for node in nodes if isinstance(node.data, Resource)]
-        self.ways = _ways(read, textures, rules, bool(called & {"ddx", "ddy"}), self._crossings)
+        self.ways = _ways(read, textures, rules, called, self._crossings)
         self._images = {r: Image(_texels(textures, r), r, self.ways) for r in read}
 
     def vertices(self, geometry: Geometry) -> Vertices:
@@ -89,7 +93,7 @@ class Stages:
 
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
         """The fragment stage in quads; ``front`` says which of them face the eye."""
-        margins = Margins((len(front), self.side, self.side))
+        margins, turns = Margins((len(front), self.side, self.side)), count()
         readers = {resource: Reader(image, margins) for resource, image in self._images.items()}
         inputs = {
             "frag_coord": (place.x, place.y, place.depth, place.per_w),
@@ -110,12 +114,38 @@ class Stages:
             margins.watch(node, operands, value)
             if node.data in ("ddx", "ddy") and len(self.ways) > 1:
                 return _differences(value, self.ways, str(node.data))
-            return value
+            return self._rounded(node, value, margins, turns)
 
         evaluator = Evaluator(leaves, np, observer)
-        discarded = evaluator.value(self._discard)[0] if self._discard else False
+        discarded: Any = evaluator.value(self._discard)[0] if self._discard else False
+        doubtful = margins.undecided.copy()
         targets = tuple(evaluator.value(target) for target in self._targets)
-        return Shaded(targets, discarded, margins.undecided)
+        # What is surely discarded has no colour that could be in doubt.
+        nominal = discarded[0] if np.ndim(discarded) > margins.undecided.ndim else discarded
+        undecided = margins.undecided & ~(np.asarray(nominal, dtype=np.bool_) & ~doubtful)
+        return Shaded(targets, discarded, undecided)
+
+    def _rounded(self, node: Node, value: Lanes, margins: Margins, turns: Iterator[int]) -> Lanes:
+        """What an operation gives under every variant: off to one side or the other."""
+        if node.op not in ("call", "native") or scalar_kind(node.type) != "float":
+            return value
+        if isinstance(value[0], tuple) or node.data in _NOT_ROUNDED or len(self.ways) == 1:
+            return value
+        relative = (-1.0) ** node.id * self.ways.rounding
+        absolute = np.zeros(len(self.ways))
+        if node.data in self._functions:
+            side = (-1.0) ** (next(turns) // np.maximum(self.ways.period, 1))
+            absolute = np.where(self.ways.period > 0, side * self._functions[node.data], 0.0)
+        off = [self._off(lane, relative, absolute) for lane in value]
+        for lane, moved in zip(value, off, strict=True):
+            margins.hand_on(lane, moved)
+        return tuple(off)
+
+    @staticmethod
+    def _off(lane: Lane, relative: Floats, absolute: Floats) -> Lane:
+        if not np.ndim(lane):
+            return lane
+        return lane + (np.abs(lane) * relative[:, None, None, None] + absolute[:, None, None, None])
 
     def _parameter(self, node: Node) -> Lanes | None:
         if not isinstance(node.data, Parameter):
@@ -140,7 +170,9 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
         raise ValueError(
             f"The vertex attribute `{attribute.name}` {what}; it needs (vertices, {lanes})."
         )
-    kind = np.float64 if array.dtype.kind == "f" else np.int64
+    kind = np.float64 if scalar_kind(attribute.type) == "float" else np.int64
+    if kind is np.int64 and array.dtype.kind == "f":
+        raise ValueError(f"The vertex attribute `{attribute.name}` takes whole numbers.")
     return tuple(np.ascontiguousarray(array.T, dtype=kind))
 
 
@@ -148,7 +180,7 @@ def _ways(
     read: list[Resource],
     textures: Mapping[str, Texels],
     rules: RasterRules,
-    derivatives: bool,
+    called: set[str],
     crossings: list[Node],
 ) -> Variants:
     """The variants of reading and interpolating that make a difference to a shader."""
@@ -157,8 +189,10 @@ def _ways(
     mipped = any(dict(r.state)["mip"] != "none" for r in varied)
     return variants(
         rules.subtexel_bits if smooth else None,
-        rules.mip_bits if mipped or derivatives else None,
+        rules.mip_bits if mipped or called & {"ddx", "ddy"} else None,
         rules.varying_bits if any(node.data != "flat" for node in crossings) else None,
+        rules.rounding_bits,
+        any(name in called for name, _ in rules.functions),
     )
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..textures.srgb import decode_srgb
-from .draw import TargetFormat
+from .draw import Picture, TargetFormat
 
 Lane = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]
 
@@ -42,3 +43,11 @@ def to_float(
     if format == "rgba8unorm-srgb":
         picture[..., :3] = decode_srgb(picture[..., :3].astype(np.float64))
     return (picture[::-1] if first_row == "bottom" else picture).tobytes()
+
+
+def arrays(picture: Picture) -> tuple[NDArray[np.float64], ...]:
+    """Each target of a picture, (height, width, 4)."""
+    shape = (picture.height, picture.width, 4)
+    return tuple(
+        np.frombuffer(data, "<f4").reshape(shape).astype(np.float64) for data in picture.targets
+    )

@@ -18,7 +18,7 @@ from ..draw import DriverError
 
 # Only a page from a secure place may use WebGPU. Nobody is asked for this one: `_serve` has it.
 PAGE = "https://burnish.invalid/"
-START_LIMIT = 120_000.0
+START_LIMIT = 50_000.0
 """Milliseconds that the browser may take to start: it is slow on a busy machine."""
 
 FLAGS = (
