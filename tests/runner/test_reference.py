@@ -1,0 +1,75 @@
+"""What the reference has drawn is found again for the same question only."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import burnish
+from burnish.compiler.reference.picture import RasterRules
+from burnish.compiler.semantics.shader import Shader
+from burnish.targets.runner import reference
+from burnish.targets.runner.meshes import plane
+from burnish.targets.runner.scene import Scene
+from burnish.targets.runner.shots import Shot, take
+
+ROOT = Path(__file__).parents[2]
+TEXT = "material M { map m : texture2d  param k : float = 1  color = m(uv).rgb * k }"
+RULES = RasterRules(8, 8, 8)
+
+
+def asked(text: str = TEXT, width: int = 2, height: int = 1, k: float = 1.0) -> tuple[Shader, Shot]:
+    material = burnish.compile(text, ["wgsl"])["M"]
+    instance = material.instance()
+    texels = np.arange(8, dtype=np.uint8).reshape(height, width, 4)
+    instance.set("m", burnish.Texture.of_array(texels))
+    instance.set("k", k)
+    return material.shader, take(instance, plane(2), Scene(), (8, 8))
+
+
+def name(question: tuple[Shader, Shot], rules: RasterRules = RULES) -> str:
+    return reference._digest(*question, rules)
+
+
+def test_the_same_question_has_the_same_name() -> None:
+    assert name(asked()) == name(asked())
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        lambda: name(asked(width=1, height=2)),
+        lambda: name(asked(k=2.0)),
+        lambda: name(asked(TEXT.replace("* k", "+ k"))),
+        lambda: name(asked(TEXT.replace("texture2d", "texture2d with { wrap = clamp }"))),
+        lambda: name(asked(), replace(RULES, subpixel_bits=4)),
+        lambda: name(asked(), replace(RULES, functions=(("sin", 0.1),))),
+    ],
+    ids=["texture's shape", "value", "graph", "sampler", "rules", "functions"],
+)
+def test_another_question_has_another_name(other: Callable[[], str]) -> None:
+    assert other() != name(asked())
+
+
+CLOSURE = """
+import sys
+import burnish.compiler.reference.picture
+for module in list(sys.modules.values()):
+    file = getattr(module, "__file__", None) or ""
+    if module.__name__.startswith("burnish."):
+        print(file)
+"""
+
+
+def test_all_code_that_the_reference_is_made_of_has_a_part_in_the_name() -> None:
+    ran = subprocess.run(
+        [sys.executable, "-c", CLOSURE], check=True, capture_output=True, text=True, timeout=120
+    )
+    folders = {Path(line).relative_to(ROOT).parts[0] for line in ran.stdout.split()}
+    assert folders <= {"compiler", "stdlib", "frozen.py"}, folders
