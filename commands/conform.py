@@ -119,7 +119,7 @@ def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, Comp
     ]  # fmt: skip
     show(found for _, _, result in results for found in result.diagnostics)
     return [
-        (_label(path, material, variant), material)
+        (_label(path, request.files, material, variant), material)
         for path, variant, result in results
         for material in result.materials
     ]
@@ -138,8 +138,11 @@ def _variants(path: Path, request: Request) -> list[Variant]:
     return list(dict.fromkeys(chosen))
 
 
-def _label(path: Path, material: CompiledMaterial, variant: Variant) -> str:
-    return " × ".join([f"{path.name}: {material.name}", *filter(None, variant)])
+def _label(path: Path, paths: Sequence[Path], material: CompiledMaterial, variant: Variant) -> str:
+    """What a material goes by: its file's name, or all of the path where names are alike."""
+    alike = sum(other.name == path.name for other in paths) > 1
+    file = path if alike else path.name
+    return " × ".join([f"{file}: {material.name}", *filter(None, variant)])
 
 
 def _tell(rows: Sequence[Row]) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.reference.picture import Expected
-from .tolerances import UNDECIDED_FEW, UNDECIDED_SHARE, DriverRow
+from .tolerances import UNDECIDED_FEW, UNDECIDED_SHARE, Tolerance
 
 Floats = NDArray[np.float64]
 
@@ -61,7 +61,7 @@ class Comparison:
 def compare(
     got: tuple[Floats, ...],
     expected: Expected,
-    tolerance: DriverRow,
+    tolerance: Tolerance,
     steps: Sequence[Floats | float],
 ) -> Comparison:
     """Compares the targets of two pictures, each (height, width, 4).

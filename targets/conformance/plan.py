@@ -24,7 +24,7 @@ from .cases import Series, series_of
 from .compare import compare
 from .formats import as_stored, format_steps
 from .rows import Result
-from .tolerances import DRIVERS, DriverRow
+from .tolerances import DRIVERS, Tolerance
 
 Floats = NDArray[np.float64]
 
@@ -86,7 +86,7 @@ def called_at_vertices(shader: Shader) -> frozenset[str]:
     return frozenset(str(node.data) for node in nodes if node.op == "call")
 
 
-def rules_of(shot: Shot, device: Device, driver: DriverRow) -> RasterRules:
+def rules_of(shot: Shot, device: Device, driver: Tolerance) -> RasterRules:
     """By which rules a device rasterises a shot."""
     return RasterRules(
         shot.width,

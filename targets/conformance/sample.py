@@ -84,9 +84,14 @@ def _set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
 
 
 def _value(row: Mapping[str, Any], chance: random.Random) -> Any:
-    if row["layout"].get("count") and not row.get("_element"):
-        element = {**row, "_element": True, "default": None}
-        return [_value(element, chance) for _ in range(row["layout"]["count"])]
+    if count := row["layout"].get("count"):
+        element = {**row, "default": None}
+        return [_element(element, chance) for _ in range(count)]
+    return _element(row, chance)
+
+
+def _element(row: Mapping[str, Any], chance: random.Random) -> Any:
+    """A value of what a row declares one or several of."""
     if row["members"]:
         return {member["name"]: _value(member, chance) for member in row["members"]}
     return _lanes(row, chance)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 
 @dataclass(frozen=True, slots=True)
-class DriverRow:
+class Tolerance:
     """What is known of a driver besides what it tells."""
 
     absolute: float
@@ -35,13 +35,13 @@ class DriverRow:
     mip_bits: int = 8
     """Of the level of detail, likewise."""
 
-    def with_functions(self, called: Collection[str]) -> DriverRow:
+    def with_functions(self, called: Collection[str]) -> Tolerance:
         """The row for a material that calls these builtins."""
         extra = max((self.functions.get(name, 0.0) for name in called), default=0.0)
         return replace(self, absolute=self.absolute + extra)
 
 
-_LLVM = DriverRow(
+_LLVM = Tolerance(
     1e-5,
     1e-4,
     "float32 arithmetic, and functions close to exact",
@@ -50,7 +50,7 @@ _LLVM = DriverRow(
     edge_slack=2.0**-11,
     mip_bits=4,
 )
-_SWIFTSHADER = DriverRow(
+_SWIFTSHADER = Tolerance(
     1e-5,
     1e-4,
     "float32 arithmetic, and most functions close to exact",
@@ -64,7 +64,7 @@ _SWIFTSHADER = DriverRow(
 # rule over: such pixels are undecided. Levels of detail were measured to be off by 1.07 times 2^-6.
 _WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, mip_bits=5)
 
-DRIVERS: Mapping[str, DriverRow] = {
+DRIVERS: Mapping[str, Tolerance] = {
     "lavapipe": _LLVM,
     "llvmpipe": _LLVM,
     "swiftshader": _SWIFTSHADER,

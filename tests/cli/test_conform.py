@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import sync_playwright
 
 from burnish.targets.conformance import plan
-from burnish.targets.conformance.tolerances import DriverRow
+from burnish.targets.conformance.tolerances import Tolerance
 from burnish.targets.runner import routes
 from burnish.targets.toolchain import tools
 from burnish.targets.toolchain.tools import Tool, ToolState, tool_named
@@ -100,7 +100,7 @@ def test_warnings_are_told_once() -> None:
 
 def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where nothing at all is tolerated, some pixel is wrong; the report shows which."""
-    strict = DriverRow(1e-12, 0.0, "to see what happens")
+    strict = Tolerance(1e-12, 0.0, "to see what happens")
     monkeypatch.setattr(plan, "DRIVERS", {"llvmpipe": strict})
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--report", "out")
     assert result.exit_code == 1
@@ -146,7 +146,7 @@ def test_what_proves_nothing_is_no_pass(text: str, reason: str) -> None:
 
 def test_a_driver_that_breaks_down(monkeypatch: pytest.MonkeyPatch) -> None:
     worker = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
-    monkeypatch.setattr(routes.DriverRow, "command", lambda *_: worker)
+    monkeypatch.setattr(routes.Tolerance, "command", lambda *_: worker)
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
     assert result.exit_code == 1
     assert "\n  llvmpipe:gl330  failed\n" in result.stdout

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.compare import Comparison, compare
-from burnish.targets.conformance.tolerances import UNDECIDED_SHARE, DriverRow
+from burnish.targets.conformance.tolerances import UNDECIDED_SHARE, Tolerance
 
 HEIGHT, WIDTH = 4, 50
 CLEAR = -8.0
-TOLERANCE = DriverRow(0.01, 0.1, "for tests", functions={"sin": 0.5, "cos": 0.25})
+TOLERANCE = Tolerance(0.01, 0.1, "for tests", functions={"sin": 0.5, "cos": 0.25})
 NOWHERE = np.zeros((HEIGHT, WIDTH), dtype=np.bool_)
 
 Floats = NDArray[np.float64]

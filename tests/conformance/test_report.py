@@ -13,7 +13,7 @@ from burnish.targets.conformance.compare import compare
 from burnish.targets.conformance.report import as_json, page
 from burnish.targets.conformance.rows import Result, Row
 from burnish.targets.conformance.summary import cells, counted, details
-from burnish.targets.conformance.tolerances import DriverRow
+from burnish.targets.conformance.tolerances import Tolerance
 from burnish.targets.runner.drivers.draw import Device
 from burnish.targets.runner.routes import ROUTES
 
@@ -32,7 +32,7 @@ def _result(case: str, value: float = 1.0, undecided: int = 0) -> Result:
     unsure.flat[:undecided] = True
     covered = np.ones(SIZE, dtype=np.bool_)
     expected = Expected((wanted,), covered, unsure, (np.zeros_like(wanted),))
-    comparison = compare((got,), expected, DriverRow(0.01, 0.0, "for tests"), [0.0])
+    comparison = compare((got,), expected, Tolerance(0.01, 0.0, "for tests"), [0.0])
     return Result(case, comparison, (got,), expected)
 
 
