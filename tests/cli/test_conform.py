@@ -146,7 +146,7 @@ def test_what_proves_nothing_is_no_pass(text: str, reason: str) -> None:
 
 def test_a_driver_that_breaks_down(monkeypatch: pytest.MonkeyPatch) -> None:
     worker = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
-    monkeypatch.setattr(routes.Tolerance, "command", lambda *_: worker)
+    monkeypatch.setattr(routes.DriverRow, "command", lambda *_: worker)
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
     assert result.exit_code == 1
     assert "\n  llvmpipe:gl330  failed\n" in result.stdout
