@@ -41,7 +41,7 @@ def measure() -> Iterator[Section]:
 
 
 def _row(what: str, taken: float, limit: float) -> Row:
-    return {"what": what, "s": round(taken, 2), f"at most {limit:g}": taken <= limit}
+    return {"what": what, "s": round(taken, 2), "at most": limit, "within": taken <= limit}
 
 
 def _seconds(cache: Path, *arguments: str) -> float:
