@@ -9,9 +9,7 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.ir.node import reachable
 from ...compiler.reference.picture import Expected, RasterRules
-from ...compiler.semantics.shader import Shader
 from ...frozen import changed
 from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
@@ -49,14 +47,13 @@ class Plan:
         self._store = store
         plain = tuple(changed(target, blend="none") for target in subject.shader.targets)
         self._unblended = replace(subject.shader, targets=plain)
-        self._at_vertices = called_at_vertices(subject.shader)
         self._formats = [row["format"] for row in subject.reflection["targets"]]
 
     def compared(
         self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
     ) -> Iterator[Result]:
         """A result for each case of a series, whose pictures a route has drawn."""
-        driver = DRIVERS[route.driver].with_functions(self._at_vertices)
+        driver = DRIVERS[route.driver]
         for case, picture in zip(series.cases, pictures, strict=True):
             expected = self._wanted(case.shot, rules_of(case.shot, device, driver), series.exact)
             got = arrays(picture)
@@ -75,15 +72,6 @@ class Plan:
                 shader = self._unblended if exact else self.subject.shader
                 self._expected[key] = remembered(shader, shot, rules, self._store)
             return self._expected[key]
-
-
-def called_at_vertices(shader: Shader) -> frozenset[str]:
-    """The builtins that a shader calls in the vertex stage."""
-    roots = [target.value for target in shader.targets]
-    everything = reachable([*roots, *([shader.discard] if shader.discard else ())])
-    crossing = [node.operands[0] for node in everything if node.op == "interpolate"]
-    nodes = reachable([shader.clip_position, *crossing])
-    return frozenset(str(node.data) for node in nodes if node.op == "call")
 
 
 def rules_of(shot: Shot, device: Device, driver: Tolerance) -> RasterRules:

@@ -6,7 +6,7 @@ radius is the reference's own, for what a device may round on the way.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 
@@ -19,7 +19,7 @@ class Tolerance:
     reason: str
     """Why these two are what they are."""
     functions: Mapping[str, float] = field(default_factory=dict)
-    """Builtins that are further off, and what each adds to ``absolute`` where it is called."""
+    """Builtins that are off by more than rounding, and by how much."""
     interpolates_snapped: bool = False
     """Whether attributes go by the snapped places of vertices, as coverage does everywhere."""
     clips_sides: bool = False
@@ -35,11 +35,6 @@ class Tolerance:
     mip_bits: int = 8
     """Of the level of detail, likewise."""
 
-    def with_functions(self, called: Collection[str]) -> Tolerance:
-        """The row for a material that calls these builtins."""
-        extra = max((self.functions.get(name, 0.0) for name in called), default=0.0)
-        return replace(self, absolute=self.absolute + extra)
-
 
 _LLVM = Tolerance(
     1e-5,
@@ -47,6 +42,7 @@ _LLVM = Tolerance(
     "float32 arithmetic, and functions close to exact",
     # Mesa's polynomial for the arc sine; WGSL and Vulkan allow more, by way of atan2.
     functions={"asin": 3e-4, "acos": 3e-4},
+    clips_sides=True,
     edge_slack=2.0**-11,
     mip_bits=4,
 )

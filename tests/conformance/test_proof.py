@@ -16,6 +16,13 @@ SOUND = {
     "cancelled digits": (
         "material M { param far : float = 3000  color = vec3((uv.x + far) - far) }"
     ),
+    "functions at the vertices": (
+        "material M { wave = @vertex sin(9 * uv.x)  color = vec3(100 * wave * wave, wave, 0) }"
+    ),
+    "highlights at the vertices": (
+        "import std.terms.{phong}\n"
+        "material M { shine = @vertex phong(vec3(1), 400)  color = shine }"
+    ),
     "high frequencies": "material M { alpha = length(fract(uv * 12) - 0.5) }",
     "blended halves": (
         "material M { param k : float = 300 }\n"

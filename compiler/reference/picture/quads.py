@@ -62,14 +62,14 @@ class Barycentric:
         self._whole = bool(faces.whole[quads.face].all())
         self._weights = faces.weights[quads.face]
 
-    def perspective(self, values: Lanes, ways: Variants, first: int) -> Lanes:
+    def perspective(self, values: Lanes, off: Lanes | None, ways: Variants, number: int) -> Lanes:
         """Values at the vertices (lanes; arrays or single numbers), as seen in perspective.
 
-        With a leading axis of variants where those move what is interpolated; ``first`` is any
-        number by which crossings differ.
+        With a leading axis of variants where those move what is interpolated, or, by ``off``, what
+        the vertices have. ``number`` is any by which crossings differ.
         """
         return tuple(
-            self._crossed(lane, ways, first + i) if np.ndim(lane) else lane
+            self._crossed(lane, off[i] if off else 0.0, ways, number + i) if np.ndim(lane) else lane
             for i, lane in enumerate(values)
         )
 
@@ -78,17 +78,23 @@ class Barycentric:
         first = self._faces.corners[self._face, 0]
         return tuple(lane[first][:, None, None] if np.ndim(lane) else lane for lane in values)
 
-    def _crossed(self, lane: Lane, ways: Variants, number: int) -> Floats:
+    def _crossed(self, lane: Lane, off: Lane, ways: Variants, number: int) -> Floats:
         corners = lane[self._faces.corners[self._face]].astype(np.float64)
         # Of the whole triangle, as what is cut off of it decides how its planes are rounded.
         largest = np.abs(corners).max(axis=1)[:, None, None]
+        mixed = self._interpolated(corners)
+        if len(ways) > 1 and np.ndim(off):
+            moved = self._interpolated(off[self._faces.corners[self._face]])
+            mixed = mixed + moved * (ways.rounding > 0)[:, None, None, None]
+        if ways.nudge.any():
+            mixed = mixed + self._nudges(ways, number) * largest
+        return mixed
+
+    def _interpolated(self, corners: Floats) -> Floats:
+        """What the corners of whole triangles (quads, 3) have, at each lane."""
         if not self._whole:
             corners = (self._weights @ corners[:, :, None])[:, :, 0]
-        mixed = self._mixed(corners.T, self._perspective)
-        if not ways.nudge.any():
-            return mixed
-        nudged: Floats = mixed + self._nudges(ways, number) * largest
-        return nudged
+        return self._mixed(corners.T, self._perspective)
 
     def _nudges(self, ways: Variants, number: int) -> Floats:
         """By how much each variant is off, (variants, 1, side, side)."""

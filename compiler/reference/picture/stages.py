@@ -33,6 +33,8 @@ class Vertices:
     """(vertices, 4) in clip space."""
     crossings: Mapping[int, Lanes]
     """By the id of the ``interpolate`` node: lanes of length (vertices,), or single numbers."""
+    off: Mapping[int, Lanes]
+    """Likewise, by how much rounding may move them; empty where operations are exact."""
     undecided: Bools
     """(vertices,)."""
 
@@ -63,6 +65,7 @@ class Stages:
         self._targets = tuple(target.value for target in shader.targets)
         self._discard = shader.discard
         self._functions = dict(rules.functions)
+        self._relative = 0.0 if rules.rounding_bits is None else 2.0**-rules.rounding_bits
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "interpolate"]
         called = {str(node.data) for node in nodes if node.op in ("call", "native")}
@@ -89,7 +92,23 @@ class Stages:
         crossings = {node.id: evaluator.value(node.operands[0]) for node in self._crossings}
         lanes = Evaluator(leaves, np).value(self._position)
         positions = np.stack([np.broadcast_to(lane, (count,)) for lane in lanes], axis=-1)
-        return Vertices(positions.astype(np.float64), crossings, margins.undecided)
+        off: dict[int, Lanes] = {}
+        if self._relative:
+            rounded = Evaluator(leaves, np, self._round_alike)
+            for node in self._crossings:
+                pairs = zip(rounded.value(node.operands[0]), crossings[node.id], strict=True)
+                off[node.id] = tuple(moved - exact for moved, exact in pairs)
+        return Vertices(positions.astype(np.float64), crossings, off, margins.undecided)
+
+    def _round_alike(self, node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
+        """What an operation of the vertex stage gives, off to one side or the other."""
+        if not _rounds(node, value):
+            return value
+        relative = (-1.0) ** node.id * self._relative
+        absolute = self._functions.get(str(node.data), 0.0)
+        return tuple(
+            lane + (np.abs(lane) * relative + absolute) if np.ndim(lane) else lane for lane in value
+        )
 
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
         """The fragment stage in quads; ``front`` says which of them face the eye."""
@@ -105,7 +124,8 @@ class Stages:
                 values = vertices.crossings[node.id]
                 if node.data == "flat":
                     return place.flat(values)
-                return place.perspective(values, self.ways, first=self._crossings.index(node))
+                number = self._crossings.index(node)
+                return place.perspective(values, vertices.off.get(node.id), self.ways, number)
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return inputs[str(node.data)] if node.op == "input" else self._parameter(node)
@@ -127,9 +147,7 @@ class Stages:
 
     def _rounded(self, node: Node, value: Lanes, margins: Margins, turns: Iterator[int]) -> Lanes:
         """What an operation gives under every variant: off to one side or the other."""
-        if node.op not in ("call", "native") or scalar_kind(node.type) != "float":
-            return value
-        if isinstance(value[0], tuple) or node.data in _NOT_ROUNDED or len(self.ways) == 1:
+        if len(self.ways) == 1 or not _rounds(node, value):
             return value
         relative = (-1.0) ** node.id * self.ways.rounding
         absolute = np.zeros(len(self.ways))
@@ -154,6 +172,13 @@ class Stages:
         if name not in self.values:
             raise ValueError(f"The parameter `{name}` has no value.")
         return self.values[name]
+
+
+def _rounds(node: Node, value: Lanes) -> bool:
+    """Whether a value is what rounding has left of an operation's exact result."""
+    if node.op not in ("call", "native") or node.data in _NOT_ROUNDED:
+        return False
+    return scalar_kind(node.type) == "float" and not isinstance(value[0], tuple)
 
 
 def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
