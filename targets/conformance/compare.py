@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.reference.picture import Expected
-from .tolerances import UNDECIDED_FEW, UNDECIDED_SHARE, Tolerance
+from .tolerances import TOGETHER, UNDECIDED_FEW, UNDECIDED_SHARE, Tolerance
 
 Floats = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ def compare(
     decided = ~expected.undecided
     allowed = np.stack(
         [
-            tolerance.absolute + tolerance.relative * np.abs(e) + r + step
+            tolerance.absolute + tolerance.relative * np.abs(e) + TOGETHER * r + step
             for e, r, step in zip(expected.targets, expected.radius, steps, strict=True)
         ]
     )

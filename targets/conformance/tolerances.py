@@ -1,7 +1,7 @@
 """How far a driver's picture may lie from the reference: one row for each, with its reason.
 
-A pixel agrees if ``|got - expected| <= absolute + relative * |expected| + radius``, where the
-radius is the reference's own, for what a device may round on the way.
+A pixel agrees if ``|got - expected| <= absolute + relative * |expected| + 1.25 * radius``, where
+the radius is the reference's own, for what a device may round on the way.
 """
 
 from __future__ import annotations
@@ -68,6 +68,10 @@ DRIVERS: Mapping[str, Tolerance] = {
     "webgl2": _WEBGL,
 }
 """By a route's driver."""
+
+TOGETHER = 1.25
+"""The radius is the sum of what a device's choices change one by one; together they may change so
+many times as much."""
 
 UNDECIDED_SHARE = 0.03
 """More undecided pixels than this part of the picture prove too little to be a pass."""

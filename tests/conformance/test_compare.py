@@ -66,7 +66,7 @@ def test_the_tolerance_is_a_sum(value: float, radius: float, step: float, agrees
     assert found.agrees is agrees
     assert found.wrong == (not agrees)
     assert found.max_difference == pytest.approx(abs(value - 1))
-    assert found.excess == pytest.approx(abs(value - 1) / (0.11 + radius + step))
+    assert found.excess == pytest.approx(abs(value - 1) / (0.11 + 1.25 * radius + step))
 
 
 def test_one_wrong_lane_of_one_pixel_is_found() -> None:

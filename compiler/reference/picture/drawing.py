@@ -16,8 +16,6 @@ from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stages import Stages, Vertices
 
-_TOGETHER = 1.25
-"""A device's choices are varied one by one; together they may move a value by more than the sum."""
 _LANES = 1 << 14
 """Pixels that are shaded at once: few enough for their values to stay in the cache."""
 
@@ -128,8 +126,8 @@ class _Drawing:
         )
 
     def _radius(self, target: Floats) -> Floats:
-        """How far a device's choices may move each lane: what each of them may, and some more."""
+        """How far a device's choices may move each lane: the sum of what each of them may."""
         kinds = self._stages.ways.kind
         distance = np.abs(target - target[0])
         parts = [distance[kinds == kind].max(axis=0) for kind in np.unique(kinds)]
-        return np.asarray(_TOGETHER * sum(parts))
+        return np.asarray(sum(parts))
