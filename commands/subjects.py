@@ -94,8 +94,8 @@ def _shot(material: CompiledMaterial, request: Request) -> Shot:
 
 def _mesh(reflection: Mapping[str, Any], name: str, eye: Sequence[float]) -> Mesh:
     """The mesh of that name with all that the material reads, ordered for blending if it blends."""
-    from ..targets.conformance.sample import with_inputs
     from ..targets.runner.meshes import farthest_first, mesh
+    from ..targets.runner.scene import with_inputs
 
     plain = mesh(name)
     whole = with_inputs(reflection, plain)

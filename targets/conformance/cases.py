@@ -16,9 +16,9 @@ import numpy as np
 
 from ..runner.instances.instance import Instance
 from ..runner.meshes import Mesh, cube, plane, sphere, torus
-from ..runner.scene import Scene
+from ..runner.scene import Scene, with_inputs
 from ..runner.shots import Color, Shot, take
-from .sample import sample_textures, sample_values, with_inputs
+from .sample import sample_textures, sample_values
 
 SIZE = (72, 56)
 """Not square, so that an exchange of x and y shows."""

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 import random
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -15,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runner.instances.instance import Instance
-from ..runner.meshes import Mesh
 from ..runner.scene import scene_names
 from ..runner.textures.texture import Texture
 
@@ -54,22 +52,6 @@ def sample_textures(instance: Instance, seed: int) -> None:
         if row["default"] == "flat_normal":
             lanes = np.array([0.5, 0.5, 0.9, 0.5]) + (lanes - 0.5) * [0.5, 0.5, 0.2, 1.0]
         instance.set(row["name"], Texture.of_array(np.rint(lanes * 255).astype(np.uint8)))
-
-
-def with_inputs(reflection: Mapping[str, Any], mesh: Mesh) -> Mesh:
-    """``mesh`` with a smooth pattern for each vertex input of the shader that it does not have."""
-    roles = scene_names()["attributes"]
-    position = mesh.channels["position"]
-    channels = dict(mesh.channels)
-    for row in reflection["vertex_inputs"]:
-        name = row["name"]
-        channel = channels.get(name, channels.get(roles.get(name, name)))
-        fits = channel is not None and (channel.dtype.kind == "f") == (
-            row["representation"][0] not in "iu"
-        )
-        if not fits:
-            channels[name] = _pattern(row, position)
-    return Mesh(channels, mesh.triangles)
 
 
 def _set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
@@ -170,17 +152,3 @@ def _waves(chance: random.Random, size: tuple[int, int]) -> NDArray[np.float64]:
         slope = 0.15 * (x * chance.uniform(-1, 1) + y * chance.uniform(-1, 1))
         lanes.append(0.5 + 0.3 * np.sin(2 * np.pi * (across * x + down * y) + phase) + slope)
     return np.stack(lanes, 2)
-
-
-def _pattern(row: Mapping[str, Any], position: NDArray[np.float64]) -> NDArray[Any]:
-    representation = row["representation"]
-    lanes = int(representation[-1]) if representation[-1].isdigit() else 1
-    number = int(re.sub(r"\D", "", representation) or 1)
-    waves = [
-        0.5 + 0.4 * np.sin(position @ [1.3 + lane, 0.7 * number, 2.1 - lane] + len(row["name"]))
-        for lane in range(lanes)
-    ]
-    values = np.stack(waves, 1)
-    if representation[0] in "iu":
-        return np.floor(8 * values).astype(np.int64)
-    return values.astype(np.float32).astype(float)

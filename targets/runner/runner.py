@@ -9,9 +9,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from threading import Lock
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
+from ..closing import Closing
 from ..toolchain.workers import Pool, Worker
 from .drivers.draw import Device, DriverError, Job, Picture
 from .drivers.wire import from_json, to_json
@@ -25,7 +25,7 @@ TIME_LIMIT = 120.0
 """Seconds that one job may take, the start of its driver included."""
 
 
-class Runner:
+class Runner(Closing):
     """Owns the drivers' workers; a context manager, for many jobs and many threads."""
 
     def __init__(
@@ -47,17 +47,6 @@ class Runner:
         self._pools = {row.name: self._pool(row, count) for row in DRIVERS.values()}
         self._devices: dict[str, Device | DriverError] = {}
         self._locks = {name: Lock() for name in DRIVERS}
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """Ends all workers."""

@@ -7,6 +7,7 @@ right-handed with y up; clip space has z from 0 to w.
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -130,6 +131,36 @@ def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[
             )
         found[row["name"]] = _with_lanes(row, values)
     return found
+
+
+def with_inputs(reflection: Mapping[str, Any], mesh: Mesh) -> Mesh:
+    """``mesh`` with a smooth pattern for each vertex input of the shader that it does not have."""
+    roles = scene_names()["attributes"]
+    position = mesh.channels["position"]
+    channels = dict(mesh.channels)
+    for row in reflection["vertex_inputs"]:
+        name = row["name"]
+        channel = channels.get(name, channels.get(roles.get(name, name)))
+        fits = channel is not None and (channel.dtype.kind == "f") == (
+            row["representation"][0] not in "iu"
+        )
+        if not fits:
+            channels[name] = _pattern(row, position)
+    return Mesh(channels, mesh.triangles)
+
+
+def _pattern(row: Mapping[str, Any], position: NDArray[np.float64]) -> NDArray[Any]:
+    representation = row["representation"]
+    lanes = int(representation[-1]) if representation[-1].isdigit() else 1
+    number = int(re.sub(r"\D", "", representation) or 1)
+    waves = [
+        0.5 + 0.4 * np.sin(position @ [1.3 + lane, 0.7 * number, 2.1 - lane] + len(row["name"]))
+        for lane in range(lanes)
+    ]
+    values = np.stack(waves, 1)
+    if representation[0] in "iu":
+        return np.floor(8 * values).astype(np.int64)
+    return values.astype(np.float32).astype(float)
 
 
 _LANES = {"float": 1, "int": 1, "uint": 1}

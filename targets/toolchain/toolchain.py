@@ -7,9 +7,8 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from types import TracebackType
-from typing import Self
 
+from ..closing import Closing
 from .checkers import CHECKERS
 from .job import Job, Message, Verdict
 from .toolbox import Toolbox
@@ -17,7 +16,7 @@ from .toolbox import Toolbox
 TIME_LIMIT = 60.0
 
 
-class Toolchain:
+class Toolchain(Closing):
     """Owns the workers; use it as a context manager, and one for many calls of ``check``."""
 
     def __init__(self, *, time_limit: float = TIME_LIMIT, parallel: int | None = None) -> None:
@@ -25,17 +24,6 @@ class Toolchain:
         self._parallel = parallel or os.cpu_count() or 1
         self._toolbox = Toolbox(self._parallel, time_limit)
         self._threads = ThreadPoolExecutor(self._parallel)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """Ends all work and all workers."""

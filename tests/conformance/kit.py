@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +11,10 @@ from numpy.typing import NDArray
 import burnish
 from burnish.api import CompiledMaterial
 from burnish.compiler.reference.picture import RasterRules
+from burnish.targets.closing import Closing
 from burnish.targets.runner.codes import Request, compile_all, compile_one
 from burnish.targets.runner.drivers.draw import Cull, Job
+from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
@@ -28,22 +29,15 @@ REFERENCE = "reference"
 PROFILES = tuple(sorted({route.profile for route in ROUTES.values()}))
 
 
-class Studio:
+class Studio(Closing):
     """Draws, with workers that all tests share."""
 
     def __init__(self) -> None:
         self.runner = Runner(ROUTES.values())
         self.toolchain = Toolchain()
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
+        """Ends all workers."""
         self.runner.close()
         self.toolchain.close()
 
@@ -74,10 +68,7 @@ class Studio:
         codes = compile_one(route, material.files, self.toolchain)
         made = pipeline(material.reflection, route, codes, exact=True, cull=cull)
         (picture,) = self.runner.draw(route, Job(made, (shot.draw(),)))
-        return tuple(
-            np.frombuffer(data, "<f4").reshape(shot.height, shot.width, 4).astype(np.float64)
-            for data in picture.targets
-        )
+        return arrays(picture)
 
 
 def compiled(source: str | Path, **options: Any) -> CompiledMaterial:

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.targets.conformance.sample import sample_textures, sample_values, with_inputs
+from burnish.targets.conformance.sample import sample_textures, sample_values
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import sphere
-from burnish.targets.runner.scene import Scene, scene_names
+from burnish.targets.runner.scene import Scene, scene_names, with_inputs
 
 from ..examples.kit import VARIANTS, Variant
 

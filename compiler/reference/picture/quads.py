@@ -9,8 +9,8 @@ import numpy as np
 from ..namespace import Lane, Lanes
 from .coverage import Fragments
 from .faces import Faces
-from .sampler import Variants
 from .scene import Floats, Ints
+from .variants import Variants
 
 
 @dataclass(frozen=True, slots=True)

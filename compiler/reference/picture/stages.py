@@ -17,8 +17,9 @@ from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
 from .margins import EXACT, Margins
 from .quads import Barycentric
-from .sampler import Image, Reader, Variants, variants
+from .sampler import Image, Reader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
+from .variants import Variants, variants
 
 _COMPARES_NEIGHBOURS = ("sample", "ddx", "ddy")
 _NOT_ROUNDED = EXACT | {"neg", "abs", "min", "max", "clamp", "saturate", *_COMPARES_NEIGHBOURS}

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from types import TracebackType
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING
 
+from ....closing import Closing
 from ..draw import Device, DriverError, Job, Picture
 
 if TYPE_CHECKING:
     from .device import Gpu
 
 
-class VulkanDriver:
+class VulkanDriver(Closing):
     """Draws with the driver announced by a file; a context manager.
 
     Which driver Vulkan's loader takes depends on the environment of the process, in which
@@ -27,17 +27,6 @@ class VulkanDriver:
         self._seconds = seconds
         self._owned = ExitStack()
         self._gpu: Gpu | None = None
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """Destroys all; raises ``DriverError`` if the validation layer objects to how."""

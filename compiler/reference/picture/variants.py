@@ -1,0 +1,81 @@
+"""The ways in which a device may draw, within the bits that it is granted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from .scene import Floats, Ints
+
+
+@dataclass(frozen=True, slots=True)
+class Variants:
+    """How a read may be done; arrays have one element for each variant."""
+
+    across: Floats
+    """Texels by which a linear filter is shifted to the right."""
+    down: Floats
+    row: Ints
+    """Which row of the quad derivatives along x are taken from; -1: the texture's from the upper
+    one, a pixel's from its own."""
+    column: Ints
+    """Likewise along y: the left column, or the pixel's own."""
+    level: Floats
+    """What is added to the level of detail."""
+    nudge: Floats
+    """By how much interpolated values are off, relative to the largest of their corners."""
+    checkered: Ints
+    """1: to the other side in every other pixel and lane."""
+    rounding: Floats
+    """By how much operations are off, relative to what they give."""
+    period: Ints
+    """After how many calls the functions that are off by more change sides; 0: they are exact."""
+    kind: Ints
+    """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level;
+    5 and 6 what is interpolated, everything alike and checkered; 7 what operations give; 8 to 10
+    what functions give, with three periods."""
+    order: Floats
+    """Of the norm that makes a length of the derivatives: 2; any between the largest lane
+    (infinity) and the sum (1) is allowed."""
+
+    def __len__(self) -> int:
+        return len(self.across)
+
+
+_EXACT = Variants(*(np.array([value]) for value in (0.0, 0.0, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0)))
+
+
+def variants(
+    subtexel_bits: int | None,
+    mip_bits: int | None,
+    varying_bits: int | None,
+    rounding_bits: int | None,
+    functions: bool,
+) -> Variants:
+    """The exact way and, where a device's bits matter, those at their limits."""
+    found = [_EXACT]
+
+    def add(kind: int, **changes: float) -> None:
+        new = {name: np.array([value]) for name, value in changes.items()}
+        found.append(replace(_EXACT, kind=np.array([kind]), **new))
+
+    if subtexel_bits is not None:
+        for step in (-(2.0**-subtexel_bits), 2.0**-subtexel_bits):
+            add(1, across=step)
+            add(2, down=step)
+    if mip_bits is not None:
+        for row, column in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            add(3, row=row, column=column)
+        add(4, level=-(2.0**-mip_bits), order=np.inf)
+        add(4, level=2.0**-mip_bits, order=1.0)
+    if varying_bits is not None:
+        add(5, nudge=2.0**-varying_bits)
+        add(6, nudge=2.0**-varying_bits, checkered=1)
+    if rounding_bits is not None:
+        add(7, rounding=2.0**-rounding_bits)
+    if functions:
+        for kind, period in ((8, 1 << 30), (9, 1), (10, 2)):
+            add(kind, period=period)
+    names = [field.name for field in fields(Variants)]
+    return Variants(*(np.concatenate([getattr(one, name) for one in found]) for name in names))
