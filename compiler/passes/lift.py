@@ -12,7 +12,7 @@ from ..ir.node import Formal, Formals, Graph, Node
 from ..semantics.shader import Notes
 from .naming import Naming
 from .rewrite import rewrite
-from .schedule import free_formals, operands_of, visible
+from .schedule import operands_of, visible
 
 GLOBALS = frozenset({"constant", "parameter", "resource"})
 
@@ -58,14 +58,15 @@ class _Lifting:
 
 def _captured(body: Node) -> tuple[Node, ...]:
     """The largest parts of a body that depend on none of its variables and are not at hand."""
-    nodes = visible((body,))
-    variables = free_formals(nodes)
     found: dict[int, Node] = {}
-    for node in nodes:
-        if variables[node.id]:
+    for node in visible((body,)):
+        if node.variables:
             for operand in operands_of(node):
-                if not variables[operand.id] and not _global(operand):
-                    found[operand.id] = operand
+                # An array is put together where it is indexed, from elements that are passed on.
+                parts = operand.operands if operand.op == "array" else (operand,)
+                for part in parts:
+                    if not part.variables and not _global(part):
+                        found[part.id] = part
     return tuple(found.values())
 
 
