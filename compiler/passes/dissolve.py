@@ -86,7 +86,8 @@ class _Dissolving:
             second = yield self._element(otherwise, position)
             return self._chosen(condition, first, second)
         if _in_made_array(source):
-            found: Node = yield self._of_nested(*source.operands, position)
+            rows, row = source.operands
+            found: Node = yield self._of_nested(rows, row, position)
             return found
         return build.index(self._graph, source, position)
 

@@ -116,10 +116,11 @@ class Scheduler:
                     optional.add(operand.id)
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
-        inside = bodies_of(user) if user.id in self._loops else ()
-        if position in inside:
+        inside = bodies_of(user)
+        if user.id in self._loops and position in inside:
             # Of a fold the whole body; of a loop with states first what says whether to stop.
-            return self._loops[user.id][position > inside[0]]
+            head, tail = self._loops[user.id]
+            return head if position == inside.start else tail
         if user.id in self._sides and position > 0:
             return self._sides[user.id][position - 1]
         return home

@@ -7,13 +7,27 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir.node import Node, reachable
-from ..ir.types import Matrix
+from ..ir.types import Scalar
 from ..reference.evaluate import NotConstantError, evaluate
 from ..reference.namespace import Lanes
 from .scope import Failure
 from .shader import Lanes as Value
 
-_OPERATIONS = frozenset({"constant", "call", "vector", "splat", "matrix", "swizzle", "select"})
+_OPERATIONS = frozenset(
+    {
+        "constant",
+        "call",
+        "vector",
+        "splat",
+        "matrix",
+        "swizzle",
+        "select",
+        "struct",
+        "array",
+        "member",
+        "index",
+    }
+)
 
 
 class ConstantValues:
@@ -45,7 +59,7 @@ class ConstantValues:
         lanes = None if isinstance(node, Failure) else self.lanes(node, span)
         if lanes is None or isinstance(node, Failure):
             return None
-        return lanes[0] if len(lanes) == 1 and not isinstance(node.type, Matrix) else lanes
+        return lanes[0] if isinstance(node.type, Scalar) else lanes
 
     def known_integer(self, node: Node) -> int | None:
         """The value of an ``int`` where it is one, and nothing is reported if not."""
