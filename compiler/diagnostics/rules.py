@@ -332,7 +332,7 @@ UNBOUNDED_LOOP = _error(
 NO_INITIAL = _error(
     "B0383",
     "`{word}` of nothing has no value",
-    "There may be no term at all, so say what the result is then: `{word} i in a..b from x : e`.",
+    "There may be no term at all, so say what the result is then: `min i in a..b from x : e`.",
 )
 STATE_CHANGES = _error(
     "B0384",
@@ -353,14 +353,14 @@ READ_IN_LOOP = _error(
 CROSSING_IN_LOOP = _error(
     "B0387",
     "what changes from turn to turn cannot cross from the vertices",
-    "Every turn's value would need a varying of its own. That is done for folds of at most {most} "
+    "Every turn's value would need a varying of its own. That is done for folds of at most 16 "
     "turns whose bounds are constants; else put `@vertex` around the whole loop.",
 )
 CROSSING_PER_LIGHT = _error(
     "B0388",
     "what differs from light to light cannot cross from the vertices one by one",
     "Put `@vertex` around the call of the term, so that the sum over the lights crosses: "
-    "`@vertex {name}(…)`.",
+    "`@vertex shaded(…)`.",
 )
 
 # --- B04: values and meaning ---------------------------------------------------------------------

@@ -130,10 +130,11 @@ def _count(
     facts = low.ranges.of(first), low.ranges.of(end)
     bound = min(facts[1].hi - facts[0].lo, most if written.most is not None else float("inf"))
     if bound > LONGEST:
-        low.report.add(
-            rules.UNBOUNDED_LOOP, written.end.span,
-            hint="give the parameter a range, `in 0..16`, or write `up to 16` behind the bounds",
-        )  # fmt: skip
+        way = "write `up to 16` behind the bounds"
+        if not written.variable.text:
+            way = "write `for i in 0..n up to 16`"
+        hint = f"give the parameter a range, `in 0..16`, or {way}"
+        low.report.add(rules.UNBOUNDED_LOOP, written.end.span, hint=hint)
         return None
     count = end
     if known[0] != 0:
@@ -373,9 +374,7 @@ def _allowed(
     inside = list(changing(bodies, formals))
     crossing = next((node for node in inside if node.op == "interpolate"), None)
     if crossing is not None and (states or not turns.known or turns.bound > CROSSING_TURNS):
-        low.report.add(
-            rules.CROSSING_IN_LOOP, low.notes.spans.get(crossing.id, span), most=CROSSING_TURNS
-        )
+        low.report.add(rules.CROSSING_IN_LOOP, low.notes.spans.get(crossing.id, span))
         return False
     read = next((node for node in inside if _compares_neighbours(node)), None)
     if read is None or not (waits or _varies(turns.count)):

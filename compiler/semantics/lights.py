@@ -100,7 +100,7 @@ def _shared_body(
     for node in changing((body,), set(formals)):
         if node.op == "interpolate":
             where = low.notes.spans.get(node.id, function.body.span)
-            low.report.add(rules.CROSSING_PER_LIGHT, where, name=symbol.name)
+            low.report.add(rules.CROSSING_PER_LIGHT, where)
             return FAILURE
     closed = close(low.graph, body, formals, low.notes.follow)
     low.notes.functions.setdefault(closed.id, symbol.name)
