@@ -14,6 +14,8 @@ from ..ir import build
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
 from ..ir.types import INT, Scalar, Struct, Type, Vector, scalar_kind, width
+from ..reference.evaluate import evaluate
+from ..reference.namespace import Lanes
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
@@ -27,6 +29,11 @@ UNROLLED = 2
 MOST_UNROLLED = 4
 """Up to so many, if they come to no more than this many operations:"""
 UNROLLED_COST = 12
+LONGEST_FIXED = 4096
+"""Loops of constants are computed when compiling if they come to no more operations."""
+_COMPUTED = frozenset(
+    {"constant", "call", "vector", "splat", "matrix", "swizzle", "index", "array", "select"}
+)
 NEUTRAL: Mapping[str, float | bool] = {"add": 0, "mul": 1, "and": True, "or": False}
 """What changes nothing, term by term."""
 
@@ -89,6 +96,11 @@ def _folded(s: Simplifier, type_: Type, operands: tuple[Node, ...], name: str) -
         s.graph.node("call", type_, operands, name),
         [constant_lanes(operand.type, operand.data) for operand in operands],
     )
+    return _representable(s, type_, lanes)
+
+
+def _representable(s: Simplifier, type_: Type, lanes: Lanes) -> Node | None:
+    """A constant, where float32 can hold it."""
     if any(isinstance(v, float) and not (isfinite(v) and abs(v) <= LARGEST_FLOAT) for v in lanes):
         return None
     return build.constant(s.graph, type_, lanes[0] if isinstance(type_, Scalar) else tuple(lanes))
@@ -217,7 +229,11 @@ def _fold(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable
     turns = _turns(count, data.bound)
     if turns == 0 or (body.op == "constant" and uniform_lane(body) == NEUTRAL.get(data.operator)):
         return start
-    if turns is None or not _worth_unrolling(turns, (body,), {data.index}):
+    if turns is None:
+        return None
+    if start.op == "constant" and _is_fixed(turns, (body,), {data.index}):
+        return _evaluated(s, s.graph.node("fold", type_, operands, data))
+    if not _worth_unrolling(turns, (body,), {data.index}):
         return None
     result = start
     for i in range(turns):
@@ -257,6 +273,27 @@ def _turns(count: Node, bound: int) -> int | None:
     if count.op != "constant" or not isinstance(count.data, int):
         return None
     return max(min(count.data, bound), 0)
+
+
+def _is_fixed(turns: int, bodies: Iterable[Node], formals: set[Formal]) -> bool:
+    """Whether a loop computes with constants and its own variables, and not for too long."""
+    seen: set[int] = set()
+    pending = list(bodies)
+    while pending:
+        node = pending.pop()
+        if node.id in seen:
+            continue
+        seen.add(node.id)
+        own = node.op == "formal" and node.data in formals
+        if not (own or node.op in _COMPUTED) or len(seen) * turns > LONGEST_FIXED:
+            return False
+        pending += node.operands
+    return True
+
+
+def _evaluated(s: Simplifier, loop: Node) -> Node | None:
+    """The value of a loop of constants, where float32 can hold it."""
+    return _representable(s, loop.type, evaluate(loop))
 
 
 def _worth_unrolling(turns: int, bodies: Iterable[Node], formals: set[Formal]) -> bool:
