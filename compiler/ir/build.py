@@ -144,12 +144,12 @@ def iterate(
     data: Iterating,
     count: Node,
     starts: tuple[Node, ...],
-    stop: Node,
+    going: Node,
     nexts: tuple[Node, ...],
 ) -> Node:
-    """A loop over states; ``stop`` and ``nexts`` stand under its binder."""
+    """A loop over states; ``going`` and ``nexts`` stand under its binder."""
     type_ = states_type([start.type for start in starts])
-    return graph.node("iterate", type_, (count, *starts, stop, *nexts), data)
+    return graph.node("iterate", type_, (count, *starts, going, *nexts), data)
 
 
 def state(graph: Graph, loop: Node, position: int) -> Node:

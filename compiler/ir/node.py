@@ -33,7 +33,7 @@ Op = Literal[
     "select",  # (condition, then, otherwise); data: "branch" where both must not be computed
     "interpolate",  # data: mode; the operand lives in the vertex domain
     "fold",  # data: Folding; (count, start, body); the body's bound 0 is the index
-    "iterate",  # data: Iterating; (count, *starts, stop, *nexts); bound 0 is the turn, then states
+    "iterate",  # data: Iterating; (count, *starts, going, *nexts); bound 0: the turn, then states
     "apply",  # data: Formals once opened; (body, *arguments); the body's bound i is argument i
     "bound",  # data: de Bruijn index
     "formal",  # data: Formal, a binder that has been opened
@@ -65,7 +65,7 @@ class Folding:
 
 @frozen
 class Iterating:
-    """A loop that takes its states from one turn to the next, until ``stop`` or the last turn.
+    """A loop that takes its states from one turn to the next, while ``going``, up to the last turn.
 
     With one state the node has that state's type; with several, that of ``states_type``, whose
     members are the states.

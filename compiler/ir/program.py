@@ -129,8 +129,8 @@ class Iterate:
     """In the order in which a turn sets them; ``positions`` are those in ``node``."""
     positions: tuple[int, ...]
     head: Region
-    """What it takes to know whether to stop."""
-    stop: Node
+    """What it takes to know whether to go on."""
+    going: Node
     body: Region
 
 

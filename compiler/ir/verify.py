@@ -265,8 +265,8 @@ def _iterate(node: Node) -> Type | None:
     if not isinstance(data, Iterating) or len(node.operands) != 2 + 2 * data.states:
         return None
     count, *states = (operand.type for operand in node.operands)
-    starts, stop, nexts = states[: data.states], states[data.states], states[data.states + 1 :]
-    fits = count == INT and stop == BOOL and starts == nexts
+    starts, going, nexts = states[: data.states], states[data.states], states[data.states + 1 :]
+    fits = count == INT and going == BOOL and starts == nexts
     plain = all(isinstance(type_, Scalar | Vector | Matrix) for type_ in starts)
     return states_type(starts) if fits and plain else None
 

@@ -59,7 +59,7 @@ class Scheduler:
         self._home: dict[int, _Block] = {}
         self._uses: dict[int, int] = {}
         self._loops: dict[int, tuple[_Block, _Block]] = {}
-        """What comes before the decision to stop, and what behind; of a fold, both are one."""
+        """What comes before the decision to go on, and what behind; of a fold, both are one."""
         self._sides: dict[int, tuple[_Block, _Block]] = {}
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
@@ -118,7 +118,7 @@ class Scheduler:
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
         inside = bodies_of(user)
         if user.id in self._loops and position in inside:
-            # Of a fold the whole body; of a loop with states first what says whether to stop.
+            # Of a fold the whole body; of a loop with states first what says whether to go on.
             head, tail = self._loops[user.id]
             return head if position == inside.start else tail
         if user.id in self._sides and position > 0:

@@ -246,12 +246,12 @@ def _iterate(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hasha
     """Loops that never turn, or that turn a few times without asking whether to stop."""
     assert isinstance(data, Iterating) and data.formals is not None
     count, states = operands[0], operands[1 : 1 + data.states]
-    stop, nexts = operands[1 + data.states], operands[2 + data.states :]
+    going, nexts = operands[1 + data.states], operands[2 + data.states :]
     turns = _turns(count, data.bound)
-    stops_at_once = stop.op == "constant" and stop.data is True
+    stops_at_once = going.op == "constant" and going.data is False
     if turns == 0 or stops_at_once or (data.states == 1 and nexts[0].data is data.formals[1]):
         return _states(s, type_, states)
-    if turns is None or stop.op != "constant":
+    if turns is None or going.op != "constant":
         return None
     if not _worth_unrolling(turns, nexts, set(data.formals)):
         return None

@@ -144,12 +144,12 @@ class Evaluator:
         """Likewise: where values differ, in an array, those that have stopped keep their states."""
         assert isinstance(node.data, Iterating)
         (count,), *states = operands
-        stop, *nexts = (node.operands[i] for i in bodies_of(node))
+        going, *nexts = (node.operands[i] for i in bodies_of(node))
         goes_on: Lane = True
         for turn in range(node.data.bound):
             inner = _inner(node, frame, ((turn,), *states))
-            (stopped,) = yield self._value(stop, inner)
-            goes_on = _both(self._xp, goes_on, turn < count, self._xp.logical_not(stopped))
+            (condition,) = yield self._value(going, inner)
+            goes_on = _all(self._xp, goes_on, turn < count, condition)
             if not _anywhere(goes_on):
                 break
             following = []
@@ -160,7 +160,7 @@ class Evaluator:
         return states[0] if len(states) == 1 else tuple(states)
 
 
-def _both(xp: Namespace, *conditions: Lane) -> Lane:
+def _all(xp: Namespace, *conditions: Lane) -> Lane:
     """Whether all of them hold, as a plain bool where it is one."""
     found: Lane = True
     for condition in conditions:

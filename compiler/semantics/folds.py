@@ -268,22 +268,21 @@ def iterate(low: Lowering, e: ast.Iterate, scope: Scope) -> Step[Value]:
     ]
     whole = build.assembled(low.graph, initial.type, iter(variables))
     inner = scope.binding({e.turns.variable.text: turns.index, e.state.text: whole})
-    going_on: Node | Failure = build.constant(low.graph, BOOL, True)
+    going: Node | Failure = build.constant(low.graph, BOOL, True)
     if e.condition is not None:
-        going_on = yield low.typed(e.condition, inner, BOOL, "bool")
+        going = yield low.typed(e.condition, inner, BOOL, "bool")
     body = yield low.node(e.body, inner)
     body = _following(low, e, body, initial)
-    if isinstance(going_on, Failure) or isinstance(body, Failure):
+    if isinstance(going, Failure) or isinstance(body, Failure):
         return FAILURE
-    stop = low.graph.node("call", BOOL, (going_on,), "not")
     nexts = tuple(build.flattened(low.graph, body))
     waits = e.condition is not None
     if not _allowed(
-        low, turns, (stop, *nexts), {turns.formal, *formals}, e.span, waits=waits, states=True
+        low, turns, (going, *nexts), {turns.formal, *formals}, e.span, waits=waits, states=True
     ):
         return FAILURE
     states = list(zip(formals, variables, starts, nexts, strict=True))
-    return build.assembled(low.graph, initial.type, iter(_looped(low, turns, states, stop)))
+    return build.assembled(low.graph, initial.type, iter(_looped(low, turns, states, going)))
 
 
 def _following(
@@ -306,7 +305,7 @@ def _looped(
     low: Lowering,
     turns: _Turns,
     states: list[tuple[Formal, Node, Node, Node]],
-    stop: Node,
+    going: Node,
 ) -> list[Node]:
     """The last states of a loop; what no turn changes is no part of it."""
     graph, moved = low.graph, low.notes.follow
@@ -324,7 +323,7 @@ def _looped(
         Iterating(turns.bound, len(kept)),
         turns.count,
         tuple(start for _, _, start, _ in kept),
-        closed(stop),
+        closed(going),
         tuple(closed(following) for _, _, _, following in kept),
     )
     low.notes.variables.setdefault(loop.id, tuple(formal.name for formal in formals))

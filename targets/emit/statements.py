@@ -14,6 +14,7 @@ from .context import Context
 from .expressions import Expressions
 from .literals import literal
 from .namer import Namer
+from .precedence import Binding
 
 INDENT = "    "
 
@@ -125,13 +126,19 @@ class Statements:
         typed = self._types.declare(name, node.type)
         return self._forms.variable_set.format(name=name, typed=typed, value=value)
 
-    def _opened(self, loop: Loop | Iterate, count: str) -> str:
-        """A loop's first line; what is declared from now on is inside of it."""
+    def _opened(self, loop: Loop | Iterate, count: str, going: Node | None = None) -> str:
+        """A loop's first line; what is declared from now on is inside of it.
+
+        A condition stands there if nothing has to be computed for it before: loops with one way
+        out are what drivers know best.
+        """
         # Declared out here, since C-like languages once kept a loop's variable for what follows.
         index = self._namer.declare(loop.index.name)
         self._namer.enter()
         self._expressions.formals[loop.index] = index
         kind = loop.count.type.kind if isinstance(loop.count.type, Scalar) else "int"
+        if going is not None:
+            count += f" && {self._expressions.operand(going).within(Binding.AND)}"
         return self._forms.loop.format(
             index=index,
             index_typed=self._types.declare(index, loop.count.type),
@@ -154,7 +161,10 @@ class Statements:
         for state, name, start in zip(loop.states, names, starts, strict=True):
             yield self._variable(name, state.start, start)
             expressions.formals[state.formal] = name
-        yield self._opened(loop, count)
+        if not loop.head.statements and loop.going.op != "constant":
+            yield self._opened(loop, count, loop.going)
+        else:
+            yield self._opened(loop, count)
         yield self._step(loop, names)
         yield "}"
         self._namer.leave()
@@ -168,8 +178,9 @@ class Statements:
         expressions = self._expressions
         with self._inside():
             yield from self._region(loop.head)
-            if loop.stop.op != "constant":
-                yield f"if ({expressions.text(loop.stop)}) {{ break; }}"
+            if loop.head.statements:
+                going = expressions.operand(loop.going).within(Binding.POSTFIX)
+                yield f"if (!{going}) {{ break; }}"
             yield from self._region(loop.body)
             kept: list[tuple[str, str]] = []
             for state, name in zip(loop.states, names, strict=True):
