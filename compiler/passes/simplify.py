@@ -13,7 +13,7 @@ from ...stdlib.builtins import BUILTINS
 from ..ir import build
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
-from ..ir.types import INT, Scalar, Struct, Type, Vector, scalar_kind, width
+from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.evaluate import evaluate
 from ..reference.namespace import Lanes
 from ..reference.operations import apply, constant_lanes
@@ -188,11 +188,8 @@ def _index(s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashab
     return source.operands[position.data] if source.op in ("matrix", "array") else None
 
 
-def _member(_s: Simplifier, _type: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
-    (source,) = operands
-    if source.op != "struct" or not isinstance(source.type, Struct):
-        return None
-    return source.operands[[name for name, _ in source.type.members].index(str(data))]
+def _member(s: Simplifier, _type: Type, operands: tuple[Node, ...], data: Hashable) -> Node:
+    return build.member(s.graph, operands[0], str(data))
 
 
 def _select(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
