@@ -22,7 +22,9 @@ EMPTY: Any = MappingProxyType({})
 @overload
 def frozen(cls: type[T], /) -> type[T]: ...
 @overload
-def frozen(*, eq: bool = ..., kw_only: bool = ..., key: bool = ...) -> Callable[[type[T]], type[T]]: ...
+def frozen(
+    *, eq: bool = True, kw_only: bool = False, key: bool = False
+) -> Callable[[type[T]], type[T]]: ...
 @dataclass_transform(frozen_default=True)
 def frozen(
     cls: type[T] | None = None, /, *, eq: bool = True, kw_only: bool = False, key: bool = False
