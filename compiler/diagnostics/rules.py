@@ -377,6 +377,32 @@ UNGUARDED = _error(
     "`unguarded(x / y)` or `unguarded(sqrt(x))` means what the hardware does there.",
 )
 
+# Mixins
+
+MIXIN_AS_BASE = _error(
+    "B0430",
+    "`{name}` is a mixin and cannot be the base",
+    "A header names one base and then any number of mixins: `material Robot : Plastic + Skinned`.",
+)
+NOT_A_MIXIN = _error(
+    "B0431",
+    "`{name}` is not a mixin for a {kind}",
+    "Only mixins stand behind the `+` of a header, each with records of its own kind: "
+    "`mixin Flicker for light { … }`, and `mixin Skinned { … }` for materials.",
+)
+MIXIN_TWICE = _error(
+    "B0432",
+    "the mixin `{name}` is in already",
+    "A mixin stands once in the chain of a record and its bases.",
+)
+MIXINS_CLASH = _error(
+    "B0433",
+    "the mixins `{first}` and `{later}` of `{record}` both declare `{name}`",
+    "What two mixins declare independently of each other would become one thing by chance. One "
+    "that is meant to continue the other's says so by `inherited.name`, and one that only needs it "
+    "by the name and its type, without a value.",
+)
+
 # --- B05: stages and rates -----------------------------------------------------------------------
 
 UNKNOWN_RATE = _error(

@@ -215,11 +215,10 @@ def _defined(
     locals_ = {"material": scope.surface} if scope.surface is not None else {}
     result: Node | Failure = yield low.node(expression, scope.binding(locals_))
     record = _typing(instance, name)
-    written = record.typed(name)
-    if written is None:
+    typing = record.typing(name)
+    if typing is None or typing.member.type is None:
         return result
-    owner = next(d for d in record.definitions[name] if d.member.type is written).owner
-    wanted = declared_type(low, written, owner.module)
+    wanted = declared_type(low, typing.member.type, typing.owner.module)
     if wanted is None:
         return FAILURE
     fitted: Node | Failure = low.fit(result, wanted.type, wanted.text, expression.span)

@@ -22,7 +22,10 @@ from .overloads import WRITTEN_FAMILIES
 from .typenames import described
 from .unique import check_once
 
-Named = ast.Record | ast.Function | ast.Rig | ast.StructDeclaration | ast.Space | ast.Constant
+Named = (
+    ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
+    | ast.ExternBlock | ast.ExternMember | ast.Space | ast.Constant
+)  # fmt: skip
 
 
 @frozen(eq=False)

@@ -81,7 +81,7 @@ def _effective(record: Record, without: frozenset[str]) -> Iterator[tuple[str, D
 def _group(low: Lowering, definition: Definition, named: ast.Name | None) -> str:
     if named is None:
         declaration = definition.owner.declaration
-        assert isinstance(declaration, ast.Record)
+        assert isinstance(declaration, ast.Record | ast.Mixin)
         return DEFAULT_GROUPS[declaration.kind]
     if named.text not in STANDARD_GROUPS and (hint := suggestion(named.text, STANDARD_GROUPS)):
         low.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
