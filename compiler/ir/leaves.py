@@ -12,6 +12,9 @@ from .types import BOOL, UINT, VEC4, Type
 
 InterpolationMode = Literal["perspective", "flat"]
 
+Step = Literal["vertex", "instance"]
+"""How often a vertex input goes on to its next value."""
+
 
 @frozen
 class Parameter:
@@ -44,10 +47,11 @@ class Resource:
 
 @frozen
 class Attribute:
-    """A vertex input."""
+    """A vertex input: a number or vector, or a matrix's column (``bend.0``)."""
 
     name: str
     type: Type
+    step: Step = "vertex"
 
 
 PIPELINE_TYPES: Mapping[str, Type] = {

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Literal
 
 from ...frozen import frozen
-from .leaves import InterpolationMode, Parameter, Resource
+from .leaves import InterpolationMode, Parameter, Resource, Step
 from .node import Formal, Node
 from .types import Struct, Type
 
@@ -58,6 +58,8 @@ class Field:
     location: int
     mode: InterpolationMode = "perspective"
     doc: str = ""
+    step: Step = "vertex"
+    """Of a vertex input."""
 
 
 @frozen

@@ -152,10 +152,13 @@ def _attributes(
     roots = [results.position, *(value for varying in varyings for value in varying.values)]
     read = {node.data for node in visible(roots) if isinstance(node.data, Attribute)}
     return tuple(
-        Field(info.attribute.name, info.attribute.type, location, doc=info.doc)
+        Field(
+            info.attribute.name, info.attribute.type, location,
+            doc=info.doc, step=info.attribute.step,
+        )
         for location, info in enumerate(shader.attributes)
         if info.attribute in read
-    )
+    )  # fmt: skip
 
 
 def _stage(

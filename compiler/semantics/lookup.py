@@ -22,6 +22,7 @@ from .declared import declared_type
 from .modules import Module, Symbol
 from .records import Definition, NamedMember, Record
 from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
+from .stages import VERTEX_INPUTS
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -52,6 +53,9 @@ def value(low: Lowering, name: str, span: Span, scope: Scope) -> Step[Value]:
         return outer
     if name in INPUTS and scope.surface is not None:
         return low.graph.node("input", INPUTS[name], (), name)
+    if name in VERTEX_INPUTS and scope.surface is not None:
+        supplied = low.graph.node("input", PIPELINE_TYPES[name], (), name)
+        return low.stages.attribute(supplied)
     _unknown_name(low, name, span, scope)
     return FAILURE
 
@@ -85,7 +89,7 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
     if name == "light":
         low.report.add(rules.OUTSIDE_LIGHT, span, name=name)
         return
-    known = [*scope.locals, *scope.module.visible(), *INPUTS]
+    known = [*scope.locals, *scope.module.visible(), *INPUTS, *VERTEX_INPUTS]
     for instance in (scope.instance, scope.surface):
         if instance is not None and instance.record.baseless:
             return

@@ -40,12 +40,15 @@ class ResourceInfo:
 
 @frozen
 class AttributeInfo:
-    """A declared vertex input."""
+    """A declared vertex input, or one column of a declared matrix."""
 
     attribute: Attribute
     declared_type: str
     doc: str
     span: Span
+    matrix: str = ""
+    """The declared matrix that this is a column of."""
+    column: int = 0
 
 
 @frozen
