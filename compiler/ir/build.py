@@ -66,7 +66,13 @@ def swizzle(graph: Graph, operand: Node, lanes: tuple[int, ...]) -> Node:
 
 
 def index(graph: Graph, operand: Node, position: Node) -> Node:
-    """Element of an array, column of a matrix or lane of a vector."""
+    """Element of an array, column of a matrix or lane of a vector.
+
+    A known column of a matrix that is just put together is that column, and reads no other.
+    """
+    if operand.op == "matrix" and position.op == "constant":
+        assert isinstance(position.data, int)
+        return operand.operands[position.data]
     match operand.type:
         case Array(element=element):
             type_: Type = element

@@ -17,6 +17,15 @@ Step = Literal["vertex", "instance"]
 
 
 @frozen
+class HostPlace:
+    """A uniform block that the host owns, and where it binds it."""
+
+    name: str
+    group: int
+    binding: int
+
+
+@frozen
 class Parameter:
     """A member of a group's uniform block.
 
@@ -31,6 +40,8 @@ class Parameter:
     member_facts: tuple[tuple[str, Fact], ...] = ()
     derived: bool = False
     """Computed on the host side from other parameters and kept in the group's derived block."""
+    host: HostPlace | None = None
+    """The host's own block that holds it, instead of the group's."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -138,7 +138,7 @@ def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
     parameters = [info.parameter for info in shader.parameters]
     docs = {info.parameter.name: info.doc for info in shader.parameters if info.doc}
     parameters += [value.parameter for value in derived]
-    return layout_blocks(parameters, STANDARD_GROUPS, docs)
+    return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
 
 
 def _joined(graph: Graph, varyings: Iterable[Varying]) -> list[Node]:

@@ -22,7 +22,7 @@ from .parameters import Leaves, leaves_of
 from .records import Record, Records
 from .rigs import Entry, rig_entries
 from .scope import Failure, Instance, Replacement, Scope
-from .shader import ParameterInfo, Shader, TargetInfo
+from .shader import ExternInfo, ParameterInfo, Shader, TargetInfo
 from .typenames import TypeResolver
 
 FORMATS: Mapping[str, Type] = {
@@ -68,6 +68,7 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     targets = _targets(low, drawn, passing)
     discard = _discard(low, drawn, passing)
     check_slots(low, surface, passing)
+    low.externs.learn(parts.module)
     check_declarations(low, parts.module, surface, passing)
     if report.failed or isinstance(clip, Failure):
         return None
@@ -81,21 +82,23 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
         rig_name=parts.rig.name,
         graph=low.graph,
         notes=low.notes,
-        parameters=_all_parameters(leaves, entries),
+        parameters=_all_parameters(leaves, entries, low.externs.blocks),
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         clip_position=clip,
         targets=targets,
         discard=discard,
+        externs=low.externs.blocks,
     )
 
 
 def _all_parameters(
-    leaves: Iterable[Leaves], entries: Iterable[Entry]
+    leaves: Iterable[Leaves], entries: Iterable[Entry], externs: Iterable[ExternInfo]
 ) -> tuple[ParameterInfo, ...]:
     own = [info for group in leaves for info in group.parameters]
-    return tuple(own + [info for _, infos, _ in entries for info in infos])
+    of_lights = [info for _, infos, _ in entries for info in infos]
+    return (*own, *of_lights, *(member.info for block in externs for member in block.members))
 
 
 def _check_names_of_lights(

@@ -62,6 +62,8 @@ def value(low: Lowering, name: str, span: Span, scope: Scope) -> Step[Value]:
 
 def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
     declaration = symbol.declaration
+    if isinstance(declaration, ast.ExternMember):
+        return low.externs.value(symbol)
     if not isinstance(declaration, ast.Constant):
         low.report.add(
             rules.NOT_A_VALUE, span,

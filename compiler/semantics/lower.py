@@ -35,6 +35,7 @@ from ..trampoline import Step
 from . import calls, lookup, overloads
 from .coerce import coerce
 from .constants import ConstantValues
+from .externs import Externs
 from .folds import fold
 from .modules import Symbol
 from .records import Records
@@ -73,6 +74,7 @@ class Lowering:
     ) -> None:
         self.report = report
         self.records = records
+        self.externs = Externs(self)
         self.types = types
         self.rig = rig
         self.graph = Graph()

@@ -174,6 +174,9 @@ class Loader:
         if isinstance(declaration, ast.Function):
             self._check_function(declaration, others)
         module.declared[name.text] = (*others, Symbol(declaration, module))
+        if isinstance(declaration, ast.ExternBlock):
+            for member in declaration.members:
+                self._declare(module, member)
 
     def _check_function(self, function: ast.Function, others: tuple[Symbol, ...]) -> None:
         """What is wrong with a function's head, whatever its types stand for."""

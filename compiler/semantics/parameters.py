@@ -61,7 +61,7 @@ def leaves_of(
     for name, definition in _effective(record, without):
         member = definition.member
         if isinstance(member, ast.Param):
-            info = _parameter(low, definition, prefix + name)
+            info = parameter_of(low, definition, prefix + name)
             if info is not None:
                 parameters.append(info)
         elif isinstance(member, ast.Map):
@@ -89,7 +89,8 @@ def _group(low: Lowering, definition: Definition, named: ast.Name | None) -> str
     return named.text
 
 
-def _parameter(low: Lowering, definition: Definition, name: str) -> ParameterInfo | None:
+def parameter_of(low: Lowering, definition: Definition, name: str) -> ParameterInfo | None:
+    """What a ``param`` declares, as a leaf called ``name``; ``None`` after reporting."""
     member = definition.member
     assert isinstance(member, ast.Param)
     module = definition.owner.module

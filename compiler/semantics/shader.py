@@ -7,7 +7,7 @@ from typing import Any
 
 from ...frozen import frozen
 from ..diagnostics.source import Span
-from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.leaves import Attribute, HostPlace, Parameter, Resource
 from ..ir.node import Graph, Node
 
 Lanes = float | int | bool | tuple["Lanes", ...]
@@ -27,6 +27,29 @@ class ParameterInfo:
     span: Span
     members: tuple[ParameterInfo, ...] = ()
     """For an array of lights: one row for each member of the element."""
+
+
+@frozen
+class ExternMemberInfo:
+    """A member of a block that the host owns."""
+
+    name: str
+    """In the text, too."""
+    offset: int
+    """In bytes."""
+    info: ParameterInfo
+
+
+@frozen
+class ExternInfo:
+    """A block that the host owns."""
+
+    place: HostPlace
+    group: str
+    doc: str
+    span: Span
+    members: tuple[ExternMemberInfo, ...]
+    """By offset."""
 
 
 @frozen
@@ -107,7 +130,10 @@ class Shader:
     graph: Graph
     notes: Notes
     parameters: tuple[ParameterInfo, ...]
-    """All declared parameters in declaration order, used or not: they fix the blocks' layout."""
+    """All declared parameters in declaration order, used or not: they fix the blocks' layout.
+
+    Those of the host's own blocks come last.
+    """
     resources: tuple[ResourceInfo, ...]
     attributes: tuple[AttributeInfo, ...]
     clip_position: Node
@@ -115,3 +141,5 @@ class Shader:
     targets: tuple[TargetInfo, ...]
     """Values in the fragment domain."""
     discard: Node | None
+    externs: tuple[ExternInfo, ...] = ()
+    """The host's own blocks."""

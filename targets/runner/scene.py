@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .instances.instance import Instance
-from .meshes import Mesh, MeshError
+from .meshes import BONES, Mesh, MeshError
 
 Matrix = NDArray[np.float64]
 """Rows and columns as in mathematics: ``m[row, column]``."""
@@ -58,11 +58,12 @@ class Scene:
             "world_to_clip": _columns(self.world_to_clip(aspect)),
             "eye": self.eye,
             "object_to_world": _columns(np.array(self.object_to_world)),
+            "pose": pose(),
         }
-        declared = {row["name"] for row in instance.reflection["parameters"]}
-        for name, role in names["parameters"].items():
-            if name in declared:
-                instance.set(name, given[role])
+        for row in instance.reflection["parameters"]:
+            role = names["parameters"].get(row["name"]) or names["types"].get(row["type"])
+            if role is not None:
+                instance.set(row["name"], given[role])
         self._place_lights(instance, names["lights"])
 
     def world_to_clip(self, aspect: float) -> Matrix:
@@ -112,7 +113,7 @@ class Scene:
 
 @cache
 def scene_names() -> Mapping[str, Mapping[str, str]]:
-    """What the library's names stand for: tables ``attributes``, ``parameters``, ``lights``."""
+    """What the library's names stand for, as tables of the scene's own words."""
     return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
 
 
@@ -230,6 +231,26 @@ def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
             filler[:, -1] = 1
         values = np.concatenate([values, filler], 1)
     return values[:, :lanes]
+
+
+def pose() -> tuple[tuple[tuple[float, ...], ...], ...]:
+    """A transform for each of 64 bones: the meshes here bow, each bone more than the last one.
+
+    Every bone turns around the origin of its own slice of the mesh; see ``meshes.BONES``.
+    """
+    return tuple(_columns(_bent(min(number, BONES - 1))) for number in range(64))
+
+
+def _bent(number: int) -> Matrix:
+    """A turn around z for each bone from the lowest up, each in the turned frame of those below."""
+    bent: Matrix = np.eye(4)
+    for below in range(number):
+        angle, height = math.radians(14), 2 * below / (BONES - 1) - 1
+        turn = np.eye(4)
+        turn[:2, :2] = [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]]
+        turn[:2, 3] = [math.sin(angle) * height, (1 - math.cos(angle)) * height]
+        bent = bent @ turn
+    return bent
 
 
 def _members(instance: Instance, light: Mapping[str, Any]) -> Iterator[str]:
