@@ -38,6 +38,8 @@ class Request(NamedTuple):
     output: Path
     on: tuple[str, ...]
     mesh: str
+    instances: int
+    """How many there are of what tells instances apart."""
     size: tuple[int, int]
     values: tuple[tuple[str, str], ...]
     background: Color
@@ -102,6 +104,10 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     show_default=True,
     help="What to draw on.",
 )
+@click.option(
+    "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
+    help="How often the mesh is drawn, if the material tells instances apart.",
+)  # fmt: skip
 @click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,
     help="Pixels of the picture, or of each one on a sheet.",
