@@ -12,7 +12,7 @@ import click
 
 from .console import FAILED, remark
 from .failures import fail, told
-from .options import file_argument, pass_option, rig_option, search_option
+from .options import file_argument, hoist_option, pass_option, rig_option, search_option
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
@@ -49,6 +49,7 @@ class Request(NamedTuple):
     rig: str | None
     pass_: str | None
     search_path: tuple[Path, ...]
+    hoist: bool
 
 
 def _names(_context: click.Context, _option: click.Parameter, given: str) -> tuple[str, ...]:
@@ -125,6 +126,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @rig_option
 @pass_option
 @search_option
+@hoist_option
 def render(**chosen: Any) -> None:
     """Draw the materials of FILE.
 
