@@ -21,7 +21,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from itertools import count, filterfalse
-
 from typing import TYPE_CHECKING
 
 from ..frozen import frozen

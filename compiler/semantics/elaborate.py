@@ -69,7 +69,7 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     discard = _discard(low, drawn, passing)
     check_slots(low, surface, passing)
     low.externs.learn(parts.module)
-    check_declarations(low, parts.module, surface, passing)
+    check_declarations(low, parts.module, surface)
     if report.failed or isinstance(clip, Failure):
         return None
     declaration = parts.material.declaration

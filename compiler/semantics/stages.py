@@ -18,7 +18,6 @@ from ..ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
 from .shader import Notes
 
-
 VERTEX_INPUTS = ("vertex_index", "instance_index")
 """What the pipeline supplies to the vertex stage: numbers of the vertex and of the instance."""
 

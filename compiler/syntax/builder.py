@@ -79,9 +79,7 @@ class Builder:
     ) -> ast.Record:
         base = bases[0] if bases else None
         doc, mixins = self._doc(span), bases[1:]
-        return ast.Record(
-            span, doc, kind, name, abstract is not None, base, blend, members, mixins
-        )
+        return ast.Record(span, doc, kind, name, abstract is not None, base, blend, members, mixins)
 
     def bases(self, _: Span, base: Name | None, *mixins: Name) -> tuple[Name, ...]:
         return () if base is None else (base, *mixins)

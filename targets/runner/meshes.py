@@ -23,9 +23,9 @@ CHANNELS = {
 """What a mesh may have at each vertex, and its lanes.
 
 ``uv`` has v down. ``tangent`` points along u; its w is the sign with which
-``cross(normal, tangent)`` points up, against v. ``color`` is linear, alpha last. ``uv2`` is a second
-unwrapping. ``joints`` are numbers of bones, and ``weights`` how much each moves the vertex; they add
-up to 1.
+``cross(normal, tangent)`` points up, against v. ``color`` is linear, alpha last. ``uv2`` is a
+second unwrapping. ``joints`` are numbers of bones, and ``weights`` how much each of them moves the
+vertex; they add up to 1.
 """
 
 BONES = 4

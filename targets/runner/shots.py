@@ -78,9 +78,7 @@ def take(
     reflection = instance.reflection
     data = vertex_data(reflection, mesh)
     cleared = (clear,) * len(reflection["targets"])
-    return Shot(
-        width, height, data, mesh.triangles, instance, cleared, mesh.instance_count
-    )
+    return Shot(width, height, data, mesh.triangles, instance, cleared, mesh.instance_count)
 
 
 def _bytes(representation: str, values: NDArray[Any]) -> bytes:

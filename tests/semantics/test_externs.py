@@ -65,7 +65,9 @@ def test_the_block_lies_as_it_is_declared() -> None:
 
 
 def test_wide_gaps_are_filled_by_rows() -> None:
-    (compiled,) = burnish.compile(f"{BLOCK} material M {{ color = tint * uv.x + far * uv.y }}", ("wgsl",))
+    (compiled,) = burnish.compile(
+        f"{BLOCK} material M {{ color = tint * uv.x + far * uv.y }}", ("wgsl",)
+    )
     (block, *_) = compiled.reflection["blocks"]
     fillers = [row["type"] for row in block["members"] if row["parameter"] is None]
     assert fillers.count(str(Array(Vector("float", 4), 7))) == 1

@@ -12,7 +12,6 @@ from .program import attribute_layout, link
 from .screen import Screen
 from .textures import bind_texture
 
-
 RATES: Mapping[Step, str] = {"vertex": "/v", "instance": "/i"}
 """How moderngl's layouts end."""
 
@@ -100,7 +99,11 @@ def _render(
         for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True))
     ]
     attributes = [
-        (context.buffer(data), f"{attribute_layout(slot.format)}{RATES[slot.step]}", slot.identifier)
+        (
+            context.buffer(data),
+            f"{attribute_layout(slot.format)}{RATES[slot.step]}",
+            slot.identifier,
+        )
         for slot, data in zip(pipeline.inputs, draw.vertices, strict=True)
         if program.get(slot.identifier, None) is not None
     ]

@@ -122,9 +122,7 @@ def _stage(modules: ExitStack, gpu: Gpu, stage: int, code: Code) -> Any:
 
 def _vertex_inputs(inputs: Sequence[VertexInput]) -> Any:
     bindings = [
-        vk.VkVertexInputBindingDescription(
-            binding, 4 * lane_count(each.format), RATES[each.step]
-        )
+        vk.VkVertexInputBindingDescription(binding, 4 * lane_count(each.format), RATES[each.step])
         for binding, each in enumerate(inputs)
     ]
     attributes = [
