@@ -5,6 +5,7 @@ from __future__ import annotations
 from .node import Graph, Node
 from .types import (
     FLOAT,
+    INT,
     VEC4,
     Array,
     Matrix,
@@ -66,13 +67,7 @@ def swizzle(graph: Graph, operand: Node, lanes: tuple[int, ...]) -> Node:
 
 
 def index(graph: Graph, operand: Node, position: Node) -> Node:
-    """Element of an array, column of a matrix or lane of a vector.
-
-    A known column of a matrix that is just put together is that column, and reads no other.
-    """
-    if operand.op == "matrix" and position.op == "constant":
-        assert isinstance(position.data, int)
-        return operand.operands[position.data]
+    """Element of an array, column of a matrix or lane of a vector."""
     match operand.type:
         case Array(element=element):
             type_: Type = element
@@ -85,6 +80,13 @@ def index(graph: Graph, operand: Node, position: Node) -> Node:
         case _:
             raise TypeError(f"{operand.type} cannot be indexed")
     return graph.node("index", type_, (operand, position))
+
+
+def element(graph: Graph, operand: Node, number: int) -> Node:
+    """A known element, column or lane; of a matrix put together from columns no other is read."""
+    if operand.op == "matrix":
+        return operand.operands[number]
+    return index(graph, operand, constant(graph, INT, number))
 
 
 def member(graph: Graph, operand: Node, name: str) -> Node:

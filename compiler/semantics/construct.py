@@ -131,7 +131,7 @@ def _resized(low: Lowering, argument: Node, source: int, wanted: int) -> Node | 
         return argument
     columns = []
     for i in range(wanted):
-        column = build.index(low.graph, argument, build.constant(low.graph, Scalar("int"), i))
+        column = build.element(low.graph, argument, i)
         columns.append(build.swizzle(low.graph, column, tuple(range(wanted))))
     return build.matrix(low.graph, tuple(columns))
 

@@ -246,7 +246,7 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
         if not 0 <= known < count:
             low.report.add(rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type)
             return FAILURE
-        return build.index(low.graph, operand, build.constant(low.graph, INT, known))
+        return build.element(low.graph, operand, known)
     zero, last = (build.constant(low.graph, INT, n) for n in (0, count - 1))
     clamped = low.graph.node("call", INT, (position, zero, last), "clamp")
     return build.index(low.graph, operand, clamped)
