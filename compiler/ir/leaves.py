@@ -25,7 +25,7 @@ class HostPlace:
     binding: int
 
 
-@frozen
+@frozen(key=True)
 class Parameter:
     """A member of a group's uniform block.
 
@@ -56,7 +56,7 @@ class Resource:
     """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
 
 
-@frozen
+@frozen(key=True)
 class Attribute:
     """A vertex input: a number or vector, or a matrix's column (``bend.0``)."""
 
