@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
+from ..diagnostics.source import Span
 from ..ir.leaves import HostPlace
 from ..ir.node import Node
 from ..ir.types import Array, Scalar, Type, Vector
@@ -36,14 +37,19 @@ class Externs:
         self._low = low
         self._known: dict[Symbol, ExternInfo] = {}
         self._parameters: dict[tuple[Module, str], ParameterInfo | None] = {}
+        self._learning: set[Module] = set()
+        """Files whose blocks are being taken in: defaults there cannot be made of members."""
 
     @property
     def blocks(self) -> tuple[ExternInfo, ...]:
         """All of them, in the order in which they were met."""
         return tuple(self._known.values())
 
-    def value(self, symbol: Symbol) -> Node | Failure:
-        """What reads the member that ``symbol`` stands for."""
+    def value(self, symbol: Symbol, span: Span) -> Node | Failure:
+        """What reads the member that ``symbol`` stands for, where it is written at ``span``."""
+        if symbol.module in self._learning:
+            self._low.report.add(rules.NOT_CONSTANT, span)
+            return FAILURE
         self.learn(symbol.module)
         info = self._parameters.get((symbol.module, symbol.name))
         if info is None:
@@ -52,10 +58,12 @@ class Externs:
 
     def learn(self, module: Module) -> None:
         """Take in all blocks that a file declares; each once."""
+        self._learning.add(module)
         for symbols in module.declared.values():
             declaration = symbols[0].declaration
             if isinstance(declaration, ast.ExternBlock) and symbols[0] not in self._known:
                 self._known[symbols[0]] = self._block(symbols[0], declaration)
+        self._learning.discard(module)
 
     def _block(self, symbol: Symbol, block: ast.ExternBlock) -> ExternInfo:
         place = HostPlace(
@@ -95,7 +103,12 @@ class Externs:
 
     def _check_place(self, block: ast.ExternBlock, place: HostPlace) -> None:
         for other in self._known.values():
-            if (other.place.group, other.place.binding) == (place.group, place.binding):
+            if other.place.name == place.name:
+                self._low.report.add(
+                    rules.DUPLICATE_NAME, block.name.span, name=place.name,
+                    labels=[Label(other.span, "first declared here")],
+                )  # fmt: skip
+            elif (other.place.group, other.place.binding) == (place.group, place.binding):
                 span = block.bind_group.span.to(block.binding.span)
                 self._low.report.add(
                     rules.EXTERN_PLACE_TAKEN, span, name=place.name, other=other.place.name,

@@ -63,7 +63,7 @@ def value(low: Lowering, name: str, span: Span, scope: Scope) -> Step[Value]:
 def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
     declaration = symbol.declaration
     if isinstance(declaration, ast.ExternMember):
-        return low.externs.value(symbol)
+        return low.externs.value(symbol, span)
     if not isinstance(declaration, ast.Constant):
         low.report.add(
             rules.NOT_A_VALUE, span,

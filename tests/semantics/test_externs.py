@@ -109,3 +109,31 @@ def test_what_depends_on_the_hosts_block_alone_is_still_hoisted() -> None:
     (compiled,) = burnish.compile(f"{BLOCK} material M {{ color = tint * sin(time) }}", ("wgsl",))
     (derived,) = compiled.reflection["derived"]
     assert (derived["group"], derived["block"]) == ("frame", "FrameDerived")
+
+
+@pytest.mark.parametrize(
+    ("text", "codes"),
+    [
+        ("extern block A at group 0, binding 0 { x : float at 0 = x }", ["B0406"]),
+        ("extern block A at group 0, binding 0 { x : float at 0 }  x = 1", ["B0202"]),
+        ("extern block A at group 0, binding 0 { x : texture2d at 0 }", ["B0301"]),
+        ("extern block A at group 0, binding 0 { x : flaot at 0 }  y = x", ["B0201"]),
+        ("extern block A at group 0, binding 0 { x : vec3 at 4 }  fn f() -> vec3 = x", ["B0440"]),
+        ("extern block A at group 0, binding 0 {}  material M { color = A }", ["B0209"]),
+        ("extern block A at group 0, binding 0 { x : vec3 at 0 }  material M { color = x(1) }",
+         ["B0307"]),
+    ],
+)  # fmt: skip
+def test_mistakes_around_blocks_are_told_once(text: str, codes: list[str]) -> None:
+    assert [found.rule.code for found in burnish.check(text)] == codes
+
+
+def test_two_blocks_of_one_name_cannot_meet(tmp_path: Path) -> None:
+    (tmp_path / "engine.burnish").write_text(BLOCK, encoding="utf-8")
+    file = tmp_path / "own.burnish"
+    text = "extern block PerFrame at group 1, binding 0 { gain : float at 0 }"
+    file.write_text(
+        f'import "engine.burnish".{{tint}}\n{text}\nmaterial M {{ color = tint * gain }}',
+        encoding="utf-8",
+    )
+    assert [found.rule.code for found in burnish.check(file)] == ["B0202"]
