@@ -1,4 +1,4 @@
-"""What comes in at the vertices and with instances is drawn by every route as the reference does."""
+"""What comes in with vertices and instances is drawn by every route as the reference does."""
 
 from __future__ import annotations
 
