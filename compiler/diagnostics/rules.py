@@ -429,6 +429,65 @@ UNGUARDED = _error(
     "`unguarded(x / y)` or `unguarded(sqrt(x))` means what the hardware does there.",
 )
 
+# Mixins
+
+MIXIN_AS_BASE = _error(
+    "B0430",
+    "`{name}` is a mixin and cannot be the base",
+    "A header names one base and then any number of mixins: `material Robot : Plastic + Skinned`.",
+)
+NOT_A_MIXIN = _error(
+    "B0431",
+    "`{name}` is not a mixin for a {kind}",
+    "Only mixins stand behind the `+` of a header, each with records of its own kind: "
+    "`mixin Flicker for light { … }`, and `mixin Skinned { … }` for materials.",
+)
+MIXIN_TWICE = _error(
+    "B0432",
+    "the mixin `{name}` is in already",
+    "A mixin stands once in the chain of a record and its bases.",
+)
+MIXINS_CLASH = _error(
+    "B0433",
+    "the mixins `{first}` and `{later}` of `{record}` both declare `{name}`",
+    "What two mixins declare independently of each other would become one thing by chance. One "
+    "that is meant to continue the other's says so by `inherited.name`, and one that only needs it "
+    "by the name and its type, without a value.",
+)
+
+# Blocks that the host owns
+
+EXTERN_ALIGNMENT = _error(
+    "B0440",
+    "`{name}` cannot lie at byte {offset}: a {type} begins at a multiple of {alignment}",
+    "Scalars begin at multiples of 4 bytes, a vec2 at one of 8, everything else at one of 16: "
+    "elsewhere std140, Direct3D or WGSL would read it from another place. Declare what lies there "
+    "as scalars, and put them together with `vec3(x, y, z)`.",
+)
+EXTERN_OVERLAP = _error(
+    "B0441",
+    "`{name}` at byte {offset} overlaps `{other}`, which ends at byte {end}",
+    "Members of a block do not share bytes. A mat2 takes 32 of them, a mat3 48, and a structure "
+    "whole multiples of 16.",
+)
+EXTERN_ARRAY = _error(
+    "B0442",
+    "no host lays out a {element}[{count}] as every backend can read it",
+    "Elements of an array begin 16 bytes apart in std140 and Direct3D; WGSL takes no scalars or "
+    "vec2s that do. Declare it as `vec4[n]`, and read the first lanes of each element.",
+)
+EXTERN_NUMBER = _error(
+    "B0443",
+    "expected a whole number from 0 to {largest}",
+    "WebGPU has four bind groups, with binding numbers below 1000; and a block has 16 KiB on every "
+    "device of OpenGL ES.",
+)
+EXTERN_PLACE_TAKEN = _error(
+    "B0444",
+    "`{name}` is bound where `{other}` is",
+    "Each block of the host's has a group and binding of its own.",
+)
+
 # --- B05: stages and rates -----------------------------------------------------------------------
 
 UNKNOWN_RATE = _error(

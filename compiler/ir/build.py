@@ -95,7 +95,9 @@ def member(graph: Graph, operand: Node, name: str) -> Node:
 
 
 def part(graph: Graph, operand: Node, position: int) -> Node:
-    """Member or element ``position``."""
+    """Member, element, column or lane ``position``; of what was made here, the part that it got."""
+    if operand.op in ("struct", "array", "matrix"):
+        return operand.operands[position]
     if isinstance(operand.type, Struct):
         return member(graph, operand, operand.type.members[position][0])
     return index(graph, operand, constant(graph, INT, position))

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Literal
 
 from ...frozen import frozen
-from .leaves import InterpolationMode, Parameter, Resource
+from .leaves import HostPlace, InterpolationMode, Parameter, Resource, Step
 from .node import FoldOperator, Formal, Node
 from .types import Struct, Type
 
@@ -36,7 +36,7 @@ class StoredMember:
 
 @frozen
 class Block:
-    """A uniform block: one group's parameters, or what was derived from them."""
+    """A uniform block: one group's parameters, what was derived from them, or a host's own."""
 
     name: str
     """Suggested identifier, ``Material`` or ``MaterialDerived``."""
@@ -47,6 +47,8 @@ class Block:
     """Bytes, a multiple of 16."""
     structs: tuple[Struct, ...]
     """Stored struct types (padded) that members use, in order of definition."""
+    host: HostPlace | None = None
+    """Where a host binds it that owned it before the program did."""
 
 
 @frozen
@@ -58,6 +60,8 @@ class Field:
     location: int
     mode: InterpolationMode = "perspective"
     doc: str = ""
+    step: Step = "vertex"
+    """Of a vertex input."""
 
 
 @frozen

@@ -142,7 +142,7 @@ def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
     parameters = [info.parameter for info in shader.parameters]
     docs = {info.parameter.name: info.doc for info in shader.parameters if info.doc}
     parameters += [value.parameter for value in derived]
-    return layout_blocks(parameters, STANDARD_GROUPS, docs)
+    return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
 
 
 def _joined(graph: Graph, varyings: Iterable[Varying]) -> list[Node]:
@@ -156,10 +156,13 @@ def _attributes(
     roots = [results.position, *(value for varying in varyings for value in varying.values)]
     read = {node.data for node in visible(roots) if isinstance(node.data, Attribute)}
     return tuple(
-        Field(info.attribute.name, info.attribute.type, location, doc=info.doc)
+        Field(
+            info.attribute.name, info.attribute.type, location,
+            doc=info.doc, step=info.attribute.step,
+        )
         for location, info in enumerate(shader.attributes)
         if info.attribute in read
-    )
+    )  # fmt: skip
 
 
 def _stage(

@@ -344,10 +344,9 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
             lookup.unknown(low, f"slot of `{surface.record.name}`", name.text, name.span, known)
             return FAILURE
         node = yield low.node(expression, scope)
-        written = surface.record.typed(name.text)
-        if written is not None and isinstance(node, Node):
-            owner = surface.record.declaration(name.text).owner
-            wanted = declared_type(low, written, owner.module)
+        typing = surface.record.typing(name.text)
+        if typing is not None and typing.member.type is not None and isinstance(node, Node):
+            wanted = declared_type(low, typing.member.type, typing.owner.module)
             if wanted is not None:
                 node = low.fit(node, wanted.type, wanted.text, expression.span)
         given[name.text] = Replacement(value=node)

@@ -36,6 +36,7 @@ from ..trampoline import Step
 from . import aggregates, calls, folds, lookup, overloads
 from .coerce import coerce
 from .constants import ConstantValues
+from .externs import Externs
 from .modules import Symbol
 from .records import Records
 from .scope import (
@@ -72,6 +73,7 @@ class Lowering:
     ) -> None:
         self.report = report
         self.records = records
+        self.externs = Externs(self)
         self.types = types
         self.rig = rig
         self.graph = Graph()
@@ -97,8 +99,11 @@ class Lowering:
 
     def node(self, expression: ast.Expression, scope: Scope) -> Step[Node | Failure]:
         """The value of ``expression`` where only a plain value will do."""
-        value = yield self.expression(expression, scope)
-        if isinstance(value, Node | Failure):
+        value = yield _LOWER[type(expression)](self, expression, scope)
+        if isinstance(value, Node):
+            self.notes.spans.setdefault(value.id, expression.span)
+            return value
+        if isinstance(value, Failure):
             return value
         self.report.add(rules.NOT_A_VALUE, expression.span)
         return FAILURE
@@ -245,7 +250,7 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
         if not 0 <= known < count:
             low.report.add(rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type)
             return FAILURE
-        return build.index(low.graph, operand, build.constant(low.graph, INT, known))
+        return build.part(low.graph, operand, known)
     zero, last = (build.constant(low.graph, INT, n) for n in (0, count - 1))
     clamped = low.graph.node("call", INT, (position, zero, last), "clamp")
     return build.index(low.graph, operand, clamped)

@@ -233,6 +233,8 @@ class Attribute:
     doc: str
     name: Name
     type: TypeName
+    rate: Name | None = None
+    """The ``instance`` of ``per instance``."""
 
 
 @frozen(eq=False)
@@ -298,6 +300,20 @@ class Record:
     base: Name | None
     blend: Name | None
     """Default blending of a pass's targets."""
+    members: tuple[Member, ...]
+    mixins: tuple[Name, ...] = ()
+    """``: Base + First + Second``, in the order written."""
+
+
+@frozen(eq=False)
+class Mixin:
+    """``mixin Flicker for light { … }``: members for records that already have a base."""
+
+    span: Span
+    doc: str
+    kind: Literal["material", "light", "pass"]
+    """Of the records that it is for."""
+    name: Name
     members: tuple[Member, ...]
 
 
@@ -382,6 +398,32 @@ class StructDeclaration:
 
 
 @frozen(eq=False)
+class ExternMember:
+    """``time : float at 76``: a member of a block that the host owns, at its offset in bytes."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    offset: Number
+    default: Expression | None
+
+
+@frozen(eq=False)
+class ExternBlock:
+    """``extern block PerFrame per frame at group 0, binding 3 { … }``."""
+
+    span: Span
+    doc: str
+    name: Name
+    group: Name | None
+    """How often the host changes it; ``frame`` if nothing is written."""
+    bind_group: Number
+    binding: Number
+    members: tuple[ExternMember, ...]
+
+
+@frozen(eq=False)
 class Space:
     """``space bench``: a coordinate space of the user's own."""
 
@@ -401,7 +443,9 @@ class Constant:
     value: Expression
 
 
-Declaration = Import | Record | Function | Rig | StructDeclaration | Space | Constant
+Declaration = (
+    Import | Record | Mixin | Function | Rig | StructDeclaration | ExternBlock | Space | Constant
+)  # fmt: skip
 
 
 @frozen(eq=False)

@@ -73,12 +73,25 @@ class Builder:
         abstract: Token | None,
         kind: Literal["material", "light", "pass"],
         name: Name,
-        base: Name | None,
+        bases: tuple[Name, ...],
         blend: Name | None,
         *members: ast.Member,
     ) -> ast.Record:
-        doc = self._doc(span)
-        return ast.Record(span, doc, kind, name, abstract is not None, base, blend, members)
+        base = bases[0] if bases else None
+        doc, mixins = self._doc(span), bases[1:]
+        return ast.Record(span, doc, kind, name, abstract is not None, base, blend, members, mixins)
+
+    def bases(self, _: Span, base: Name | None, *mixins: Name) -> tuple[Name, ...]:
+        return () if base is None else (base, *mixins)
+
+    def mixin(
+        self,
+        span: Span,
+        name: Name,
+        kind: Literal["material", "light", "pass"] | None,
+        *members: ast.Member,
+    ) -> ast.Mixin:
+        return ast.Mixin(span, self._doc(span), kind or "material", name, members)
 
     def kind(self, _: Span, word: Token) -> str:
         return word.text
@@ -108,8 +121,10 @@ class Builder:
     def setting(self, _: Span, name: Name, value: Name) -> tuple[Name, Name]:
         return name, value
 
-    def attribute(self, span: Span, name: Name, kind: ast.TypeName) -> ast.Attribute:
-        return ast.Attribute(span, self._doc(span), name, kind)
+    def attribute(
+        self, span: Span, name: Name, kind: ast.TypeName, rate: Name | None
+    ) -> ast.Attribute:
+        return ast.Attribute(span, self._doc(span), name, kind, rate)
 
     def typed_slot(
         self, span: Span, name: Name, kind: ast.TypeName, value: Expression | None
@@ -203,6 +218,27 @@ class Builder:
 
     def field(self, span: Span, name: Name, kind: ast.TypeName) -> ast.StructMember:
         return ast.StructMember(span, self._doc(span), name, kind)
+
+    def extern(
+        self,
+        span: Span,
+        name: Name,
+        group: Name | None,
+        bind_group: ast.Number,
+        binding: ast.Number,
+        *members: ast.ExternMember,
+    ) -> ast.ExternBlock:
+        return ast.ExternBlock(span, self._doc(span), name, group, bind_group, binding, members)
+
+    def extern_member(
+        self,
+        span: Span,
+        name: Name,
+        kind: ast.TypeName,
+        offset: ast.Number,
+        default: Expression | None,
+    ) -> ast.ExternMember:
+        return ast.ExternMember(span, self._doc(span), name, kind, offset, default)
 
     # --- types ---
 

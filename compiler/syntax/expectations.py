@@ -11,8 +11,8 @@ _EXPRESSION = {
 }  # fmt: skip
 _MEMBER = {"NAME", "param", "map", "attribute", "target", "discard"}
 _DECLARATION = {
-    "NAME", "import", "abstract", "material", "light", "pass", "fn", "term", "rig", "struct",
-    "space", "burnish",
+    "NAME", "import", "abstract", "material", "light", "pass", "mixin", "fn", "term", "rig",
+    "struct", "extern", "space", "burnish",
 }  # fmt: skip
 _OPERATORS = {
     "+", "-", "*", "/", "mod", "==", "!=", "<", "<=", ">", ">=", "and", "or", "(", "[", ".", "with",

@@ -17,7 +17,7 @@ from .machine import Machine
 from .tables import END, load_tables
 from .tokens import Token
 
-_BODY_PARTS = ("slot", "entry", "field")
+_BODY_PARTS = ("slot", "entry", "field", "extern_member")
 _FILE_PARTS = ("record",)
 _FOLDS = {**dict.fromkeys(("sum", "product", "min", "max", "any", "all"), "in"), "iterate": "from"}
 """Words that begin a fold, and what follows the name behind them; else they are names."""

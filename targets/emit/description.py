@@ -155,6 +155,8 @@ class Profile:
     """Where a user's own groups go."""
     varyings: int = 16
     """Vectors that cross between the stages: what every device of the profile has at least."""
+    attributes: int = 16
+    """Locations of vertex inputs; likewise."""
     textures: int = 16
     """Textures with their samplers that one stage reads; likewise."""
     block_bytes: int = 16384
