@@ -311,6 +311,58 @@ NO_RANGE = _error(
     "Only numbers, and vectors of numbers lane by lane, are bounded by `in a..b`.",
 )
 
+MEMBER_COUNT = _error(
+    "B0380",
+    "`{name}` has the members ({members}), found {found} values",
+    "A structure is made by calling it with a value for each member, in the order of the "
+    "declaration.",
+)
+ELEMENTS_DIFFER = _error(
+    "B0381",
+    "the first element is {first}, this one {found}",
+    "All elements of an array have one type. Only literals adapt: `[1, x]` is an array of floats "
+    "if `x` is one.",
+)
+UNBOUNDED_LOOP = _error(
+    "B0382",
+    "nothing says how often this loop turns at most",
+    "Every loop ends, and the compiler has to see when. The ranges of parameters tell, and so do "
+    "`clamp`, `mod` and constants.",
+)
+NO_INITIAL = _error(
+    "B0383",
+    "`{word}` of nothing has no value",
+    "There may be no term at all, so say what the result is then: `min i in a..b from x : e`.",
+)
+STATE_CHANGES = _error(
+    "B0384",
+    "`{name}` is {before} at the start, and {after} after a turn",
+    "A state keeps its type. `iterate x from 1` begins with an `int`, `from 1.0` with a `float`.",
+)
+STATE_TOO_LARGE = _error(
+    "B0385",
+    "a state of {count} parts; there can be {most}",
+    "Every part of a state is a variable of the loop. Keep what no turn changes outside of it.",
+)
+READ_IN_LOOP = _error(
+    "B0386",
+    "{what} compares neighbouring pixels, which may not turn as often",
+    "Its result is open where neighbours have left the loop. Read with an explicit level, "
+    "or before the loop.",
+)
+CROSSING_IN_LOOP = _error(
+    "B0387",
+    "what changes from turn to turn cannot cross from the vertices",
+    "Every turn's value would need a varying of its own. That is done for folds of at most 16 "
+    "turns whose bounds are constants; else put `@vertex` around the whole loop.",
+)
+CROSSING_PER_LIGHT = _error(
+    "B0388",
+    "what differs from light to light cannot cross from the vertices one by one",
+    "Put `@vertex` around the call of the term, so that the sum over the lights crosses: "
+    "`@vertex shaded(…)`.",
+)
+
 # --- B04: values and meaning ---------------------------------------------------------------------
 
 ZERO_DIVISOR = _error(

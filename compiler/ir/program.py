@@ -11,7 +11,7 @@ from typing import Literal
 
 from ...frozen import frozen
 from .leaves import HostPlace, InterpolationMode, Parameter, Resource, Step
-from .node import Formal, Node
+from .node import FoldOperator, Formal, Node
 from .types import Struct, Type
 
 StageName = Literal["vertex", "fragment"]
@@ -103,13 +103,42 @@ class Loop:
     bound: int
     start: Node
     index: Formal
-    operator: Literal["add", "mul"]
+    operator: FoldOperator
     body: Region
     value: Node
-    """What each turn adds (or multiplies), in terms of ``index``."""
+    """What each turn adds (multiplies, …), in terms of ``index``."""
 
 
-Statement = Let | Branch | Loop
+@frozen
+class State:
+    """A variable of an ``Iterate``, and what a turn makes of it."""
+
+    name: str
+    formal: Formal
+    start: Node
+    next: Node
+    kept: bool = False
+    """Whether what the turn makes of it has to wait until the other states have followed."""
+
+
+@frozen
+class Iterate:
+    """``node`` computed by a loop that takes its states from one turn to the next."""
+
+    node: Node
+    count: Node
+    bound: int
+    index: Formal
+    states: tuple[State, ...]
+    """In the order in which a turn sets them; ``positions`` are those in ``node``."""
+    positions: tuple[int, ...]
+    head: Region
+    """What it takes to know whether to go on."""
+    going: Node
+    body: Region
+
+
+Statement = Let | Branch | Loop | Iterate
 
 
 @frozen

@@ -133,20 +133,53 @@ class AtRate:
 
 
 @frozen(eq=False)
-class Fold:
-    """``sum i in a..b : e`` over ``a <= i < b``."""
+class Array:
+    """``[a, b, c]``."""
 
     span: Span
-    operator: Literal["sum", "product"]
+    elements: tuple[Expression, ...]
+
+
+@frozen(eq=False)
+class Turns:
+    """``i in a..b up to n``: the turns of a loop, ``a <= i < b``, and how many there can be."""
+
     variable: Name
+    """Empty where the turns have no number: ``up to n``."""
     start: Expression
     end: Expression
+    most: Expression | None
+
+
+FoldWord = Literal["sum", "product", "min", "max", "any", "all"]
+
+
+@frozen(eq=False)
+class Fold:
+    """``sum i in a..b : e``, with ``from x`` where it has a value to begin with."""
+
+    span: Span
+    operator: FoldWord
+    turns: Turns
+    initial: Expression | None
+    body: Expression
+
+
+@frozen(eq=False)
+class Iterate:
+    """``iterate x from e up to n while c : next``."""
+
+    span: Span
+    state: Name
+    initial: Expression
+    turns: Turns
+    condition: Expression | None
     body: Expression
 
 
 Expression = (
     Number | Color | Boolean | Reference | Unary | Binary | Conditional | Call | Field | Index
-    | With | AtRate | Fold
+    | With | AtRate | Array | Fold | Iterate
 )  # fmt: skip
 
 

@@ -258,10 +258,41 @@ class Builder:
         return ast.Conditional(span, condition, then, otherwise)
 
     def fold(
-        self, span: Span, operator: Token, variable: Name, over: Range, body: Expression
+        self,
+        span: Span,
+        operator: ast.FoldWord,
+        variable: Name,
+        over: Range,
+        most: Expression | None,
+        initial: Expression | None,
+        body: Expression,
     ) -> ast.Fold:
-        word = cast(Literal["sum", "product"], operator.text)
-        return ast.Fold(span, word, variable, *over, body)
+        return ast.Fold(span, operator, ast.Turns(variable, *over, most), initial, body)
+
+    def folding(self, _: Span, word: Token) -> str:
+        return word.text
+
+    def up_to(self, _: Span, most: Expression) -> Expression:
+        return most
+
+    def iterate(
+        self,
+        span: Span,
+        state: Name,
+        initial: Expression,
+        turns: ast.Turns,
+        condition: Expression | None,
+        body: Expression,
+    ) -> ast.Iterate:
+        return ast.Iterate(span, state, initial, turns, condition, body)
+
+    def at_most_turns(self, span: Span, most: Expression) -> ast.Turns:
+        return ast.Turns(Name("", span), ast.Number(span, "0", "int"), most, None)
+
+    def counted_turns(
+        self, _: Span, variable: Name, over: Range, most: Expression | None
+    ) -> ast.Turns:
+        return ast.Turns(variable, *over, most)
 
     def range(self, _: Span, start: Expression, end: Expression) -> Range:
         return start, end
@@ -307,6 +338,9 @@ class Builder:
         if len(digits) == 3:
             digits = "".join(digit * 2 for digit in digits)
         return ast.Color(span, tuple(bytes.fromhex(digits)))
+
+    def array(self, span: Span, *elements: Expression) -> ast.Array:
+        return ast.Array(span, elements)
 
     def boolean(self, span: Span, word: Token) -> ast.Boolean:
         return ast.Boolean(span, word.text == "true")

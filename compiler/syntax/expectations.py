@@ -6,7 +6,8 @@ from .tables import END
 from .tokens import Token
 
 _EXPRESSION = {
-    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "@", "not", "if", "sum", "product",
+    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "@", "not", "if", "sum", "product", "min",
+    "max", "any", "all", "iterate", "[",
 }  # fmt: skip
 _MEMBER = {"NAME", "param", "map", "attribute", "target", "discard"}
 _DECLARATION = {

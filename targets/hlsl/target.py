@@ -27,6 +27,8 @@ FORMS = Forms(
     splat_constant=False,
     matrix="transpose({type}({columns}))",
     matrix_by_rows=True,
+    array="{{{elements}}}",
+    constant_array="static const {typed} = {value};",
     column="transpose({matrix})[{position}]",
     input="input.{name}",
 )
