@@ -8,6 +8,7 @@ from typing import Literal
 
 from ...frozen import frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
+from .meaning import Meaning
 from .types import BOOL, UINT, VEC4, Type
 
 InterpolationMode = Literal["perspective", "flat"]
@@ -28,6 +29,7 @@ class Parameter:
     member_facts: tuple[tuple[str, Fact], ...] = ()
     derived: bool = False
     """Computed on the host side from other parameters and kept in the group's derived block."""
+    meaning: Meaning | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +50,7 @@ class Attribute:
 
     name: str
     type: Type
+    meaning: Meaning | None = None
 
 
 PIPELINE_TYPES: Mapping[str, Type] = {

@@ -26,6 +26,7 @@ Op = Literal[
     "splat",  # one scalar in every lane
     "matrix",  # columns
     "swizzle",  # data: tuple of lane numbers
+    "as",  # data: Meaning, or None for bare numbers; the operand itself. Gone after semantics
     "index",  # (aggregate, integer)
     "member",  # data: member name of a struct
     "select",  # (condition, then, otherwise); data: "branch" where both must not be computed
@@ -136,6 +137,13 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
         if i != body:
             free |= operand.free
     return free
+
+
+def bare(node: Node) -> Node:
+    """The value under what was said of its meaning."""
+    while node.op == "as":
+        (node,) = node.operands
+    return node
 
 
 def reachable(roots: Iterable[Node]) -> list[Node]:

@@ -18,7 +18,7 @@ from ..ir.types import Scalar, Type, Vector, with_width
 from ..semantics.shader import Notes
 from .expand import Template, template
 from .paths import Paths
-from .ranges import Ranges
+from ..ir.ranges import Ranges
 from .simplify import Simplifier
 
 BRANCH = "branch"

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from ..ir.node import Graph, Node, reachable
 from ..semantics.shader import Notes
 from .cost import cost
-from .rewrite import rewrite
+from ..ir.rewrite import rewrite
 from .simplify import Simplifier, substitute_through
 
 TRIVIAL = 4

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from ..ir.node import Formal, Formals, Graph, Node
 from ..semantics.shader import Notes
 from .naming import Naming
-from .rewrite import rewrite
+from ..ir.rewrite import rewrite
 from .schedule import free_formals, operands_of, visible
 
 GLOBALS = frozenset({"constant", "parameter", "resource"})

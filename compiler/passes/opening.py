@@ -12,7 +12,7 @@ from ..ir.binding import open_body
 from ..ir.node import Folding, Formal, Formals, Graph, Node, binders, body_of
 from ..ir.types import INT, Type
 from ..semantics.shader import Notes
-from .rewrite import rewrite
+from ..ir.rewrite import rewrite
 
 
 class _Opener:

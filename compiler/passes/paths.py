@@ -16,7 +16,7 @@ from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
 from ..ir.node import Node, reachable
 from ..ir.types import Scalar
 from .arithmetic import OPPOSITES
-from .ranges import Ranges
+from ..ir.ranges import Ranges
 
 FARTHEST = 16
 """Conditions looked at on the way out; farther ones rarely say anything more."""

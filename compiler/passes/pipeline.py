@@ -20,9 +20,9 @@ from .lift import lift
 from .naming import Naming
 from .opening import open_binders
 from .paths import Paths
-from .ranges import Ranges
+from ..ir.ranges import Ranges
 from .rates import move_to_vertices
-from .rewrite import rewrite
+from ..ir.rewrite import rewrite
 from .schedule import Scheduler, called_functions, visible
 from .simplify import Simplifier
 from .split import pack

@@ -17,8 +17,8 @@ from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
-from .ranges import Ranges
-from .rewrite import rewrite
+from ..ir.ranges import Ranges
+from ..ir.rewrite import rewrite
 
 LARGEST_FLOAT = 3.4028234663852886e38
 UNROLLED = 2

@@ -29,7 +29,7 @@ from ..ir.types import (
     width,
 )
 from ..layout import elements_in_row, stored_type
-from .rewrite import rewrite
+from ..ir.rewrite import rewrite
 
 
 def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:

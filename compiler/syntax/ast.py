@@ -133,6 +133,24 @@ class AtRate:
 
 
 @frozen(eq=False)
+class Conversion:
+    """``e in S``: a point, vector or normal as it is seen from space ``S``."""
+
+    span: Span
+    operand: Expression
+    space: Name
+
+
+@frozen(eq=False)
+class Ascription:
+    """``(e as T)``: the same numbers with the meaning of type ``T``."""
+
+    span: Span
+    operand: Expression
+    type: TypeName
+
+
+@frozen(eq=False)
 class Fold:
     """``sum i in a..b : e`` over ``a <= i < b``."""
 
@@ -146,7 +164,7 @@ class Fold:
 
 Expression = (
     Number | Color | Boolean | Reference | Unary | Binary | Conditional | Call | Field | Index
-    | With | AtRate | Fold
+    | With | AtRate | Conversion | Ascription | Fold
 )  # fmt: skip
 
 

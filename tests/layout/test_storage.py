@@ -28,7 +28,7 @@ from burnish.compiler.ir.types import (
 )
 from burnish.compiler.layout import byte_size, layout_blocks, stored_type
 from burnish.compiler.packing import packing
-from burnish.compiler.passes.rewrite import rewrite
+from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.passes.storage import lower_reads
 from burnish.compiler.reference.evaluate import evaluate as meaning
 from burnish.compiler.semantics.shader import Notes

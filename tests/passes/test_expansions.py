@@ -17,7 +17,7 @@ from burnish.compiler.ir.verify import verify
 from burnish.compiler.passes.expand import template
 from burnish.compiler.passes.guard import Guarding
 from burnish.compiler.passes.paths import Paths
-from burnish.compiler.passes.ranges import Ranges
+from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.reference.functions import evaluate as meaning
 from burnish.compiler.reference.namespace import Lanes
