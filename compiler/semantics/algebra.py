@@ -315,7 +315,7 @@ def _unit(sides: tuple[Side, ...], _result: Type) -> Found:
     return _point(sides) or _arrow(known, "direction")
 
 
-def _mirrored(sides: tuple[Side, ...], _result: Type) -> Found:
+def _reflected(sides: tuple[Side, ...], _result: Type) -> Found:
     directions = all(s.meaning is not None and s.meaning.kind == "direction" for s in sides[:2])
     kind = "direction" if directions and len(sides) == 2 else "vector"
     return _measure(sides, _result) or _arrow(_first(sides), kind)
@@ -347,7 +347,7 @@ RULES: Mapping[str, AlgebraRule] = {
     "distance": _distance,
     "perpendicular": _perpendicular,
     "unit": _unit,
-    "mirrored": _mirrored,
+    "reflected": _reflected,
     "turned": _turned,
     "reversed": _reversed,
 }

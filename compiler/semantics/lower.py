@@ -363,9 +363,11 @@ def _ascription(low: Lowering, e: ast.Ascription, scope: Scope) -> Step[Value]:
     if isinstance(operand, Failure) or declared is None:
         return FAILURE
     fitted = low.fit(operand, declared.type, declared.text, e.operand.span)
-    return fitted if isinstance(fitted, Failure) else fitting.contracted(
-        low, fitted, declared, e.span, e.operand
-    )
+    if isinstance(fitted, Failure):
+        return FAILURE
+    if declared.meaning is not None and declared.meaning.kind == "direction":
+        return fitting.contracted(low, fitted, declared, e.span, e.operand)
+    return low.meanings.ascribed(fitted, declared.meaning)
 
 
 def _fold(low: Lowering, e: ast.Fold, scope: Scope) -> Step[Value]:

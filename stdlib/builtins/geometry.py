@@ -121,7 +121,7 @@ ROWS = (
     Builtin(
         name="reflect",
         signatures=("V, V -> V",),
-        meaning="mirrored",
+        meaning="reflected",
         doc="reflect(i, n): i - 2 * dot(n, i) * n, which mirrors i when n has length one.",
         range=_mirrored,
         cost=3,
@@ -130,7 +130,7 @@ ROWS = (
     Builtin(
         name="refract",
         signatures=("V, V, S -> V",),
-        meaning="mirrored",
+        meaning="reflected",
         doc="refract(i, n, eta): i bent at a surface; 0 where it is reflected totally.",
         outside="The formula stands for vectors not of length one too.",
         cost=10,

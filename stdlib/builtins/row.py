@@ -16,7 +16,7 @@ from .facts import UNKNOWN, Fact
 MeaningRule = Literal[
     "sum", "difference", "product", "quotient", "remainder", "negation",
     "numbers", "lanes", "limits", "blend", "change", "angle",
-    "measure", "distance", "perpendicular", "unit", "mirrored", "turned", "reversed",
+    "measure", "distance", "perpendicular", "unit", "reflected", "turned", "reversed",
 ]  # fmt: skip
 """``numbers`` come out as mere numbers; ``lanes`` and ``limits`` leave colours what they are."""
 
