@@ -315,8 +315,8 @@ WRONG_MEANING = _error(
     "B0320",
     "expected {expected}, found {found}",
     "What a value means is part of its type: a point is no vector, a colour no direction, and a "
-    "value in one space none in another. `x in space` converts, `(x as type)` gives another meaning "
-    "to the same numbers, and `vec3(x)` takes them as bare numbers, which fit everywhere.",
+    "value in one space none in another. `x in space` converts, `(x as type)` gives another "
+    "meaning to the same numbers, and `vec3(x)` takes them as bare numbers, which fit everywhere.",
 )
 MIXED_SPACES = _error(
     "B0321",

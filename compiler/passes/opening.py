@@ -10,9 +10,9 @@ from collections.abc import Iterable
 from ...frozen import changed
 from ..ir.binding import open_body
 from ..ir.node import Folding, Formal, Formals, Graph, Node, binders, body_of
+from ..ir.rewrite import rewrite
 from ..ir.types import INT, Type
 from ..semantics.shader import Notes
-from ..ir.rewrite import rewrite
 
 
 class _Opener:

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterable, Mapping
 from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node
+from ..ir.rewrite import rewrite
 from ..ir.types import (
     BOOL,
     INT,
@@ -29,7 +30,6 @@ from ..ir.types import (
     width,
 )
 from ..layout import elements_in_row, stored_type
-from ..ir.rewrite import rewrite
 
 
 def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:

@@ -1,8 +1,8 @@
 """The algebra of meanings: what an operation of meaningful values means, and which ones have none.
 
 One rule for each way of working, named by the ``meaning`` column of the builtins' rows. A rule sees
-only meanings and types. A side without a meaning is a bare number, which fits everywhere: rules then
-say what is certain, and never object.
+only meanings and types. A side without a meaning is a bare number, which fits everywhere: rules
+then say what is certain, and never object.
 """
 
 from __future__ import annotations
@@ -175,8 +175,9 @@ def _quotient(sides: tuple[Side, ...], result: Type) -> Found:
     if other.meaning is not None and other.meaning.kind == "angle":
         return None
     scaled = _scaled(sides, result)
-    divides = one.meaning is not None or isinstance(scaled, Clash)
-    return scaled if divides or (scaled is not None and scaled.kind in COLORS) else None
+    if isinstance(scaled, Clash) or one.meaning is not None:
+        return scaled
+    return scaled if scaled is not None and scaled.kind in COLORS else None
 
 
 def _scaled(sides: tuple[Side, ...], result: Type) -> Found:
@@ -363,5 +364,3 @@ def chosen(sides: tuple[Side, ...]) -> Found:
     found = joined(one, other)
     both = one is not None and other is not None
     return Clash(rules.MIXED_MEANINGS, 0, 1) if found is None and both else found
-
-

@@ -18,7 +18,7 @@ from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type, numbers_of
 from .functions import bound, entered, fit_result
-from .generics import instance
+from .generics import shown
 from .modules import Symbol
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
@@ -329,7 +329,7 @@ def apply_body(
     result: Node | Failure = yield low.node(function.body, scope)
     result = fit_result(low, symbol, result, arguments)
     if variables:
-        label = Label(span, f"in `{instance(symbol.name, variables)}`, called here")
+        label = Label(span, f"in `{shown(symbol.name, variables)}`, called here")
         low.report.explain(before, label)
     low.active.pop(symbol)
     low.applied[key] = result

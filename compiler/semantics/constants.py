@@ -15,7 +15,9 @@ from ..reference.namespace import Lanes
 from .scope import Failure
 from .shader import Lanes as Value
 
-_OPERATIONS = frozenset({"constant", "call", "vector", "splat", "matrix", "swizzle", "select", "as"})
+_OPERATIONS = frozenset(
+    {"constant", "call", "vector", "splat", "matrix", "swizzle", "select", "as"}
+)
 
 
 class ConstantValues:

@@ -42,9 +42,7 @@ def meant(
         )  # fmt: skip
         return FAILURE
     if declared.meaning == ANGLE and found is None and (number := _bare_number(written)):
-        low.report.add(
-            rules.BARE_ANGLE, span, text=number, hint=f"`{number}deg` or `{number}rad`?"
-        )
+        low.report.add(rules.BARE_ANGLE, span, text=number, hint=f"`{number}deg` or `{number}rad`?")
         return FAILURE
     return contracted(low, node, declared, span, written)
 
@@ -124,9 +122,7 @@ def _way_out(
     return ""
 
 
-def adapts(
-    low: Lowering, argument: Node, declared: Declared, *, broadcast: bool
-) -> bool | None:
+def adapts(low: Lowering, argument: Node, declared: Declared, *, broadcast: bool) -> bool | None:
     """Whether an argument has to change to be what is declared; ``None`` where it cannot."""
     found = low.meanings.of(argument)
     fitted = coerce(low.graph, argument, declared.type, broadcast=broadcast)

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from ...frozen import frozen
 from ..ir.meaning import Meaning
+from ..ir.signatures import Family
 from ..ir.types import Array, Matrix, Scalar, Type, Vector
 from ..syntax import ast
 from . import overloads
@@ -40,11 +41,11 @@ def bind(function: ast.Function, uses: Sequence[Use]) -> Variables | None:
     return binding.result()
 
 
-def instance(name: str, variables: Variables) -> str:
+def shown(name: str, variables: Variables) -> str:
     """A generic function with what its parameters stand for, as messages call it."""
     values = (v.text if isinstance(v, Declared) else str(v) for v in variables.values())
-    shown = [value for value in values if value]
-    return f"{name}<{', '.join(shown)}>" if shown else name
+    known = [value for value in values if value]
+    return f"{name}<{', '.join(known)}>" if known else name
 
 
 class _Binding:
@@ -96,9 +97,9 @@ class _Binding:
         type_ = use.operand.type
         if not isinstance(type_, Array):
             return None
-        if isinstance(count, ast.Reference) and self._families.get(count.name) == COUNTS:
-            if not self._learn(count.name, type_.count):
-                return None
+        named = count.name if isinstance(count, ast.Reference) else ""
+        if self._families.get(named) == COUNTS and not self._learn(named, type_.count):
+            return None
         return Use(Operand(type_.element), use.meaning)
 
     def _vector(self, arguments: tuple[ast.Name, ...], type_: Type) -> bool:
@@ -134,7 +135,7 @@ def _common(family: str, uses: Sequence[Use]) -> Declared | None:
         type_ = operands[0].type if len(types) == 1 else None
         type_ = type_ if isinstance(type_, Matrix) else None
     else:
-        known: Mapping[str, overloads.Family] = overloads.WRITTEN_FAMILIES
+        known: Mapping[str, Family] = overloads.WRITTEN_FAMILIES
         type_ = overloads.common_type(known[family], operands) if family in known else None
     if type_ is None:
         return None

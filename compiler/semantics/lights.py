@@ -116,10 +116,10 @@ def _contribution(
     given = []
     for name, variable in slots.items():
         if not instance.has(name):
-            declared = instance.record.symbol.declaration.name.span
+            place = instance.record.symbol.declaration.name.span
             low.report.add(
                 rules.LIGHT_LACKS_SLOT, span, light=instance.record.name, slot=name,
-                labels=[Label(declared, "this light")],
+                labels=[Label(place, "this light")],
             )  # fmt: skip
             return FAILURE
         node = yield lookup.slot(low, instance, name, span)

@@ -256,9 +256,8 @@ def _attribute(low: Lowering, definition: Definition, name: str) -> AttributeInf
     if not isinstance(declared.type, Scalar | Vector) or scalar_kind(declared.type) == "bool":
         low.report.add(rules.CANNOT_CROSS, member.type.span, type=declared.text)
         return None
-    return AttributeInfo(
-        Attribute(name, declared.type, weakened(declared.meaning)), declared.text, member.doc, member.name.span
-    )
+    attribute = Attribute(name, declared.type, weakened(declared.meaning))
+    return AttributeInfo(attribute, declared.text, member.doc, member.name.span)
 
 
 def as_array(name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,
@@ -269,9 +268,7 @@ def as_array(name: str, light: str, infos: tuple[ParameterInfo, ...], count: int
     facts = tuple((short, info.parameter.fact) for short, info in members)
     meanings = tuple((short, info.parameter.meaning) for short, info in members)
     meaning = Meaning("struct", members=meanings)
-    parameter = Parameter(
-        name, Array(struct, count), group, member_facts=facts, meaning=meaning
-    )
+    parameter = Parameter(name, Array(struct, count), group, member_facts=facts, meaning=meaning)
     rows = tuple(
         changed(info, parameter=changed(info.parameter, name=short)) for short, info in members
     )

@@ -23,6 +23,7 @@ from ..ir.types import (
     VEC4,
     Array,
     Matrix,
+    Scalar,
     ScalarKind,
     Struct,
     Texture,

@@ -60,7 +60,7 @@ def _leads(way: Way, kind: str) -> bool:
 
 
 def path(low: Lowering, meaning: Meaning, space: str, scope: Scope) -> list[Way] | None:
-    """The shortest way into a space; one that is taken backwards only where no other leads there."""
+    """The shortest way into a space, backwards along a transform only where there is no other."""
     forth = list(transforms(low, scope))
     back = [Way(way.instance, way.name, way.meaning, back=True) for way in forth]
     for ways in (forth, forth + back):

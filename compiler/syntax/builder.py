@@ -244,9 +244,7 @@ class Builder:
     def conversion(self, span: Span, operand: Expression, space: Name) -> ast.Conversion:
         return ast.Conversion(span, operand, space)
 
-    def ascription(
-        self, span: Span, operand: Expression, kind: ast.TypeName
-    ) -> ast.Ascription:
+    def ascription(self, span: Span, operand: Expression, kind: ast.TypeName) -> ast.Ascription:
         return ast.Ascription(span, operand, kind)
 
     def call(self, span: Span, callee: Expression, *arguments: Expression) -> ast.Call:
