@@ -333,7 +333,7 @@ MIXED_MEANINGS = _error(
 )
 NOT_OF_A_POINT = _error(
     "B0323",
-    "`{operator}` of {left}",
+    "`{operator}` cannot be taken of a {left}",
     "A point is a place: it has a distance to another point, but no length, and from it to another "
     "leads a direction, but it has none itself.",
 )

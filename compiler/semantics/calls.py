@@ -18,7 +18,7 @@ from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type, numbers_of
 from .functions import bound, entered, fit_result
-from .generics import shown
+from .generics import shown, untold
 from .modules import Symbol
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
@@ -283,6 +283,8 @@ def _fit_arguments(
         )  # fmt: skip
         return None
     variables = bound(low, function, arguments)
+    if variables is None and untold(function):  # Which has been reported.
+        return None
     if variables is None:
         low.report.add(
             rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments),

@@ -114,7 +114,7 @@ def _way_out(
         places = {found.kind == "point", wanted.kind == "point"}
         if len(places) == 1 and scope is not None:
             offer = ways.offered(low, found, wanted.spaces[0], text, scope)
-            return offer or f"if it is meant, write `({text} as {wanted})`"
+            return f"write {offer}" if offer else f"if it is meant, write `({text} as {wanted})`"
         if len(places) == 2:
             return "a vector leads from one point to another: `b - a`"
     if found.kind in GEOMETRY or wanted.kind in GEOMETRY:

@@ -41,6 +41,20 @@ def bind(function: ast.Function, uses: Sequence[Use]) -> Variables | None:
     return binding.result()
 
 
+def untold(function: ast.Function) -> list[ast.TypeParameter]:
+    """Type parameters of which no argument can tell what they are."""
+    told = {name for argument in function.arguments for name in _names(argument.type)}
+    return [each for each in function.type_parameters if each.name.text not in told]
+
+
+def _names(written: ast.TypeName) -> list[str]:
+    """The names that a written type is made of."""
+    names = [written.name.text, *(argument.text for argument in written.arguments)]
+    if isinstance(written.count, ast.Reference):
+        names.append(written.count.name)
+    return names
+
+
 def shown(name: str, variables: Variables) -> str:
     """A generic function with what its parameters stand for, as messages call it."""
     values = (v.text if isinstance(v, Declared) else str(v) for v in variables.values())
@@ -59,7 +73,7 @@ class _Binding:
         if pattern.count is not None:
             matched = self._array(pattern.count, use)
             if matched is None:
-                return not self._mentioned(pattern)
+                return self._families.keys().isdisjoint(_names(pattern))
             use = matched
         name = pattern.name.text
         if name in self._families:
@@ -85,12 +99,6 @@ class _Binding:
                     return None
                 found[name] = type_
         return found
-
-    def _mentioned(self, pattern: ast.TypeName) -> bool:
-        names = [pattern.name.text, *(argument.text for argument in pattern.arguments)]
-        if isinstance(pattern.count, ast.Reference):
-            names.append(pattern.count.name)
-        return any(name in self._families for name in names)
 
     def _array(self, count: ast.Expression, use: Use) -> Use | None:
         """The elements of an array, whose number ``count`` may name."""

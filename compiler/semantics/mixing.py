@@ -76,4 +76,5 @@ def _hint(
         ways.offered(low, left, right.spaces[0], tight(written[clash.left]), scope),
         ways.offered(low, right, left.spaces[0], tight(written[clash.right]), scope),
     ]
-    return " or ".join(dict.fromkeys(offer for offer in offers if offer))
+    known = " or ".join(offer for offer in offers if offer)
+    return f"write {known}" if known else ""

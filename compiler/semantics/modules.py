@@ -18,7 +18,7 @@ from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Source, Span
 from ..syntax import ast
-from .generics import FAMILIES
+from .generics import FAMILIES, untold
 from .typenames import described
 from .unique import check_once
 
@@ -183,11 +183,11 @@ class Loader:
                     rules.UNKNOWN_NAME, parameter.family.span, kind="family of types",
                     name=parameter.family.text, hint=f"one of {known}",
                 )  # fmt: skip
-            elif not any(_names(argument.type, parameter) for argument in function.arguments):
-                self._report.add(
-                    rules.UNTOLD_PARAMETER, parameter.span, name=parameter.name.text,
-                    function=function.name.text,
-                )  # fmt: skip
+        for parameter in untold(function):
+            self._report.add(
+                rules.UNTOLD_PARAMETER, parameter.span, name=parameter.name.text,
+                function=function.name.text,
+            )  # fmt: skip
         for other in others:
             if _argument_types(other.declaration) == _argument_types(function):
                 self._report.add(
@@ -316,14 +316,6 @@ def _check_inside(report: Report, declaration: Named) -> None:
         case ast.Rig():
             for entry in declaration.entries:
                 check_once(report, (override.name for override in entry.overrides))
-
-
-def _names(written: ast.TypeName, parameter: ast.TypeParameter) -> bool:
-    """Whether a written type mentions a type parameter."""
-    names = [written.name.text, *(argument.text for argument in written.arguments)]
-    if isinstance(written.count, ast.Reference):
-        names.append(written.count.name)
-    return parameter.name.text in names
 
 
 def _library_name(path: Path) -> str:

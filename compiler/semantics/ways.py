@@ -86,7 +86,7 @@ def _shortest(ways: list[Way], start: str, end: str) -> list[Way] | None:
 
 
 def offered(low: Lowering, meaning: Meaning, space: str, text: str, scope: Scope) -> str:
-    """What to write to bring a value into a space; empty where no way leads there."""
+    """How a value is brought into a space; empty where no way leads there."""
     if meaning.kind not in GEOMETRY or path(low, meaning, space, scope) is None:
         return ""
-    return f"write `{text} in {space}`"
+    return f"`{text} in {space}`"
