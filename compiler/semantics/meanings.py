@@ -27,6 +27,8 @@ class Meanings:
 
     def of(self, node: Node) -> Meaning | None:
         """What ``node`` means; ``None`` for a bare number."""
+        if node.id in self._known:
+            return self._known[node.id]
         pending = [node]
         while pending:
             top = pending[-1]

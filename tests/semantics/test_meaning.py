@@ -9,7 +9,7 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.node import reachable
 from burnish.compiler.ir.types import Type
-from burnish.compiler.semantics import algebra
+from burnish.compiler.semantics import algebra, fitting
 from burnish.compiler.semantics.algebra import Found, Side
 
 from .kit import lanes, number, shader
@@ -234,6 +234,23 @@ def test_every_rule_finds_something(name: str, monkeypatch: pytest.MonkeyPatch) 
 
     monkeypatch.setattr(algebra, "RULES", {**algebra.RULES, name: silent})
     monkeypatch.setattr("burnish.compiler.semantics.meanings.RULES", algebra.RULES)
+    assert not _told(source)
+
+
+@pytest.mark.parametrize(
+    ("name", "answer", "equation"),
+    [
+        ("fits", True, "a : rgb = normal"),
+        ("needs_unit", False, "a : direction<world> = eye - position"),
+        ("_bare_number", "", "a : angle = 20"),
+    ],
+)
+def test_every_check_of_a_declaration_finds_something(
+    name: str, answer: object, equation: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source = f"material M {{ {equation} }}"
+    assert _told(source)
+    monkeypatch.setattr(fitting, name, lambda *_: answer)
     assert not _told(source)
 
 
