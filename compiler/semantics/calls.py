@@ -10,7 +10,7 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node, bare
-from ..ir.types import VEC2, Texture, scalar_kind
+from ..ir.types import VEC2, VEC3, Texture, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
 from . import fitting, lights, lookup, overloads
@@ -176,7 +176,8 @@ def no_signature(
         types = [str(operand.type) for operand in operands]
         low.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
-            operator=shown, left=types[0], right=types[-1], hint=_mixed_numbers(operands),
+            operator=shown, left=types[0], right=types[-1],
+            hint=_mixed_numbers(operands) or _bare_moved(low, operands),
         )  # fmt: skip
         return FAILURE
     hint = f"candidates: {overloads.signatures(row)}"
@@ -189,6 +190,15 @@ def _mixed_numbers(operands: tuple[Node, ...]) -> str:
     kinds = {scalar_kind(operand.type) for operand in operands}
     mixed = "float" in kinds and kinds & {"int", "uint"}
     return "convert the integer with `float(…)`" if mixed else ""
+
+
+def _bare_moved(low: Lowering, operands: tuple[Node, ...]) -> str:
+    """How to mend ``transform * vec3``, which may be meant for a point or a vector."""
+    by = low.meanings.of(operands[0])
+    if by is None or by.kind != "transform" or operands[-1].type != VEC3:
+        return ""
+    space = by.spaces[0]
+    return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
 
 
 # --- functions and terms -------------------------------------------------------------------------
