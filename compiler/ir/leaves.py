@@ -13,6 +13,18 @@ from .types import BOOL, UINT, VEC4, Type
 
 InterpolationMode = Literal["perspective", "flat"]
 
+Step = Literal["vertex", "instance"]
+"""How often a vertex input goes on to its next value."""
+
+
+@frozen
+class HostPlace:
+    """A uniform block that the host owns, and where it binds it."""
+
+    name: str
+    group: int
+    binding: int
+
 
 @frozen(key=True)
 class Parameter:
@@ -30,6 +42,8 @@ class Parameter:
     derived: bool = False
     """Computed on the host side from other parameters and kept in the group's derived block."""
     meaning: Meaning | None = None
+    host: HostPlace | None = None
+    """The host's own block that holds it, instead of the group's."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,10 +60,11 @@ class Resource:
 
 @frozen(key=True)
 class Attribute:
-    """A vertex input."""
+    """A vertex input: a number or vector, or a matrix's column (``bend.0``)."""
 
     name: str
     type: Type
+    step: Step = "vertex"
     meaning: Meaning | None = None
 
 

@@ -7,7 +7,7 @@ then say what is certain, and never object.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 
 from ...frozen import frozen
@@ -364,3 +364,16 @@ def chosen(sides: tuple[Side, ...]) -> Found:
     found = joined(one, other)
     both = one is not None and other is not None
     return Clash(rules.MIXED_MEANINGS, 0, 1) if found is None and both else found
+
+
+def gathered(sides: Sequence[Side]) -> Found:
+    """What all elements of an array mean; a bare number among them means what the others do."""
+    last, found = 0, sides[0].meaning
+    for i, each in enumerate(sides[1:], 1):
+        together = chosen((Side(each.type, found), each))
+        if isinstance(together, Clash):
+            return Clash(together.rule, last, i, together.hint)
+        if each.meaning is not None:
+            last = i
+        found = together
+    return found

@@ -145,12 +145,9 @@ def light_variable(
 ) -> Node:
     """A slot of ``light`` in a term: what all lights of the rig have to keep to."""
     if variable.id not in low.variables:
-        declared = None
-        written = light.record.typed(name)
-        if written is not None:
-            definitions = light.record.definitions[name]
-            owner = next(d for d in definitions if d.member.type is written).owner
-            declared = declared_type(low, written, owner.module)
+        declared, typing = None, light.record.typing(name)
+        if typing is not None and typing.member.type is not None:
+            declared = declared_type(low, typing.member.type, typing.owner.module)
         meaning = weakened(low.meanings.of(sample))
         untyped = Declared(sample.type, str(meaning or sample.type), meaning=meaning)
         low.variables[variable.id] = declared or untyped

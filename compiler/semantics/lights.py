@@ -21,7 +21,7 @@ from ..syntax import ast
 from ..trampoline import Step
 from . import fitting, lookup
 from .declared import numbers_of
-from .folds import fold
+from .folds import changing, folded
 from .functions import bound, entered, fit_result
 from .modules import Symbol
 from .overrides import check_overrides
@@ -64,7 +64,7 @@ def _summed(
             return FAILURE
         if formal is not None:
             count = None if entry.count is None else _parameter(low, entry.count)
-            contribution = fold(
+            contribution = folded(
                 low.graph, "add", entry.bound, contribution, formal, low.notes.follow, count
             )
         low.notes.spans.setdefault(contribution.id, span)
@@ -101,6 +101,11 @@ def _shared_body(
     if body.type == INT and isinstance(body.data, int) and body.op == "constant":
         body = build.floating(low.graph, float(body.data))
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
+    for node in changing((body,), set(formals)):
+        if node.op == "interpolate":
+            where = low.notes.spans.get(node.id, function.body.span)
+            low.report.add(rules.CROSSING_PER_LIGHT, where)
+            return FAILURE
     closed = close(low.graph, body, formals, low.notes.follow)
     low.notes.functions.setdefault(closed.id, symbol.name)
     low.notes.variables.setdefault(closed.id, tuple(light.variables))

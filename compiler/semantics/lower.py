@@ -34,11 +34,11 @@ from ..ir.types import (
 )
 from ..syntax import ast
 from ..trampoline import Step
-from . import calls, conversions, fitting, lookup, mixing, overloads
+from . import aggregates, calls, conversions, fitting, folds, lookup, mixing, overloads
 from .coerce import coerce
 from .constants import ConstantValues
 from .declared import declared_type
-from .folds import fold
+from .externs import Externs
 from .meanings import Meanings
 from .modules import Symbol
 from .records import Records
@@ -64,7 +64,6 @@ OPERATORS: Mapping[str, str] = {
 SWIZZLES: Mapping[str, Mapping[str, int]] = {
     letters: {letter: i for i, letter in enumerate(letters)} for letters in ("xyzw", "rgba")
 }
-LARGEST_FOLD = 4096
 LOWEST = str(2**31)
 """An `int` only with a minus in front."""
 
@@ -77,6 +76,7 @@ class Lowering:
     ) -> None:
         self.report = report
         self.records = records
+        self.externs = Externs(self)
         self.types = types
         self.rig = rig
         self.graph = Graph()
@@ -85,6 +85,7 @@ class Lowering:
         self.constants = ConstantValues(report)
         self.meanings = Meanings(self.graph)
         self.ranges = Ranges(())
+        """What is known of values already: by it loops are bounded, and lengths proven."""
         self.passing: Instance | None = None
         """The pass, whose transforms are in scope everywhere."""
         self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
@@ -284,7 +285,7 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
         if not 0 <= known < count:
             low.report.add(rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type)
             return FAILURE
-        return build.index(low.graph, operand, build.constant(low.graph, INT, known))
+        return build.part(low.graph, operand, known)
     zero, last = (build.constant(low.graph, INT, n) for n in (0, count - 1))
     clamped = low.graph.node("call", INT, (position, zero, last), "clamp")
     return build.index(low.graph, operand, clamped)
@@ -373,32 +374,6 @@ def _ascription(low: Lowering, e: ast.Ascription, scope: Scope) -> Step[Value]:
     return low.meanings.ascribed(fitted, declared.meaning)
 
 
-def _fold(low: Lowering, e: ast.Fold, scope: Scope) -> Step[Value]:
-    bounds = []
-    for bound in (e.start, e.end):
-        node = yield low.typed(bound, scope, INT, "int")
-        bounds.append(low.constants.integer(node, bound.span))
-    if bounds[0] is None or bounds[1] is None:
-        return FAILURE
-    start, count = bounds[0], max(bounds[1] - bounds[0], 0)
-    if count > LARGEST_FOLD:
-        low.report.add(rules.FOLD_TOO_LONG, e.span, count=count, most=LARGEST_FOLD)
-        return FAILURE
-    formal = Formal(e.variable.text)
-    variable = low.graph.node("formal", INT, (), formal)
-    offset = build.constant(low.graph, INT, start)
-    index = low.graph.node("call", INT, (variable, offset), "add") if start else variable
-    body = yield low.node(e.body, scope.binding({e.variable.text: index}))
-    if isinstance(body, Failure):
-        return FAILURE
-    if not isinstance(body.type, Scalar | Vector) or body.type.kind == "bool":
-        low.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
-        return FAILURE
-    return fold(
-        low.graph, "add" if e.operator == "sum" else "mul", count, body, formal, low.notes.follow
-    )
-
-
 _LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {
     ast.Number: _number,
     ast.Color: _color,
@@ -412,7 +387,9 @@ _LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {
     ast.AtRate: _at_rate,
     ast.Conversion: conversions.convert,
     ast.Ascription: _ascription,
-    ast.Fold: _fold,
+    ast.Array: aggregates.array,
+    ast.Fold: folds.fold,
+    ast.Iterate: folds.iterate,
     ast.Call: calls.call,
     ast.With: calls.replaced,
 }

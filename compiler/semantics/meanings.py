@@ -14,8 +14,8 @@ from ..ir.leaves import Attribute, Parameter
 from ..ir.meaning import ARROWS, COLORS, GEOMETRY, RGB, Meaning
 from ..ir.node import Folding, Graph, Node, reachable
 from ..ir.rewrite import rewrite
-from ..ir.types import Array, Matrix
-from .algebra import RULES, Found, chosen, side, weakened
+from ..ir.types import Array, Matrix, Struct
+from .algebra import RULES, Found, chosen, gathered, side, weakened
 
 
 class Meanings:
@@ -89,6 +89,17 @@ def _select(node: Node, operands: Operands) -> Found:
     return chosen((side(node.operands[1], operands[1]), side(node.operands[2], operands[2])))
 
 
+def _struct(node: Node, operands: Operands) -> Found:
+    assert isinstance(node.type, Struct)
+    names = (name for name, _type in node.type.members)
+    members = tuple(zip(names, operands, strict=True))
+    return Meaning("struct", members=members) if any(operands) else None
+
+
+def _array(node: Node, operands: Operands) -> Found:
+    return gathered([side(o, m) for o, m in zip(node.operands, operands, strict=True)])
+
+
 def _swizzle(node: Node, operands: Operands) -> Found:
     is_color = operands[0] is not None and operands[0].kind in COLORS
     return RGB if is_color and node.data == (0, 1, 2) else None
@@ -116,7 +127,7 @@ def _fold(node: Node, operands: Operands) -> Found:
     term = operands[2]
     if not isinstance(node.data, Folding) or term is None:
         return None
-    if node.data.operator == "mul":
+    if node.data.operator != "add":
         return term if term.kind in COLORS else None
     if term.kind in GEOMETRY - ARROWS:
         return None
@@ -133,6 +144,8 @@ _RULES: Mapping[str, Callable[[Node, Operands], Found]] = {
     "as": _ascription,
     "call": _call,
     "native": _call,
+    "struct": _struct,
+    "array": _array,
     "select": _select,
     "swizzle": _swizzle,
     "index": _index,

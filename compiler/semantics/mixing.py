@@ -11,7 +11,7 @@ from ..ir.meaning import Meaning
 from ..ir.node import Node
 from ..syntax import ast
 from . import ways
-from .algebra import Clash, chosen, side
+from .algebra import Clash, chosen, gathered, side
 from .meanings import combined
 from .scope import FAILURE, Failure, Scope
 from .wording import tight
@@ -32,6 +32,8 @@ def checked(
     if node.op == "select":
         operands, meanings, written = node.operands[1:], meanings[1:], written[1:]
         found = chosen((side(operands[0], meanings[0]), side(operands[1], meanings[1])))
+    elif node.op == "array":
+        found = gathered([side(o, m) for o, m in zip(node.operands, meanings, strict=True)])
     else:
         found = combined(node, meanings)
     if not isinstance(found, Clash):

@@ -66,6 +66,7 @@ NAMED: Mapping[str, Named] = {
     "point": Named(VEC3, spaces=1, meaning="point"),
     "vector": Named(VEC3, spaces=1, meaning="vector"),
     "normal": Named(VEC3, spaces=1, fact=UNIT, meaning="normal"),
+    "covector": Named(VEC3, spaces=1, meaning="normal"),
     "direction": Named(VEC3, spaces=1, fact=UNIT, meaning="direction"),
     "transform": Named(Matrix(4), spaces=2, meaning="transform"),
     "frame": Named(Matrix(3), spaces=2, meaning="frame"),

@@ -41,13 +41,14 @@ def transforms(low: Lowering, scope: Scope) -> Iterator[Way]:
         if instance is None or instance in seen:
             continue
         seen.append(instance)
-        for name, definitions in instance.record.definitions.items():
-            written = instance.record.typed(name)
-            named = None if written is None else NAMED.get(written.name.text)
-            if written is None or named is None or named.meaning not in MAPS:
+        for name in instance.record.definitions:
+            typing = instance.record.typing(name)
+            if typing is None or typing.member.type is None:
                 continue
-            owner = next(d for d in definitions if d.member.type is written).owner
-            declared = declared_type(low, written, owner.module)
+            named = NAMED.get(typing.member.type.name.text)
+            if named is None or named.meaning not in MAPS:
+                continue
+            declared = declared_type(low, typing.member.type, typing.owner.module)
             if declared is not None and declared.meaning is not None:
                 yield Way(instance, name, declared.meaning)
 
