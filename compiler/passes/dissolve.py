@@ -11,10 +11,10 @@ from collections.abc import Iterable
 
 from ..ir import build
 from ..ir.node import Graph, Node
+from ..ir.rewrite import rewrite
 from ..ir.types import INT, Array, Matrix
 from ..semantics.shader import Notes
 from ..trampoline import Step, run
-from .rewrite import rewrite
 
 NESTED_MATRICES = 8
 """Matrices are chosen by branches; of choices inside of more choices, each column by itself."""

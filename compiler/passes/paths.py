@@ -14,9 +14,9 @@ from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
 from ..ir.node import Node, reachable
+from ..ir.ranges import Ranges
 from ..ir.types import Scalar
 from .arithmetic import OPPOSITES
-from .ranges import Ranges
 
 FARTHEST = 16
 """Conditions looked at on the way out; farther ones rarely say anything more."""

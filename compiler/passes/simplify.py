@@ -13,6 +13,8 @@ from ...stdlib.builtins import BUILTINS
 from ..ir import build
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
+from ..ir.ranges import Ranges
+from ..ir.rewrite import rewrite
 from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.evaluate import evaluate
 from ..reference.namespace import Lanes
@@ -20,8 +22,6 @@ from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
 from .cost import cost_of
-from .ranges import Ranges
-from .rewrite import rewrite
 
 LARGEST_FLOAT = 3.4028234663852886e38
 UNROLLED = 2

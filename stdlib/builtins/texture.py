@@ -8,6 +8,7 @@ ROWS = (
     Builtin(
         name="sample",
         signatures=("texture2d, vec2 -> vec4",),
+        meaning="numbers",
         doc="The texture's colour at a coordinate, filtered; the level of detail is implicit.",
         accuracy=Accuracy("filtering", "the device's subtexel and mip bits"),
         cost=16,

@@ -7,9 +7,9 @@ import pytest
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
+from burnish.compiler.ir.ranges import Ranges
+from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Type
-from burnish.compiler.passes.ranges import Ranges
-from burnish.compiler.passes.rewrite import rewrite
 from burnish.compiler.passes.simplify import Simplifier
 from burnish.compiler.semantics.shader import Notes
 from burnish.stdlib.builtins.facts import UNIT, UNKNOWN, Fact
