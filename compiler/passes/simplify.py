@@ -17,6 +17,7 @@ from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
+from .bits import BIT_RULES
 from .ranges import Ranges
 from .rewrite import rewrite
 
@@ -67,7 +68,7 @@ def _builtin(op: Op) -> OpRule:
         folded = _folded(s, type_, operands, name)
         if folded is not None:
             return folded
-        special = BUILTIN_RULES.get(name)
+        special = BUILTIN_RULES.get(name) or BIT_RULES.get(name)
         return special(s, op, type_, operands) if special is not None else None
 
     return rule

@@ -6,7 +6,7 @@ from .tables import END
 from .tokens import Token
 
 _EXPRESSION = {
-    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "@", "not", "if", "sum", "product",
+    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "~", "@", "not", "if", "sum", "product",
 }  # fmt: skip
 _MEMBER = {"NAME", "param", "map", "attribute", "target", "discard"}
 _DECLARATION = {
@@ -14,7 +14,8 @@ _DECLARATION = {
     "space", "burnish",
 }  # fmt: skip
 _OPERATORS = {
-    "+", "-", "*", "/", "mod", "==", "!=", "<", "<=", ">", ">=", "and", "or", "(", "[", ".", "with",
+    "+", "-", "*", "/", "mod", "&", "|", "^", "<<", ">>", "==", "!=", "<", "<=", ">", ">=",
+    "and", "or", "(", "[", ".", "with",
 }  # fmt: skip
 _SEPARATORS = {";", ","}
 _WORDS = {
