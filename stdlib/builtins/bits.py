@@ -63,6 +63,10 @@ def _shifts(facts: tuple[Fact, ...]) -> bool:
     return amount.kind == "uint" and amount.hi < BITS
 
 
+def _is_unsigned(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].kind == "uint"
+
+
 def _count(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     return _whole(0, BITS)
 
@@ -77,6 +81,12 @@ def _same_bits(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 def _is_number(facts: tuple[Fact, ...]) -> bool:
     return facts[0].excludes_zero
+
+
+def _are_numbers(facts: tuple[Fact, ...]) -> bool:
+    """Neither zero nor subnormal, infinite or NaN."""
+    (x,) = facts
+    return x.within(0x00800000, 0x7F7FFFFF) or x.within(0x80800000, 0xFF7FFFFF)
 
 
 def _exponent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -176,6 +186,9 @@ ROWS = (
             "The place of the highest bit that is set, counted from 0; in a negative `int`, of "
             "the highest that is not set. -1 where there is none."
         ),
+        domain=_is_unsigned,
+        outside="DXC takes an `int` for a `uint`, so that of an `int` is found by way of one.",
+        expansion="first_leading_bit",
         definition="first_leading_bit",
         range=_place,
         accuracy=_TOTAL,
@@ -237,7 +250,7 @@ ROWS = (
         name="float_of_bits",
         signatures=_FROM_UINT,
         doc="The float32 that has these bits.",
-        domain=nowhere,
+        domain=_are_numbers,
         outside=(
             "0 for the bits of what is no number here: infinities, NaN, and magnitudes below "
             "2^-126, zeros among them."

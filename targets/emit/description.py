@@ -34,8 +34,12 @@ FieldRole = Literal["attribute", "varying", "target"]
 class Spelling:
     """How a native is spelled when that depends on the operands: empty means the usual way."""
 
+    usual: str = ""
+    """Whatever has no spelling of its own here."""
     floats: str = ""
     """Scalars or vectors of floats."""
+    integers: str = ""
+    """Scalars or vectors of integers."""
     vectors: str = ""
     """Vectors, whatever their lanes."""
     matrix: str = ""

@@ -28,13 +28,20 @@ def spelling_of(name: str, operands: Sequence[Type], table: Mapping[str, str | S
     """How builtin ``name`` is written for operands of these types."""
     spelled = table.get(name, "")
     if isinstance(spelled, Spelling):
-        if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
-            spelled = spelled.matrix
-        elif spelled.vectors and isinstance(operands[0], Vector):
-            spelled = spelled.vectors
-        else:
-            spelled = spelled.floats if scalar_kind(operands[0]) == "float" else ""
+        spelled = _special(spelled, operands) or spelled.usual
     return spelled or BUILTINS[name].operator or name
+
+
+def _special(row: Spelling, operands: Sequence[Type]) -> str:
+    """What a row says of operands of these types in particular."""
+    if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
+        return row.matrix
+    if row.vectors and isinstance(operands[0], Vector):
+        return row.vectors
+    kind = scalar_kind(operands[0])
+    if kind == "float":
+        return row.floats
+    return row.integers if kind in ("int", "uint") else ""
 
 
 class Natives:

@@ -47,8 +47,9 @@ NATIVES: Mapping[str, str | Spelling] = {
     "first_leading_bit": "{type}(firstbithigh({0}))",
     "first_trailing_bit": "{type}(firstbitlow({0}))",
     "to_float": "{type}({0})",
-    "to_int": "{type}({0})",
-    "to_uint": "{type}({0})",
+    # DXC takes `uint2(int2(v))` for `uint2(v)`, also where `v` is negative.
+    "to_int": Spelling(usual="{type}({0})", integers="asint({0})"),
+    "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})"),
     "sample": "{0}.Sample({sampler}, {1})",
 }
 

@@ -63,10 +63,12 @@ KINDS: Mapping[str, tuple[ScalarKind, ...]] = {
     "N": ("float", "int", "uint"), "I": ("int", "uint"), "B": ("bool",),
     "P": ("float", "int", "uint", "bool"),
 }  # fmt: skip
+OF_KIND: Mapping[str, ScalarKind] = {"Q": "bool", "U": "uint", "J": "int"}
 WIDTHS = {"S": (1,), "V": (2, 3, 4)}
 FIXED: Mapping[str, Type] = {
     **{kind: Scalar(kind) for kind in ("float", "int", "uint", "bool")},
     **{str(Vector(kind, n)): Vector(kind, n) for kind in KINDS["P"] for n in (2, 3, 4)},
+    **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
     "texture2d": Texture(),
 }
 
@@ -103,12 +105,10 @@ def _type(word: str, chosen: Mapping[str, Type]) -> Type:
         matrix = chosen["M"]
         assert isinstance(matrix, Matrix)
         return Vector("float", matrix.size)
-    if word == "L":
+    if word in "LQUJ":
         base = next(type_ for letter, type_ in chosen.items() if letter in "NTIP")
         assert isinstance(base, Scalar | Vector)
-        return Scalar(base.kind)
-    if word == "Q":
-        return with_width("bool", width(chosen["P"]))
+        return Scalar(base.kind) if word == "L" else with_width(OF_KIND[word], width(base))
     return FIXED[word]
 
 
