@@ -28,6 +28,7 @@ from ..ir.types import (
     Texture,
     Type,
     Vector,
+    scalar_kind,
     width,
 )
 from ..syntax import ast
@@ -118,7 +119,9 @@ class Lowering:
         fitted = coerce(self.graph, node, wanted)
         if fitted is None:
             hint = ""
-            if isinstance(node.type, Scalar) and isinstance(wanted, Vector):
+            if wanted == BOOL and scalar_kind(node.type) == "bool":
+                hint = "`all(…)` or `any(…)` makes one truth of them"
+            elif isinstance(node.type, Scalar) and isinstance(wanted, Vector):
                 hint = f"write `{wanted}(…)` for equal lanes"
             elif isinstance(node.type, Scalar) and isinstance(wanted, Scalar):
                 hint = f"convert with `{wanted}(…)`"

@@ -106,7 +106,7 @@ class TypeResolver:
             known = [*NAMED, *structs, *(variables or ())]
             self._report.add(
                 rules.UNKNOWN_NAME, name.name.span, kind="type", name=text,
-                hint=suggestion(text, known),
+                hint=_elsewhere(text) or suggestion(text, known),
             )  # fmt: skip
             return None
         if not self._check_spaces(name, meaning, spaces):
@@ -128,6 +128,13 @@ class TypeResolver:
                 )  # fmt: skip
                 return False
         return True
+
+
+def _elsewhere(name: str) -> str:
+    """What a type of another shading language is called here."""
+    from ...stdlib.builtins.elsewhere import TYPES
+
+    return f"it is `{TYPES[name]}` here" if name in TYPES else ""
 
 
 def array_of(declared: Declared, name: ast.TypeName, count: int) -> Declared:

@@ -20,11 +20,13 @@ from burnish.compiler.ir.types import (
     Texture,
     Type,
     Vector,
+    scalar_kind,
     width,
     with_width,
 )
 from burnish.stdlib.builtins import BUILTINS
-from burnish.stdlib.builtins.row import Builtin, nowhere
+from burnish.stdlib.builtins.facts import Fact
+from burnish.stdlib.builtins.row import Builtin
 from burnish.targets import registry
 from burnish.targets.emit.description import Profile, Target
 from burnish.targets.emit.emitter import EmitOptions, emit
@@ -112,6 +114,17 @@ def _type(word: str, chosen: Mapping[str, Type]) -> Type:
     return FIXED[word]
 
 
+def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
+    """Whether there are values of these types for which the hardware's own will do."""
+    kinds = [scalar_kind(type_) or "float" for type_ in operands]
+    some = ([1.0] * len(kinds), [0.25, 0.5, 0.75, 1.0], [1.0, 2.0, 3.0, 4.0], [float(0x3F800000)])
+    return any(
+        row.domain(tuple(Fact(x, x, unit=True, kind=k) for x, k in zip(values, kinds, strict=False)))
+        for values in some
+        if len(values) >= len(kinds)
+    )
+
+
 def program_of_rows() -> Program:
     """One fragment stage that calls every instance of every builtin a target has natively."""
     make = Maker()
@@ -140,8 +153,8 @@ def program_of_rows() -> Program:
     lets = [
         Let(f"{row.name}_{number}", make.native(row.name, result, *map(operand, operands)))
         for row in BUILTINS.values()
-        if row.domain is not nowhere
         for number, (operands, result) in enumerate(instances(row))
+        if is_native(row, operands)
     ]
     color = build.constant(make.graph, VEC4, (0.5, 0.5, 0.5, 1.0))
     return tiny(color, make, (material,), resources=(albedo,), region=Region(tuple(lets)))

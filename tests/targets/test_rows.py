@@ -13,7 +13,7 @@ from burnish.targets import registry
 from burnish.targets.emit.natives import spelling_of
 from burnish.targets.emit.precedence import INFIX, PREFIX
 
-from .kit import PROFILES, Selected, emitted, instances, program_of_rows
+from .kit import PROFILES, Selected, emitted, instances, is_native, program_of_rows
 
 NATIVES = [row for row in BUILTINS.values() if row.domain is not nowhere]
 
@@ -24,6 +24,8 @@ def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
     table = {**selected.target.natives, **selected.profile.natives}
     functions = selected.target.reserved().words
     for operands, result in instances(row):
+        if not is_native(row, operands):
+            continue
         spelled = spelling_of(row.name, operands, table)
         arity = len(operands)
         known = (
