@@ -87,7 +87,6 @@ FLOATS = [
     ("quantize_half", (-1e9,), -65504.0),
     ("quantize_half", (1e-9,), 0.0),
     ("quantize_half", (2.0**-25 * 1.5,), 2.0**-24),
-    ("pack_unorm2x16", (2.0,), 0xFFFF),
     ("to_int", (1.9,), 1),
     ("to_int", (-1.9,), -1),
     ("to_int", (3e9,), 2147483520),
