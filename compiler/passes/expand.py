@@ -1,4 +1,4 @@
-"""The builtins' expansions and definitions, lowered from ``stdlib/meaning.burnish`` once per process."""
+"""The builtins' expansions and definitions, from ``stdlib/meaning.burnish``, lowered once."""
 
 from __future__ import annotations
 

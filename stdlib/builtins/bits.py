@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-
 from .facts import Fact
 from .row import EXACT, Accuracy, Builtin, nowhere
 
@@ -13,9 +12,7 @@ _SHIFT = ("I, U -> I", "I, J -> I", "I, uint -> I", "I, int -> I")
 _TO_UINT = ("float -> uint", "vec2 -> uvec2", "vec3 -> uvec3", "vec4 -> uvec4")
 _FROM_UINT = ("uint -> float", "uvec2 -> vec2", "uvec3 -> vec3", "uvec4 -> vec4")
 _BY_32 = "Only the lowest five bits of the amount count, as in WGSL: `x << 33` is `x << 1`."
-_FIELD = (
-    "The field ends at bit 31: an offset is clamped to 0 to 32, and the count to what is left."
-)
+_FIELD = "The field ends at bit 31: an offset is clamped to 0 to 32, and the count to what is left."
 BITS = 32
 
 
@@ -75,7 +72,7 @@ def _place(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     return _whole(-1, BITS - 1)
 
 
-def _same_bits(facts: tuple[Fact, ...], _same: bool) -> Fact:
+def _any_bits(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     return Fact().as_kind("uint")
 
 
@@ -242,7 +239,7 @@ ROWS = (
         domain=_is_number,
         outside="Magnitudes below 2^-126 and -0.0 count as 0, whose bits are 0.",
         expansion="bits_of",
-        range=_same_bits,
+        range=_any_bits,
         accuracy=_TOTAL,
         samples=((0.0,), (-0.0,), (1.0,), (-2.5,), (1e-40,), (3.4028234663852886e38,)),
     ),

@@ -70,9 +70,7 @@ def _lanes(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 def _either(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y = facts[1:]
-    return Fact(
-        min(x.lo, y.lo), max(x.hi, y.hi), x.excludes_zero and y.excludes_zero, kind=x.kind
-    )
+    return Fact(min(x.lo, y.lo), max(x.hi, y.hi), x.excludes_zero and y.excludes_zero, kind=x.kind)
 
 
 def _comparison(

@@ -11,7 +11,7 @@ from .row import WGSL_ACCURACY, Accuracy, Builtin, nowhere
 _FLOATS = ("T -> T",)
 _TANH = Accuracy("the worse of abs 1e-5 and inherited", WGSL_ACCURACY)
 _FLAT = 16.0
-"""From here on tanh is 1 in float32, and the quotient of exponentials would overflow further out."""
+"""From here on tanh is 1 in float32; further out, the quotient of exponentials would overflow."""
 _FARTHEST = 9.0
 """atanh of the greatest float32 below 1 is 8.66."""
 

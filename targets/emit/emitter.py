@@ -82,9 +82,7 @@ class _Emitter:
         self._options = options
         self._names = name_program(program, target)
         self._bindings = assign_bindings(program, profile)
-        self._context = Context(
-            program, target, profile, self._names, options.flip_y, definitions
-        )
+        self._context = Context(program, target, profile, self._names, options.flip_y, definitions)
         self._types = self._context.types
 
     def emission(self) -> Emission:

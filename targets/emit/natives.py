@@ -6,7 +6,16 @@ from collections.abc import Callable, Mapping, Sequence
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Function
-from ...compiler.ir.types import Matrix, Scalar, TallMatrix, Texture, Type, Vector, scalar_kind, width
+from ...compiler.ir.types import (
+    Matrix,
+    Scalar,
+    TallMatrix,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+)
 from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .description import Spelling

@@ -226,8 +226,15 @@ def test_results_are_within_the_range(row: Builtin, data: st.DataObject) -> None
             assert_holds(fact, rounded)
 
 
-WITHOUT_A_NAIVE_ONE = {"normalize", "dot", "shift_left", "shift_right", "bits_of", "float_of_bits",
-                        "first_leading_bit"}
+WITHOUT_A_NAIVE_ONE = {
+    "normalize",
+    "dot",
+    "shift_left",
+    "shift_right",
+    "bits_of",
+    "float_of_bits",
+    "first_leading_bit",
+}
 """Of whole vectors, or of integers and bits, which are tried by value."""
 
 NAIVE: dict[str, Callable[..., float]] = {

@@ -177,9 +177,7 @@ def test_integers(name: str, kind: LaneKind, operands: tuple[int, ...], expected
         ("half2x16", (2.0**-24, 65504.0), 0x7BFF0001),
     ],
 )
-def test_what_is_packed_can_be_unpacked(
-    name: str, lanes: tuple[float, ...], packed: int
-) -> None:
+def test_what_is_packed_can_be_unpacked(name: str, lanes: tuple[float, ...], packed: int) -> None:
     assert evaluate(f"pack_{name}", [lanes]) == (packed,)
     assert evaluate(f"unpack_{name}", [(packed,)], kind="uint") == pytest.approx(lanes)
 

@@ -107,9 +107,9 @@ def builtins_page() -> str:
 
 ELSEWHERE_HEAD = """## What other languages call it
 
-Every function of GLSL 4.50 and ES 3.00, of HLSL's list of intrinsics and of WGSL either stands above
-under its own name, or in this table, from which messages about unknown names take their advice too. In
-it `x`, `y`, `z` are floats, `n` and `m` ints, `u` and `k` uints, `v` and `w` `vec3`s, `p` and `q`
+Every function of GLSL 4.50 and ES 3.00, of HLSL's list of intrinsics and of WGSL stands above under
+its own name, or in this table, from which messages about unknown names take their advice. In it
+`x`, `y`, `z` are floats, `n` and `m` ints, `u` and `k` uints, `v` and `w` `vec3`s, `p` and `q`
 `vec4`s, `c` a `bvec3`, `a` and `b` `mat3`s, `albedo` a texture. `fwidth(x)` is a function of the
 library.
 """

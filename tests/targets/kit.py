@@ -117,11 +117,10 @@ def _type(word: str, chosen: Mapping[str, Type]) -> Type:
 def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
     """Whether there are values of these types for which the hardware's own will do."""
     kinds = [scalar_kind(type_) or "float" for type_ in operands]
-    some = ([1.0] * len(kinds), [0.25, 0.5, 0.75, 1.0], [1.0, 2.0, 3.0, 4.0], [float(0x3F800000)])
+    ones, rising, pattern = (1.0,) * 4, (0.25, 0.5, 0.75, 1.0), (float(0x3F800000),) * 4
     return any(
-        row.domain(tuple(Fact(x, x, unit=True, kind=k) for x, k in zip(values, kinds, strict=False)))
-        for values in some
-        if len(values) >= len(kinds)
+        row.domain(tuple(Fact(x, x, unit=True, kind=kind) for x, kind in zip(values, kinds, strict=False)))
+        for values in (ones, rising, pattern)
     )
 
 
