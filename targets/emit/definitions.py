@@ -36,7 +36,8 @@ def with_definitions(program: Program, profile: Profile) -> tuple[Program, Defin
 
 
 def _defined(stage: Stage, profile: Profile, made: dict[Use, Function]) -> Stage:
-    roots = [*stage.results, *(function.value for function in stage.functions)]
+    roots = [statement.node for statement in stage.region.statements]
+    roots += [*stage.results, *(function.value for function in stage.functions)]
     roots += [root for root in (stage.position, stage.discard) if root is not None]
     needed: dict[Use, None] = {}
     pending = list(_lacking(roots, profile))
