@@ -35,6 +35,9 @@ class Ranges:
 
     def of(self, node: Node) -> Fact:
         """What is known of ``node``."""
+        known = self._facts.get(node.id)
+        if known is not None:
+            return known
         pending = [node]
         while pending:
             top = pending[-1]
