@@ -95,8 +95,8 @@ _INTEGERS: Mapping[str, Function] = {
     "extract_bits": bits.extract_bits,
     "insert_bits": bits.insert_bits,
 }
-_SIGNED: Mapping[str, Function] = {**_INTEGERS, "extract_bits": bits.extract_signed_bits}
-"""The same for ``int``."""
+_SIGNED: Mapping[str, Function] = {"extract_bits": bits.extract_signed_bits}
+"""What is otherwise for ``int``."""
 
 _OF_ANOTHER_KIND: Mapping[str, Function] = {
     "eq": logic.eq,
@@ -204,7 +204,8 @@ def _lanewise(name: str, xp: Namespace, kind: LaneKind) -> Function:
     if name in _OF_ANOTHER_KIND:
         return lambda *lanes: _OF_ANOTHER_KIND[name](xp, *lanes)
     if kind in ("int", "uint"):
-        function = (_SIGNED if kind == "int" else _INTEGERS)[name]
+        signed = _SIGNED.get(name) if kind == "int" else None
+        function = signed or _INTEGERS[name]
         return lambda *lanes: integers.wrap(kind, function(xp, *lanes))
     return lambda *lanes: _FLOATS[name](xp, *lanes)
 
