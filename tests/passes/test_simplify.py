@@ -14,7 +14,6 @@ from burnish.compiler.passes.simplify import Simplifier
 from burnish.compiler.semantics.shader import Notes
 from burnish.stdlib.builtins.facts import UNIT, UNKNOWN, Fact
 
-
 BVEC2 = Vector("bool", 2)
 
 

@@ -118,10 +118,12 @@ def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
     """Whether there are values of these types for which the hardware's own will do."""
     kinds = [scalar_kind(type_) or "float" for type_ in operands]
     ones, rising, pattern = (1.0,) * 4, (0.25, 0.5, 0.75, 1.0), (float(0x3F800000),) * 4
-    return any(
-        row.domain(tuple(Fact(x, x, unit=True, kind=kind) for x, kind in zip(values, kinds, strict=False)))
-        for values in (ones, rising, pattern)
-    )
+
+    def facts(values: tuple[float, ...]) -> tuple[Fact, ...]:
+        pairs = zip(values, kinds, strict=False)
+        return tuple(Fact(value, value, unit=True, kind=kind) for value, kind in pairs)
+
+    return any(row.domain(facts(values)) for values in (ones, rising, pattern))
 
 
 def program_of_rows() -> Program:
