@@ -232,7 +232,7 @@ VALUES: Mapping[str, str] = MappingProxyType(
 """What other pipelines supply or take."""
 
 _HOST = "a value from the host is a parameter: `param name : type`"
-_LOOP = "there are no statements; `sum i in 0..n : e` and `product i in 0..n : e` repeat"
+_LOOP = "there are no statements; `sum i in 0..n : e` and `iterate` repeat"
 
 KEYWORDS: Mapping[str, str] = MappingProxyType(
     {
