@@ -52,8 +52,8 @@ FAMILIES: Mapping[str, Family] = {
     "V": Family(("float",), (2, 3, 4)),
     "N": Family(NUMBER_KINDS, (1, 2, 3, 4), broadcasts=True),
     "I": Family(("int", "uint"), (1, 2, 3, 4), broadcasts=True),
-    "B": Family(("bool",), (1, 2, 3, 4)),
-    "P": Family((*NUMBER_KINDS, "bool"), (1, 2, 3, 4)),
+    "B": Family(("bool",), (1, 2, 3, 4), broadcasts=True),
+    "P": Family((*NUMBER_KINDS, "bool"), (1, 2, 3, 4), broadcasts=True),
 }
 
 _PREFIXES: tuple[tuple[str, ScalarKind], ...] = (("i", "int"), ("u", "uint"), ("b", "bool"))
@@ -65,7 +65,10 @@ FIXED: Mapping[str, Type] = {
 }  # fmt: skip
 """Words of a signature that are one type."""
 
-DEPENDENT = "CLQ"
+_OF_KIND: Mapping[str, ScalarKind] = {"Q": "bool", "U": "uint", "J": "int"}
+"""Letters for lanes of a kind, as many as another letter has."""
+
+DEPENDENT = "CLQUJ"
 """Letters that follow from others and so are bound last."""
 
 
@@ -95,16 +98,15 @@ def meaning(letter: str, bound: Mapping[str, Type]) -> Type:
 
 
 def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
-    """``L``, ``C`` and ``Q`` follow from a letter bound before them."""
+    """``L``, ``C``, ``Q``, ``U`` and ``J`` follow from a letter bound before them."""
     if letter == "C" and isinstance(matrix := bound.get("M"), Matrix):
         return Vector("float", matrix.size)
-    if letter == "Q" and (base := bound.get("P")) is not None:
-        return with_width("bool", width(base))
-    if letter == "L":
-        for source in ("N", "T", "I", "P"):
-            kind = scalar_kind(bound[source]) if source in bound else None
-            if kind is not None:
-                return Scalar(kind)
+    base = next((bound[source] for source in "NTIP" if source in bound), None)
+    kind = scalar_kind(base) if base is not None else None
+    if letter == "L" and kind is not None:
+        return Scalar(kind)
+    if letter in _OF_KIND and base is not None:
+        return with_width(_OF_KIND[letter], width(base))
     return None
 
 

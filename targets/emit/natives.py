@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.types import Matrix, Scalar, TallMatrix, Texture, Type, Vector, scalar_kind
+from ...compiler.ir.program import Function
+from ...compiler.ir.types import (
+    Matrix,
+    Scalar,
+    TallMatrix,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+)
 from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .description import Spelling
@@ -27,11 +37,20 @@ def spelling_of(name: str, operands: Sequence[Type], table: Mapping[str, str | S
     """How builtin ``name`` is written for operands of these types."""
     spelled = table.get(name, "")
     if isinstance(spelled, Spelling):
-        if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
-            spelled = spelled.matrix
-        else:
-            spelled = spelled.floats if scalar_kind(operands[0]) == "float" else ""
+        spelled = _special(spelled, operands) or spelled.usual
     return spelled or BUILTINS[name].operator or name
+
+
+def _special(row: Spelling, operands: Sequence[Type]) -> str:
+    """What a row says of operands of these types in particular."""
+    if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
+        return row.matrix
+    if row.vectors and isinstance(operands[0], Vector):
+        return row.vectors
+    kind = scalar_kind(operands[0])
+    if kind == "float":
+        return row.floats
+    return row.integers if kind in ("int", "uint") else ""
 
 
 class Natives:
@@ -42,7 +61,10 @@ class Natives:
         context: Context,
         leaves: Leaves,
         splat: Callable[[Text, Type], Text],
+        functions: Mapping[Node, tuple[str, Function]],
     ) -> None:
+        self._definitions = context.definitions
+        self._functions = functions
         self._table = context.natives
         self._splats = context.target.splats
         self._spell_type = context.types.type
@@ -52,8 +74,12 @@ class Natives:
     def print(self, node: Node, printed: Sequence[Text]) -> Text:
         """The native ``node`` applied to printed operands."""
         assert isinstance(node.data, str)
+        types = tuple(operand.type for operand in node.operands)
+        if (defined := self._definitions.get((node.data, types))) is not None:
+            name, _function = self._functions[defined.body]
+            return Text(f"{name}({', '.join(operand.text for operand in printed)})")
         operands = self._widened(node, printed) if node.data in self._splats else printed
-        spelled = spelling_of(node.data, [operand.type for operand in node.operands], self._table)
+        spelled = spelling_of(node.data, types, self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
         return _written(spelled, operands)
@@ -70,7 +96,9 @@ class Natives:
         if not isinstance(node.type, Vector):
             return list(operands)
         return [
-            self._splat(text, node.type) if isinstance(operand.type, Scalar) else text
+            self._splat(text, Vector(operand.type.kind, node.type.size))
+            if isinstance(operand.type, Scalar)
+            else text
             for text, operand in zip(operands, node.operands, strict=True)
         ]
 
@@ -80,6 +108,7 @@ class Natives:
             form.format(
                 *map(Operand, operands),
                 type=self._spell_type(node.type),
+                lanes=width(node.type) if isinstance(node.type, Scalar | Vector) else 0,
                 sampler="".join(map(self._sampler, textures)),
             )
         )

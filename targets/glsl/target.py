@@ -27,6 +27,21 @@ NATIVES: Mapping[str, str | Spelling] = {
     "to_float": "{type}({0})",
     "to_int": "{type}({0})",
     "to_uint": "{type}({0})",
+    "eq": Spelling(vectors="equal"),
+    "ne": Spelling(vectors="notEqual"),
+    "lt": Spelling(vectors="lessThan"),
+    "le": Spelling(vectors="lessThanEqual"),
+    "gt": Spelling(vectors="greaterThan"),
+    "ge": Spelling(vectors="greaterThanEqual"),
+    "and": Spelling(vectors="{type}(uvec{lanes}({0}) & uvec{lanes}({1}))"),
+    "or": Spelling(vectors="{type}(uvec{lanes}({0}) | uvec{lanes}({1}))"),
+    "not": Spelling(vectors="not"),
+    "bits_of": "floatBitsToUint",
+    "float_of_bits": "uintBitsToFloat",
+    "count_bits": "bitCount",
+    "reverse_bits": "bitfieldReverse",
+    "first_leading_bit": "findMSB",
+    "first_trailing_bit": "findLSB",
     "sample": "texture",
     "ddx": "dFdx",
     "ddy": "dFdy",
@@ -44,6 +59,11 @@ FRAG_COORD_FROM_TOP = PipelineInput(
     "vec4(gl_FragCoord.x, viewport_height - gl_FragCoord.y, gl_FragCoord.zw)",
     host_uniform="viewport_height",
 )
+
+LACKS = frozenset({"count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit"})
+"""What came with GLSL 4.00 and ES 3.10."""
+
+WITHOUT_FMA = {"fma": "({0:p} * {1:p} + {2:p})"}
 
 DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 """Where rows count upwards, so does ``dFdy``."""
@@ -69,6 +89,8 @@ OPENGL = Profile(
     explicit_bindings=False,
     varyings_by_name=True,
     clip_depth="-1..1",
+    natives=WITHOUT_FMA,
+    lacks=LACKS,
     rows_up=True,
     varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
@@ -89,6 +111,8 @@ ES = Profile(
     explicit_bindings=False,
     varyings_by_name=True,
     clip_depth="-1..1",
+    natives=WITHOUT_FMA,
+    lacks=LACKS,
     rows_up=True,
     varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},

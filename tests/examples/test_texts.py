@@ -22,6 +22,8 @@ READ = (
     ("gouraud", "PerVertex", "glsl:es300"),
     ("clear_coat", "CarPaint", "wgsl:webgpu"),
     ("marble", "Marble", "hlsl:sm6"),
+    ("confetti", "Confetti", "hlsl:sm6"),
+    ("confetti", "Confetti", "glsl:es300"),
 )
 """Example, material and profile."""
 

@@ -20,11 +20,13 @@ from burnish.compiler.ir.types import (
     Texture,
     Type,
     Vector,
+    scalar_kind,
     width,
     with_width,
 )
 from burnish.stdlib.builtins import BUILTINS
-from burnish.stdlib.builtins.row import Builtin, nowhere
+from burnish.stdlib.builtins.facts import Fact
+from burnish.stdlib.builtins.row import Builtin
 from burnish.targets import registry
 from burnish.targets.emit.description import Profile, Target
 from burnish.targets.emit.emitter import EmitOptions, emit
@@ -63,10 +65,12 @@ KINDS: Mapping[str, tuple[ScalarKind, ...]] = {
     "N": ("float", "int", "uint"), "I": ("int", "uint"), "B": ("bool",),
     "P": ("float", "int", "uint", "bool"),
 }  # fmt: skip
+OF_KIND: Mapping[str, ScalarKind] = {"Q": "bool", "U": "uint", "J": "int"}
 WIDTHS = {"S": (1,), "V": (2, 3, 4)}
 FIXED: Mapping[str, Type] = {
     **{kind: Scalar(kind) for kind in ("float", "int", "uint", "bool")},
     **{str(Vector(kind, n)): Vector(kind, n) for kind in KINDS["P"] for n in (2, 3, 4)},
+    **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
     "texture2d": Texture(),
 }
 
@@ -103,13 +107,23 @@ def _type(word: str, chosen: Mapping[str, Type]) -> Type:
         matrix = chosen["M"]
         assert isinstance(matrix, Matrix)
         return Vector("float", matrix.size)
-    if word == "L":
+    if word in "LQUJ":
         base = next(type_ for letter, type_ in chosen.items() if letter in "NTIP")
         assert isinstance(base, Scalar | Vector)
-        return Scalar(base.kind)
-    if word == "Q":
-        return with_width("bool", width(chosen["P"]))
+        return Scalar(base.kind) if word == "L" else with_width(OF_KIND[word], width(base))
     return FIXED[word]
+
+
+def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
+    """Whether there are values of these types for which the hardware's own will do."""
+    kinds = [scalar_kind(type_) or "float" for type_ in operands]
+    ones, rising, pattern = (1.0,) * 4, (0.25, 0.5, 0.75, 1.0), (float(0x3F800000),) * 4
+
+    def facts(values: tuple[float, ...]) -> tuple[Fact, ...]:
+        pairs = zip(values, kinds, strict=False)
+        return tuple(Fact(value, value, unit=True, kind=kind) for value, kind in pairs)
+
+    return any(row.domain(facts(values)) for values in (ones, rising, pattern))
 
 
 def program_of_rows() -> Program:
@@ -140,8 +154,8 @@ def program_of_rows() -> Program:
     lets = [
         Let(f"{row.name}_{number}", make.native(row.name, result, *map(operand, operands)))
         for row in BUILTINS.values()
-        if row.domain is not nowhere
         for number, (operands, result) in enumerate(instances(row))
+        if is_native(row, operands)
     ]
     color = build.constant(make.graph, VEC4, (0.5, 0.5, 0.5, 1.0))
     return tiny(color, make, (material,), resources=(albedo,), region=Region(tuple(lets)))
