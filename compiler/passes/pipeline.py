@@ -12,10 +12,12 @@ from ..ir.program import Block, Field, Function, Program, Stage, StageName, Vary
 from ..layout import STANDARD_GROUPS, layout_blocks
 from ..semantics.shader import Notes, Shader
 from .checkpoint import passed
+from .expanding import WritingOut
 from .fuse import fuse
 from .guard import Guard, Guarding
 from .hoist import Derived, hoist
 from .inline import inline
+from .judgement import Judgement
 from .lift import lift
 from .naming import Naming
 from .opening import open_binders
@@ -35,6 +37,8 @@ class Options:
 
     hoist: bool = True
     """Compute what depends on parameters only on the host side."""
+    without: frozenset[str] = frozenset()
+    """Rules of range analysis to do without (``rulebook.py``), to see what they are good for."""
 
 
 @frozen
@@ -44,6 +48,9 @@ class Staged:
     program: Program
     derived: tuple[Derived, ...]
     guards: tuple[Guard, ...]
+    judgements: tuple[Judgement, ...]
+    """What became of operations by what is known of their operands; for ``proofs.py``."""
+    ranges: Ranges
 
 
 @frozen
@@ -75,9 +82,11 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("semantics", "semantics", results.flat())
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
-    ranges = Ranges(roots)
-    roots = _simplified(graph, roots, notes, ranges)
-    roots, guards = _guarded(graph, roots, notes, ranges)
+    ranges = Ranges(roots, options.without)
+    simplifier = Simplifier(graph, ranges, notes)
+    roots = _simplified(graph, roots, notes, simplifier)
+    roots, guarding = _guarded(graph, roots, notes, ranges)
+    judgements = (*simplifier.judgements.values(), *guarding.judgements.values())
     roots = passed("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
@@ -86,12 +95,12 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("lift", "guarded", lift(graph, roots, notes))
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     program = _program(shader, results.of(roots), derived)
-    return Staged(program, derived, guards)
+    guards = tuple(guarding.kept.values())
+    return Staged(program, derived, guards, judgements, ranges)
 
 
-def _simplified(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
+def _simplified(graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    simplifier = Simplifier(graph, ranges, notes)
     roots = passed("simplify", "opened", rewrite(graph, roots, simplifier.rule, notes.follow))
     roots = passed("fuse", "opened", fuse(graph, roots, notes, simplifier))
     return passed("inline", "opened", inline(graph, roots, notes, simplifier))
@@ -99,11 +108,13 @@ def _simplified(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -
 
 def _guarded(
     graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges
-) -> tuple[list[Node], tuple[Guard, ...]]:
+) -> tuple[list[Node], Guarding]:
+    writing = WritingOut(graph, ranges, notes)
+    roots = passed("write_out", "opened", rewrite(graph, roots, writing.rule, notes.follow))
     guarding = Guarding(graph, ranges, notes, Paths(roots, ranges))
     roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
     roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))
-    return roots, tuple(guarding.kept.values())
+    return roots, guarding
 
 
 # --- the program ---------------------------------------------------------------------------------

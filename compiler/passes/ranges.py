@@ -1,21 +1,34 @@
-"""Range analysis: what is known of every value, from declared ranges and the builtins' rules."""
+"""Range analysis: what is known of every value, from declared ranges and the builtins' rules.
+
+Every rule has a name (``rulebook.py``). Facts are kept, but not how they came about: ``proofs.py``
+asks again for the few that a person wants to have explained.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN, Fact, Kind
+from ...stdlib.builtins.intervals import outward
 from ..ir.leaves import Parameter
 from ..ir.node import Folding, Formal, Node, reachable
 from ..ir.types import Array, Matrix, Struct, scalar_kind
+from . import rulebook
+from .conditions import learnt
 
 
 class Ranges:
-    """Facts of nodes, worked out on demand and kept; for graphs whose binders are open."""
+    """Facts of nodes, worked out on demand and kept; for graphs whose binders are open.
 
-    def __init__(self, roots: Iterable[Node]) -> None:
+    Rules in ``without`` are not applied: tests take each away to see what it is good for.
+    """
+
+    def __init__(self, roots: Iterable[Node], without: frozenset[str] = frozenset()) -> None:
+        self.without = without
         self._facts: dict[int, Fact] = {}
+        self._assumed: set[int] = set()
         self._sources: dict[Formal, list[Node]] = {}
         """The arguments that a formal stands for, over all applies."""
         self._indices: dict[Formal, int] = {}
@@ -35,51 +48,79 @@ class Ranges:
 
     def of(self, node: Node) -> Fact:
         """What is known of ``node``."""
+        facts = self._facts
         pending = [node]
         while pending:
             top = pending[-1]
-            if top.id in self._facts:
+            if top.id in facts:
                 pending.pop()
                 continue
-            missing = [need for need in self._needs(top) if need.id not in self._facts]
+            needs = self.needs(top)
+            missing = [need for need in needs if need.id not in facts]
             if missing:
                 pending.extend(missing)
                 continue
             pending.pop()
-            self._facts[top.id] = self._derive(top).as_kind(_kind(top))
-        return self._facts[node.id]
+            facts[top.id] = self.derived(top, [facts[need.id] for need in needs])
+        return facts[node.id]
 
     def assume(self, node: Node, fact: Fact) -> None:
-        """Take over what is known of a node's value otherwise than through its operands."""
-        known = self._facts.get(node.id)
-        self._facts[node.id] = fact if known is None else known.meet(fact)
+        """Take over what is known of a guarded operation's value from the plain one's rule."""
+        if rulebook.MEANING not in self.without:
+            known = self._facts.get(node.id)
+            self._facts[node.id] = fact if known is None else known.meet(fact)
+            self._assumed.add(node.id)
 
-    def _needs(self, node: Node) -> tuple[Node, ...] | list[Node]:
+    def needs(self, node: Node) -> Sequence[Node]:
+        """The values from whose facts that of ``node`` is derived."""
         if node.op == "formal":
             assert isinstance(node.data, Formal)
-            return self._sources.get(node.data, [])
+            return self._sources.get(node.data, ())
         return node.operands
 
-    def _derive(self, node: Node) -> Fact:
-        rule = _RULES.get(node.op)
-        if rule is not None:
-            return rule(node, [self._facts[operand.id] for operand in node.operands])
-        if node.op == "formal":
-            return self._formal(node)
-        return UNKNOWN
+    def derived(self, node: Node, known: Sequence[Fact]) -> Fact:
+        """What follows for ``node`` when so much is known of what it needs."""
+        rule = self._rule(node)
+        fact = UNKNOWN
+        if rule is not None and rule.name(node) not in self.without:
+            fact = rule.derive(self, node, known)
+        kind = _kind(node)
+        if kind != fact.kind and kind != "float" and rulebook.TYPE in self.without:
+            return Fact(kind=kind)
+        return fact.as_kind(kind)
 
-    def _formal(self, node: Node) -> Fact:
-        assert isinstance(node.data, Formal)
-        if node.data in self._indices:
-            return Fact(0.0, float(max(self._indices[node.data] - 1, 0)))
-        return _union([self._facts[source.id] for source in self._sources.get(node.data, [])])
+    def reason(self, node: Node) -> str | None:
+        """The name of the rule that gives the fact of ``node``."""
+        if node.id in self._assumed:
+            return rulebook.MEANING
+        rule = self._rule(node)
+        if rule is None:
+            return None if _kind(node) == "float" else rulebook.TYPE
+        return rule.name(node)
+
+    def _rule(self, node: Node) -> _Rule | None:
+        if node.op == "formal" and node.data in self._indices:
+            return _FOLD_INDEX
+        return _RULES.get(node.op)
+
+    def bound_of(self, index: Formal) -> int:
+        """How many values a fold's index takes at most."""
+        return self._indices[index]
+
+
+@frozen
+class _Rule:
+    """How the fact of an operation follows from those of what it needs."""
+
+    name: Callable[[Node], str]
+    derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]
 
 
 def _kind(node: Node) -> Kind:
     return "matrix" if isinstance(node.type, Matrix) else scalar_kind(node.type) or "float"
 
 
-def _union(facts: list[Fact]) -> Fact:
+def _union(facts: Sequence[Fact]) -> Fact:
     if not facts:
         return UNKNOWN
     result = facts[0]
@@ -88,7 +129,8 @@ def _union(facts: list[Fact]) -> Fact:
     return result
 
 
-def _constant(node: Node, _operands: list[Fact]) -> Fact:
+
+def _constant(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     if isinstance(node.type, Matrix):
         return UNKNOWN
     lanes = node.data if isinstance(node.data, tuple) else (node.data,)
@@ -96,28 +138,34 @@ def _constant(node: Node, _operands: list[Fact]) -> Fact:
     return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= 2.0**-126 for n in numbers))
 
 
-def _parameter(node: Node, _operands: list[Fact]) -> Fact:
+def _parameter(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     assert isinstance(node.data, Parameter)
     return node.data.fact
 
 
-def _call(node: Node, operands: list[Fact]) -> Fact:
+def _contract(node: Node) -> str:
+    assert isinstance(node.data, Parameter)
+    return rulebook.UNIT if node.data.fact.unit else rulebook.DECLARED
+
+
+def _call(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     same = len(node.operands) > 1 and len({operand.id for operand in node.operands}) == 1
-    return BUILTINS[str(node.data)].range(tuple(operands), same)
+    same = same and rulebook.SAME not in ranges.without
+    return BUILTINS[str(node.data)].range(tuple(known), same)
 
 
-def _joined(_node: Node, operands: list[Fact]) -> Fact:
-    joined = _union(operands)
+def _joined(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    joined = _union(known)
     return Fact(joined.lo, joined.hi, joined.excludes_zero, kind=joined.kind)
 
 
-def _lanes(_node: Node, operands: list[Fact]) -> Fact:
-    (whole,) = operands
+def _lanes(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    (whole,) = known
     return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
 
 
-def _index(node: Node, operands: list[Fact]) -> Fact:
-    whole = operands[0]
+def _index(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
+    whole = known[0]
     if isinstance(node.operands[0].type, Matrix):
         return UNKNOWN
     if isinstance(node.operands[0].type, Array):
@@ -125,7 +173,7 @@ def _index(node: Node, operands: list[Fact]) -> Fact:
     return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
 
 
-def _member(node: Node, _operands: list[Fact]) -> Fact:
+def _member(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     """A member of a light of many: its parameter carries a fact for each member."""
     source = node.operands[0]
     while source.op == "index":
@@ -135,50 +183,86 @@ def _member(node: Node, _operands: list[Fact]) -> Fact:
     return UNKNOWN
 
 
-def _select(_node: Node, operands: list[Fact]) -> Fact:
-    return operands[1].union(operands[2])
+def _select(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
+    """One of the sides, of which its own condition may tell something.
+
+    ``if x < 0.01 then 0.01 else x`` is at least 0.01.
+    """
+    condition, then, otherwise = node.operands
+    sides = [known[1], known[2]]
+    if rulebook.OWN_CONDITION not in ranges.without:
+        for i, (side, holds) in enumerate(((then, True), (otherwise, False))):
+            if side.op != "constant":
+                for told in learnt(ranges.of, condition, holds, ranges.without):
+                    if told.about is side:
+                        sides[i] = sides[i].meet(told.fact)
+    return sides[0].union(sides[1])
 
 
-def _interpolate(node: Node, operands: list[Fact]) -> Fact:
+def _interpolate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     """A mean of three vertices' values stays between them, but is no longer of unit length.
 
     Rounding may take it a little past either end.
     """
-    (at_vertex,) = operands
+    (at_vertex,) = known
     if node.data == "flat":
         return at_vertex
     slack = 1e-5 * max(abs(at_vertex.lo), abs(at_vertex.hi))
     if slack == float("inf"):
-        return UNKNOWN
+        return Fact(0.0) if at_vertex.lo >= 0 else UNKNOWN
     return Fact(at_vertex.lo - slack if at_vertex.lo else 0.0, at_vertex.hi + slack)
 
 
-def _fold(node: Node, operands: list[Fact]) -> Fact:
+def _fold(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     assert isinstance(node.data, Folding)
-    _count, start, body = operands
+    _count, start, body = known
     if node.data.operator == "add":
         lo = start.lo + min(0.0, body.lo * node.data.bound) if node.data.bound else start.lo
         hi = start.hi + max(0.0, body.hi * node.data.bound) if node.data.bound else start.hi
-        return Fact(lo, hi)
+        # Each turn rounds once more.
+        return outward(lo, hi, float(node.data.bound))
     return Fact(0.0) if start.lo >= 0 and body.lo >= 0 else UNKNOWN
 
 
-def _apply(_node: Node, operands: list[Fact]) -> Fact:
-    return operands[0]
+def _fold_name(node: Node) -> str:
+    assert isinstance(node.data, Folding)
+    return rulebook.SUM if node.data.operator == "add" else rulebook.PRODUCT
 
 
-_RULES: Mapping[str, Callable[[Node, list[Fact]], Fact]] = {
-    "constant": _constant,
-    "parameter": _parameter,
-    "call": _call,
-    "native": _call,
-    "vector": _joined,
-    "splat": _lanes,
-    "swizzle": _lanes,
-    "index": _index,
-    "member": _member,
-    "select": _select,
-    "interpolate": _interpolate,
-    "fold": _fold,
-    "apply": _apply,
+def _fold_index(ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
+    assert isinstance(node.data, Formal)
+    return Fact(0.0, float(max(ranges.bound_of(node.data) - 1, 0)))
+
+
+def _any_argument(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    return _union(known)
+
+
+def _apply(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    return known[0]
+
+
+def _named(
+    name: str, derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]
+) -> _Rule:
+    return _Rule(lambda _node: name, derive)
+
+
+_FOLD_INDEX = _named(rulebook.INDEX, _fold_index)
+_BUILTIN = _Rule(lambda node: str(node.data), _call)
+_RULES: Mapping[str, _Rule] = {
+    "constant": _named(rulebook.CONSTANT, _constant),
+    "parameter": _Rule(_contract, _parameter),
+    "call": _BUILTIN,
+    "native": _BUILTIN,
+    "vector": _named(rulebook.JOINED, _joined),
+    "splat": _named(rulebook.FILLED, _lanes),
+    "swizzle": _named(rulebook.PICKED, _lanes),
+    "index": _named(rulebook.ELEMENT, _index),
+    "member": _named(rulebook.MEMBER, _member),
+    "select": _named(rulebook.EITHER, _select),
+    "interpolate": _named(rulebook.INTERPOLATED, _interpolate),
+    "fold": _Rule(_fold_name, _fold),
+    "formal": _named(rulebook.ARGUMENT, _any_argument),
+    "apply": _named(rulebook.BODY, _apply),
 }

@@ -10,13 +10,17 @@ from collections.abc import Callable, Hashable, Mapping
 from math import isfinite
 
 from ...stdlib.builtins import BUILTINS
+from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Node, Op
 from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
-from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
+from .arithmetic import BUILTIN_RULES, DECIDED, uniform_lane
+from .conditions import OPPOSITES
+from .judgement import Judgement, Outcome
+from .paths import Told
 from .ranges import Ranges
 from .rewrite import rewrite
 
@@ -34,9 +38,24 @@ class Simplifier:
         self.graph = graph
         self.ranges = ranges
         self.notes = notes
+        self.at: Span | None = None
+        """The source of what is being built."""
+        self.expanding = 0
+        """How many expansions deep."""
+        self.judgements: dict[Hashable, Judgement] = {}
+
+    def judge(
+        self, builtin: str, operands: tuple[Node, ...], outcome: Outcome, told: tuple[Told, ...] = ()
+    ) -> None:
+        """Remember what became of a builtin that stands in somebody's text."""
+        if not self.expanding:
+            key = builtin, operands, outcome
+            if key not in self.judgements:
+                self.judgements[key] = Judgement(builtin, operands, self.at, outcome, told)
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """For ``rewrite``: the same operation in its simplest form."""
+        self.at = self.notes.spans.get(node.id, self.at)
         return self.make(node.op, node.type, operands, node.data)
 
     def make(
@@ -68,7 +87,10 @@ def _builtin(op: Op) -> OpRule:
         if folded is not None:
             return folded
         special = BUILTIN_RULES.get(name)
-        return special(s, op, type_, operands) if special is not None else None
+        simpler = special(s, op, type_, operands) if special is not None else None
+        if simpler is not None and name in DECIDED and simpler.data != "saturate":
+            s.judge(name, operands, "dropped")
+        return simpler
 
     return rule
 
