@@ -25,6 +25,7 @@ from .targets.emit.limits import excesses
 from .targets.emit.reflection import backend_table
 
 if TYPE_CHECKING:
+    from .compiler.passes.proofs import Proof
     from .targets.runner.instances.instance import Instance, MissingValuesError
     from .targets.runner.instances.values import ParameterError
     from .targets.runner.textures.texture import PictureError, Texture
@@ -103,6 +104,15 @@ class CompiledMaterial:
         }  # fmt: skip
         derived = {value.parameter: value.expression for value in self._staged.derived}
         return reflect(self.shader, self._staged.program, tables, derived)
+
+    @cached_property
+    def proofs(self) -> tuple[Proof, ...]:
+        """Why operations go without a guard, are left away altogether, or keep their guard."""
+        from .compiler.passes.proofs import Proofs
+
+        return tuple(
+            Proofs(self._staged.ranges, self.shader.notes).explain(self._staged.judgements)
+        )
 
     def instance(self) -> Instance:
         """Named values to draw the material with, at first its defaults."""

@@ -155,8 +155,15 @@ def _call(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
 
 
 def _joined(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    """A vector is as long as its longest part, at least."""
     joined = _union(known)
-    return Fact(joined.lo, joined.hi, joined.excludes_zero, kind=joined.kind)
+    longest = max(max(part.length, part.least) for part in known)
+    return Fact(joined.lo, joined.hi, joined.excludes_zero, length=longest, kind=joined.kind)
+
+
+def _filled(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    (lane,) = known
+    return Fact(lane.lo, lane.hi, lane.nonzero, length=lane.least, kind=lane.kind)
 
 
 def _lanes(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
@@ -256,7 +263,7 @@ _RULES: Mapping[str, _Rule] = {
     "call": _BUILTIN,
     "native": _BUILTIN,
     "vector": _named(rulebook.JOINED, _joined),
-    "splat": _named(rulebook.FILLED, _lanes),
+    "splat": _named(rulebook.FILLED, _filled),
     "swizzle": _named(rulebook.PICKED, _lanes),
     "index": _named(rulebook.ELEMENT, _index),
     "member": _named(rulebook.MEMBER, _member),

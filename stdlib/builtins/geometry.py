@@ -10,6 +10,8 @@ from .row import Builtin, nowhere
 
 _PAIR = ("V, V -> S",)
 _NARROWEST, _WIDEST = 2, 4
+_SHORTEST = 2.0**-60
+"""A length whose square is far from what a device may flush to zero."""
 
 
 def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
@@ -19,6 +21,8 @@ def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
     error = product(_WIDEST * product(x.most, y.most), 2.0**-20)
     total = around(Fact(lo, hi), error)
     total = Fact(max(total.lo, 0.0), total.hi) if lo >= 0 else total
+    if same and x.length:
+        total = total.meet(Fact(product(x.length, x.length) * (1.0 - 2.0**-20)))
     return total.meet(UNIT_PRODUCT) if x.unit and y.unit else total
 
 
@@ -37,7 +41,9 @@ def _outer(facts: tuple[Fact, ...], _same: bool) -> Fact:
 def _norm(facts: tuple[Fact, ...], _same: bool) -> Fact:
     (x,) = facts
     # The diagonal of the box is at most twice its side, in four dimensions.
-    return Fact(0.0, 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + 2.0**-20))
+    longest = 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + 2.0**-20)
+    shortest = x.length * (1.0 - 2.0**-20) if x.length >= _SHORTEST else 0.0
+    return Fact(min(shortest, longest), longest)
 
 
 def _apart(facts: tuple[Fact, ...], same: bool) -> Fact:
@@ -65,8 +71,9 @@ def _coefficients(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     return Fact(0.0, math.inf)
 
 
-def _has_unit_length(facts: tuple[Fact, ...]) -> bool:
-    return facts[0].unit
+def _has_direction(facts: tuple[Fact, ...]) -> bool:
+    (x,) = facts
+    return x.unit or x.length >= _SHORTEST
 
 
 ROWS = (
@@ -103,7 +110,8 @@ ROWS = (
         name="normalize",
         signatures=("V -> V",),
         doc="The vector of length one in the same direction.",
-        domain=_has_unit_length,
+        domain=_has_direction,
+        needs="the vector has a length above 0",
         outside=(
             "v * inversesqrt(max(dot(v, v), 2^-126)): 0 for the zero vector, and continuous; "
             "a vector shorter than 2^-63 stays shorter than one."
