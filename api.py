@@ -110,9 +110,8 @@ class CompiledMaterial:
         """Why operations go without a guard, are left away altogether, or keep their guard."""
         from .compiler.passes.proofs import Proofs
 
-        return tuple(
-            Proofs(self._staged.ranges, self.shader.notes).explain(self._staged.judgements)
-        )
+        evidence = self._staged.evidence
+        return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.judgements))
 
     def instance(self) -> Instance:
         """Named values to draw the material with, at first its defaults."""

@@ -16,6 +16,8 @@ LONGEST = 60
 """Characters of a formula, about."""
 
 _WORDS = {"and": "and", "or": "or", "not": "not ", "mod": "mod"}
+_CONVERSION = "to_"
+"""Conversions are written as their type: ``to_int`` is ``int``."""
 _LANES = "xyzw"
 _TIGHTNESS = {
     "or": 1, "and": 2, "eq": 3, "ne": 3, "lt": 3, "le": 3, "gt": 3, "ge": 3,
@@ -112,7 +114,7 @@ class Formulas:
         texts = [self._inner(operand, depth, named) for operand in operands]
         if name == "sample":
             return f"{texts[0]}({', '.join(texts[1:])})"
-        return f"{name}({', '.join(texts)})"
+        return f"{name.removeprefix(_CONVERSION)}({', '.join(texts)})"
 
 
 _BOOLS: Mapping[bool, str] = {True: "true", False: "false"}

@@ -38,10 +38,6 @@ class Expanding(Simplifier):
             self.expanding += 1
             self.expanded[node.id] = self._expand(node)
             self.expanding -= 1
-            name = str(node.data)
-            if name not in self.ranges.without:
-                facts = tuple(self.ranges.of(operand) for operand in node.operands)
-                self.ranges.assume(self.expanded[node.id], BUILTINS[name].range(facts, False))
         return self.expanded[node.id]
 
     def _expand(self, node: Node) -> Node:

@@ -10,14 +10,15 @@ from __future__ import annotations
 from collections.abc import Hashable
 
 from ...frozen import frozen
-from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins import BUILTINS, Builtin
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
 from ..ir.node import Graph, Node, Op
 from ..ir.types import Type
 from ..semantics.shader import Notes
 from .expanding import Expanding
-from .paths import Paths
+from .judgement import Outcome
+from .paths import Paths, Told
 from .ranges import Ranges
 
 BRANCH = "branch"
@@ -52,6 +53,15 @@ class Guarding(Expanding):
         self._branches: set[int] = set()
         self.kept: dict[int, Guard] = {}
         """By the id of the ``call`` that was expanded."""
+        self._asked: Node | None = None
+        """What is being replaced, with operands as they were."""
+
+    def judge(
+        self, builtin: str, operands: tuple[Node, ...], outcome: Outcome, told: tuple[Told, ...] = ()
+    ) -> None:
+        """As in any simplifier; but what is left away by now was part of an expansion."""
+        if outcome != "dropped":
+            super().judge(builtin, operands, outcome, told)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """As ``Simplifier.rule``, with what is known on the path to ``node``.
@@ -60,23 +70,28 @@ class Guarding(Expanding):
         """
         if node.id in self._branches:
             return self.make("select", node.type, operands, BRANCH)
-        if node.op == "call" and self._safe_on_path(node, operands):
+        if node.op == "call" and BUILTINS[str(node.data)].expansion and self._is_safe(node):
             return self.graph.node("native", node.type, operands, node.data)
+        self._asked = node
         return super().rule(graph, node, operands)
 
-    def _safe_on_path(self, node: Node, operands: tuple[Node, ...]) -> bool:
-        """Whether conditions prove what ranges alone do not; their selects then have to branch."""
+    def _is_safe(self, node: Node) -> bool:
+        """Whether ranges or conditions around ``node`` prove it harmless.
+
+        Its operands may have been expanded by now. They are the same values, of which more is known
+        in the form that they had before.
+        """
         row = BUILTINS[str(node.data)]
-        plain = tuple(self.ranges.of(operand) for operand in operands)
-        if not row.expansion or row.domain(plain):
-            return False
+        self.at = self.notes.spans.get(node.id, self.at)
+        if row.domain(tuple(self.ranges.of(operand) for operand in node.operands)):
+            self.judge(row.name, node.operands, "native")
+            return True
         known = [self._paths.known(node, operand) for operand in node.operands]
-        facts = tuple(fact.meet(more.fact) for fact, more in zip(plain, known, strict=True))
-        if not row.domain(facts):
+        if not row.domain(tuple(more.fact for more in known)):
             return False
+        # What is known behind a condition helps only where its select becomes a branch.
         self._branches.update(select.id for more in known for select in more.selects)
         told = tuple(one for more in known for one in more.told)
-        self.at = self.notes.spans.get(node.id, self.at)
         self.judge(row.name, node.operands, "native", told)
         return True
 
@@ -95,7 +110,16 @@ class Guarding(Expanding):
             self.judge(row.name, node.operands, "native")
             return self.graph.node("native", node.type, node.operands, node.data)
         if node.id not in self.expanded:
-            self.judge(row.name, node.operands, "guarded")
-            if row.outside:
-                self.kept[node.id] = Guard(row.name, facts, self.at)
+            self._keep(node, row)
         return self.expansion(node)
+
+    def _keep(self, node: Node, row: Builtin) -> None:
+        """Remember that a guard stays, and what was known of the operands."""
+        asked = self._asked
+        operands = node.operands
+        if not self.expanding and asked is not None and asked.data == node.data:
+            operands = asked.operands
+        self.judge(row.name, operands, "guarded")
+        if row.outside:
+            facts = tuple(self.ranges.of(operand) for operand in operands)
+            self.kept[node.id] = Guard(row.name, facts, self.at)

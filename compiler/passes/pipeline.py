@@ -42,15 +42,23 @@ class Options:
 
 
 @frozen
+class Evidence:
+    """What ``proofs.py`` explains: decisions of the passes, on the grounds of these ranges."""
+
+    judgements: tuple[Judgement, ...]
+    ranges: Ranges
+    notes: Notes
+    """As they were when the last decision was made: later passes name values of their own."""
+
+
+@frozen
 class Staged:
     """A program with what else is to be told about it."""
 
     program: Program
     derived: tuple[Derived, ...]
     guards: tuple[Guard, ...]
-    judgements: tuple[Judgement, ...]
-    """What became of operations by what is known of their operands; for ``proofs.py``."""
-    ranges: Ranges
+    evidence: Evidence
 
 
 @frozen
@@ -86,7 +94,9 @@ def stage(shader: Shader, options: Options) -> Staged:
     simplifier = Simplifier(graph, ranges, notes)
     roots = _simplified(graph, roots, notes, simplifier)
     roots, guarding = _guarded(graph, roots, notes, ranges)
-    judgements = (*simplifier.judgements.values(), *guarding.judgements.values())
+    evidence = Evidence(
+        (*simplifier.judgements.values(), *guarding.judgements.values()), ranges, notes.copy()
+    )
     roots = passed("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
@@ -96,7 +106,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     program = _program(shader, results.of(roots), derived)
     guards = tuple(guarding.kept.values())
-    return Staged(program, derived, guards, judgements, ranges)
+    return Staged(program, derived, guards, evidence)
 
 
 def _simplified(graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:

@@ -20,7 +20,6 @@ from ..semantics.shader import Notes
 from .judgement import Judgement, Outcome
 from .paths import Told
 from .ranges import Ranges
-from .rulebook import RULES
 
 LONGEST = 16
 """Steps of one proof that are shown."""
@@ -38,12 +37,10 @@ class Step:
     text: str
     fact: str
     rule: str
+    """Its name in the ``rulebook``, or a builtin's; empty where nothing is known."""
     span: Span | None
-
-    @property
-    def says(self) -> str:
-        """The rule in words."""
-        return RULES.get(self.rule) or f"what `{self.rule}` gives for such operands"
+    where: str = ""
+    """The condition behind which it holds."""
 
 
 @frozen
@@ -57,6 +54,8 @@ class Proof:
     needs: str
     """What has to hold of the operands, in words."""
     steps: tuple[Step, ...]
+    omitted: int = 0
+    """Further steps that there are."""
     missing: tuple[str, ...] = ()
     """What is not known and would have to be, of a guard that stays."""
     otherwise: str = ""
@@ -67,6 +66,7 @@ class Proofs:
     """Explains judgements."""
 
     def __init__(self, ranges: Ranges, notes: Notes) -> None:
+        """``notes`` as they were when the judgements were made."""
         self._ranges = ranges
         self._notes = notes
         self._formulas = Formulas(notes)
@@ -85,7 +85,8 @@ class Proofs:
     def _proof(self, judgement: Judgement) -> Proof:
         row = BUILTINS[judgement.builtin]
         guarded = judgement.outcome == "guarded"
-        chosen = judgement.operands if guarded else self._decisive(judgement)
+        operands = [o for o in judgement.operands if o.op != "constant"]
+        chosen = operands if guarded else self._decisive(judgement)
         steps = [step for operand in chosen for step in self._chain(operand, guarded)]
         steps += self._conditions(judgement.told)
         return Proof(
@@ -95,6 +96,7 @@ class Proofs:
             span=judgement.span,
             needs=row.needs,
             steps=tuple(steps[:LONGEST]),
+            omitted=max(0, len(steps) - LONGEST),
             missing=tuple(self._unknown(judgement.operands)) if guarded else (),
             otherwise=row.outside if guarded else "",
         )
@@ -144,14 +146,16 @@ class Proofs:
         ]
 
     def _conditions(self, told: Sequence[Told]) -> Iterator[Step]:
-        for one in dict.fromkeys(told):
-            learnt = one.learnt
-            condition = self._formulas.text(learnt.condition)
-            text = f"{condition}, around it" if learnt.holds else f"not {condition}, around it"
+        for one in dict.fromkeys(one.learnt for one in told):
+            holds = "holds" if one.holds else "does not hold"
             yield Step(
-                1, text, f"{self._formulas.text(learnt.about)} {described(learnt.fact)}",
-                learnt.rule, self._notes.spans.get(learnt.condition.id),
-            )  # fmt: skip
+                depth=1,
+                text=self._formulas.text(one.about),
+                fact=described(one.fact),
+                rule=one.rule,
+                span=self._notes.spans.get(one.condition.id),
+                where=f"{self._formulas.text(one.condition)} {holds}",
+            )
 
     def _unknown(self, operands: Sequence[Node]) -> Iterator[str]:
         """The leaves about which nothing is known, with what could be done about it."""
@@ -163,7 +167,8 @@ class Proofs:
             if node.id in seen:
                 continue
             seen.add(node.id)
-            if (text := self._leaf(node)) and text not in told:
+            text = "" if _tells(self._ranges.of(node)) else self._leaf(node)
+            if text and text not in told:
                 told.add(text)
                 yield text
             pending += [o for o in reversed(node.operands) if not _tells(self._ranges.of(o))]

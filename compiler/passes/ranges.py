@@ -28,7 +28,6 @@ class Ranges:
     def __init__(self, roots: Iterable[Node], without: frozenset[str] = frozenset()) -> None:
         self.without = without
         self._facts: dict[int, Fact] = {}
-        self._assumed: set[int] = set()
         self._sources: dict[Formal, list[Node]] = {}
         """The arguments that a formal stands for, over all applies."""
         self._indices: dict[Formal, int] = {}
@@ -64,13 +63,6 @@ class Ranges:
             facts[top.id] = self.derived(top, [facts[need.id] for need in needs])
         return facts[node.id]
 
-    def assume(self, node: Node, fact: Fact) -> None:
-        """Take over what is known of a guarded operation's value from the plain one's rule."""
-        if rulebook.MEANING not in self.without:
-            known = self._facts.get(node.id)
-            self._facts[node.id] = fact if known is None else known.meet(fact)
-            self._assumed.add(node.id)
-
     def needs(self, node: Node) -> Sequence[Node]:
         """The values from whose facts that of ``node`` is derived."""
         if node.op == "formal":
@@ -84,19 +76,16 @@ class Ranges:
         fact = UNKNOWN
         if rule is not None and rule.name(node) not in self.without:
             fact = rule.derive(self, node, known)
-        kind = _kind(node)
-        if kind != fact.kind and kind != "float" and rulebook.TYPE in self.without:
-            return Fact(kind=kind)
-        return fact.as_kind(kind)
+        return fact.as_kind(_kind(node))
 
     def reason(self, node: Node) -> str | None:
         """The name of the rule that gives the fact of ``node``."""
-        if node.id in self._assumed:
-            return rulebook.MEANING
         rule = self._rule(node)
-        if rule is None:
-            return None if _kind(node) == "float" else rulebook.TYPE
-        return rule.name(node)
+        if node.op == "select" and self.of(node) != self.of(node.operands[1]).union(
+            self.of(node.operands[2])
+        ):
+            return rulebook.OWN_CONDITION
+        return None if rule is None else rule.name(node)
 
     def _rule(self, node: Node) -> _Rule | None:
         if node.op == "formal" and node.data in self._indices:

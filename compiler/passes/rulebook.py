@@ -15,7 +15,6 @@ CONSTANT = "constant"
 DECLARED = "declared range"
 UNIT = "unit direction"
 MEMBER = "light's parameter"
-TYPE = "type"
 SAME = "same operands"
 JOINED = "joined lanes"
 FILLED = "filled lanes"
@@ -29,7 +28,6 @@ PRODUCT = "product"
 INDEX = "fold index"
 ARGUMENT = "argument"
 BODY = "function body"
-MEANING = "guarded meaning"
 ABOVE = "condition: above"
 BELOW = "condition: below"
 EQUALS = "condition: equal"
@@ -43,7 +41,6 @@ RULES: Mapping[str, str] = {
     DECLARED: "a parameter keeps to its declared range",
     UNIT: "a direction has length one",
     MEMBER: "each light's parameter keeps to what is declared",
-    TYPE: "what an integer can hold",
     SAME: "both operands are one value",
     JOINED: "between the least and the greatest of its lanes",
     FILLED: "the same number in every lane",
@@ -57,7 +54,6 @@ RULES: Mapping[str, str] = {
     INDEX: "the index counts from 0 to below the bound",
     ARGUMENT: "one of the arguments that are passed",
     BODY: "what the function returns",
-    MEANING: "a guarded operation keeps to the bounds of the plain one",
     ABOVE: "the condition says that it is above",
     BELOW: "the condition says that it is below",
     EQUALS: "the condition says that it is equal",

@@ -79,12 +79,12 @@ def _not_negative(facts: tuple[Fact, ...]) -> bool:
 
 
 def _normal(facts: tuple[Fact, ...]) -> bool:
-    return facts[0].lo >= SMALLEST_NORMAL
+    return facts[0].positive
 
 
 def _has_power(facts: tuple[Fact, ...]) -> bool:
     x, y = facts
-    return x.lo >= SMALLEST_NORMAL or (x.lo >= 0 and y.lo >= SMALLEST_NORMAL)
+    return x.positive or (x.lo >= 0 and y.positive)
 
 
 ROWS = (

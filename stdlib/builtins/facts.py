@@ -48,6 +48,11 @@ class Fact:
         return self.nonzero or self.lo >= SMALLEST_NORMAL or self.hi <= -SMALLEST_NORMAL
 
     @property
+    def positive(self) -> bool:
+        """Whether every lane is above zero, and not so small that a device may flush it."""
+        return self.lo >= SMALLEST_NORMAL or (self.nonzero and self.lo >= 0)
+
+    @property
     def least(self) -> float:
         """A lower bound on every lane's magnitude."""
         bound = max(self.lo, -self.hi, 0.0)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from .facts import UNIT, UNIT_SLACK, UNKNOWN, Fact
 from .intervals import around, product, products, squares
 from .row import Builtin, nowhere
@@ -65,10 +63,6 @@ def _mirrored(facts: tuple[Fact, ...], _same: bool) -> Fact:
 def _turned(facts: tuple[Fact, ...], _same: bool) -> Fact:
     normal = facts[0]
     return Fact(-normal.most, normal.most, normal.nonzero, normal.unit)
-
-
-def _coefficients(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact(0.0, math.inf)
 
 
 def _has_direction(facts: tuple[Fact, ...]) -> bool:
@@ -151,7 +145,6 @@ ROWS = (
         domain=nowhere,
         outside="(1, max(nl, 0), 0 where nl < 0 or nh < 0 else pow(nh, power), 1).",
         expansion="lit",
-        range=_coefficients,
         cost=12,
         samples=((0.5, 0.5, 8.0), (-0.5, 0.5, 8.0), (0.5, -0.5, 8.0), (0.0, 0.0, 0.0)),
     ),

@@ -2,16 +2,7 @@
 
 from __future__ import annotations
 
-from .facts import UNKNOWN, Fact
 from .row import EXACT, Builtin, nowhere
-
-
-def _same_components(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return facts[0]
-
-
-def _unknown_components(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return UNKNOWN.as_kind("matrix")
 
 
 ROWS = (
@@ -19,7 +10,6 @@ ROWS = (
         name="transpose",
         signatures=("M -> M",),
         doc="Rows and columns exchanged.",
-        range=_same_components,
         accuracy=EXACT,
         cost=1,
     ),
@@ -36,7 +26,6 @@ ROWS = (
         domain=nowhere,
         outside="The zero matrix where the determinant is below 2^-126 in magnitude.",
         expansion="inverse",
-        range=_unknown_components,
         cost=60,
     ),
 )

@@ -60,7 +60,7 @@ def _has_arc(facts: tuple[Fact, ...]) -> bool:
 
 def _has_direction(facts: tuple[Fact, ...]) -> bool:
     y, x = facts
-    return y.excludes_zero or x.lo >= SMALLEST_NORMAL
+    return y.excludes_zero or x.positive
 
 
 ROWS = (
