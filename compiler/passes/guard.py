@@ -57,7 +57,11 @@ class Guarding(Expanding):
         """What is being replaced, with operands as they were."""
 
     def judge(
-        self, builtin: str, operands: tuple[Node, ...], outcome: Outcome, told: tuple[Told, ...] = ()
+        self,
+        builtin: str,
+        operands: tuple[Node, ...],
+        outcome: Outcome,
+        told: tuple[Told, ...] = (),
     ) -> None:
         """As in any simplifier; but what is left away by now was part of an expansion."""
         if outcome != "dropped":

@@ -109,7 +109,9 @@ def stage(shader: Shader, options: Options) -> Staged:
     return Staged(program, derived, guards, evidence)
 
 
-def _simplified(graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
+def _simplified(
+    graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier
+) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
     roots = passed("simplify", "opened", rewrite(graph, roots, simplifier.rule, notes.follow))
     roots = passed("fuse", "opened", fuse(graph, roots, notes, simplifier))

@@ -1,7 +1,7 @@
 """Why an operation goes without its guard, or keeps it: worked out anew for a person who asks.
 
-The analysis keeps facts, not derivations. A proof follows the facts back to where they come from, and leaves
-away what does not matter: an operand counts only if the conclusion would fail without it.
+The analysis keeps facts, not derivations. A proof follows the facts back to where they come from,
+and leaves away what does not matter: an operand counts only if the conclusion would fail without.
 """
 
 from __future__ import annotations
@@ -85,8 +85,8 @@ class Proofs:
     def _proof(self, judgement: Judgement) -> Proof:
         row = BUILTINS[judgement.builtin]
         guarded = judgement.outcome == "guarded"
-        operands = [o for o in judgement.operands if o.op != "constant"]
-        chosen = operands if guarded else self._decisive(judgement)
+        chosen = judgement.operands if guarded else self._decisive(judgement)
+        chosen = [operand for operand in chosen if operand.op != "constant"]
         steps = [step for operand in chosen for step in self._chain(operand, guarded)]
         steps += self._conditions(judgement.told)
         return Proof(
@@ -116,7 +116,7 @@ class Proofs:
         ]
 
     def _chain(self, root: Node, shallow: bool) -> Iterator[Step]:
-        """What is known of a value, and what that rests on."""
+        """What is known of a value and, unless ``shallow``, what that rests on."""
         seen: set[int] = set()
         pending = [(root, 1)]
         while pending:
@@ -194,9 +194,7 @@ def _tells(fact: Fact) -> bool:
 
 def _without(facts: Sequence[Fact], position: int) -> list[Fact]:
     """The same with nothing known of one."""
-    return [
-        UNKNOWN.as_kind(fact.kind) if i == position else fact for i, fact in enumerate(facts)
-    ]
+    return [UNKNOWN.as_kind(fact.kind) if i == position else fact for i, fact in enumerate(facts)]
 
 
 def described(fact: Fact) -> str:
@@ -206,18 +204,18 @@ def described(fact: Fact) -> str:
     if fact.kind != "float" and changed(fact, nonzero=False) == UNKNOWN.as_kind(fact.kind):
         word = "true or false" if fact.kind == "bool" else f"any {fact.kind}"
         return f"{word} but 0" if fact.nonzero else word
-    if fact.lo == fact.hi:
-        return f"{fact.lo:g}"
-    spared = fact.nonzero and fact.lo <= 0 <= fact.hi
-    bounds = (math.isfinite(fact.lo), math.isfinite(fact.hi))
+    lo, hi = fact.lo + 0.0, fact.hi + 0.0  # no zero has a sign
+    if lo == hi:
+        return f"{lo:g}"
     if fact.length and not fact.excludes_zero:
         return f"a vector of length {fact.length:g} or more"
-    match bounds:
-        case (True, True):
-            return f"{fact.lo:g}..{fact.hi:g}" + (", not 0" if spared else "")
-        case (True, False):
-            return f"> {fact.lo:g}" if spared and fact.lo == 0 else f"≥ {fact.lo:g}"
-        case (False, True):
-            return f"< {fact.hi:g}" if spared and fact.hi == 0 else f"≤ {fact.hi:g}"
+    spared = fact.nonzero and lo <= 0 <= hi
+    match math.isfinite(lo), math.isfinite(hi):
+        case True, True:
+            return f"{lo:g}..{hi:g}" + (", not 0" if spared else "")
+        case True, False:
+            return f"> {lo:g}" if spared and lo == 0 else f"≥ {lo:g}"
+        case False, True:
+            return f"< {hi:g}" if spared and hi == 0 else f"≤ {hi:g}"
         case _:
             return "not 0" if fact.nonzero else "anything"

@@ -118,7 +118,6 @@ def _union(facts: Sequence[Fact]) -> Fact:
     return result
 
 
-
 def _constant(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     if isinstance(node.type, Matrix):
         return UNKNOWN
@@ -238,9 +237,7 @@ def _apply(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
     return known[0]
 
 
-def _named(
-    name: str, derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]
-) -> _Rule:
+def _named(name: str, derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]) -> _Rule:
     return _Rule(lambda _node: name, derive)
 
 

@@ -45,7 +45,11 @@ class Simplifier:
         self.judgements: dict[Hashable, Judgement] = {}
 
     def judge(
-        self, builtin: str, operands: tuple[Node, ...], outcome: Outcome, told: tuple[Told, ...] = ()
+        self,
+        builtin: str,
+        operands: tuple[Node, ...],
+        outcome: Outcome,
+        told: tuple[Told, ...] = (),
     ) -> None:
         """Remember what became of a builtin that stands in somebody's text."""
         if not self.expanding:

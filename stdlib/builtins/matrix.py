@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from .row import EXACT, Builtin, nowhere
 
-
 ROWS = (
     Builtin(
         name="transpose",

@@ -17,8 +17,8 @@ from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.row import everywhere, nowhere
 from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
-
 from tests.golden import assert_golden
+
 from .kit import shaders
 
 MATERIALS = sorted((Path(__file__).parent / "proofs").glob("*.burnish"))
@@ -51,9 +51,7 @@ def test_every_rule_shows_in_a_material(rule: str) -> None:
 
 
 @pytest.mark.parametrize("name", LIMITED)
-def test_every_domain_shows_in_a_material(
-    name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_every_domain_shows_in_a_material(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     plain = [usual(path) for path in MATERIALS]
     row = replace(BUILTINS[name], domain=lambda _facts: False)
     monkeypatch.setattr(guard, "BUILTINS", {**BUILTINS, name: row})
