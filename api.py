@@ -16,6 +16,7 @@ from .compiler.diagnostics.source import Span
 from .compiler.frontend import Frontend
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
+from .compiler.places import located
 from .compiler.semantics.shader import Shader
 from .frozen import frozen
 from .targets import registry
@@ -63,7 +64,8 @@ class OutputFile:
     checkers: tuple[str, ...] = ()
     """The downstream compilers that have to accept it."""
     spans: Mapping[int, Span] = field(default_factory=dict)
-    """Source map: by 1-based line of ``text``, what in the material it computes."""
+    """Source map: by 1-based line of ``text``, what in the material its statement computes, or
+    what it is there for. Every statement has its place."""
 
 
 @dataclass(frozen=True)
@@ -288,7 +290,6 @@ def _check_limits(material: CompiledMaterial, report: Report) -> None:
 
 def _output(shader: Shader, target: Target, profile: Profile, file: EmittedFile) -> OutputFile:
     default, name = profile is target.profiles[0], shader.name
-    spans = shader.notes.spans
     return OutputFile(
         name=f"{name}.{file.suffix}" if default else f"{name}.{profile.name}.{file.suffix}",
         target=target.name,
@@ -297,7 +298,7 @@ def _output(shader: Shader, target: Target, profile: Profile, file: EmittedFile)
         entry_points=file.entries,
         text=file.text,
         checkers=profile.checkers,
-        spans={line: spans[node] for line, node in file.origins.items() if node in spans},
+        spans=located(shader, file.origins),
     )
 
 

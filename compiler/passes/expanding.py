@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
-from ..ir.node import Formal, Formals, Graph, Node
+from ..ir.node import Formal, Formals, Graph, Node, reachable
 from ..ir.types import Scalar, Type, Vector, with_width
 from ..semantics.shader import Notes
 from .expand import Template, template
 from .ranges import Ranges
+from .rewrite import rewrite
 from .simplify import Simplifier
 
 VARYING = frozenset({"interpolate", "attribute", "formal", "input", "resource"})
@@ -105,14 +106,23 @@ class Expanding(Simplifier):
         return values[found.result]
 
 
-class WritingOut(Expanding):
-    """Replaces every ``call`` that no backend has by its expansion, in calls again."""
+def write_out(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
+    """The roots with every ``call`` that no backend has replaced by its expansion, in calls again."""
+    if not any(map(_is_homeless, reachable(roots))):
+        return roots
+    return rewrite(graph, roots, _WritingOut(graph, ranges, notes).rule, notes.follow)
 
+
+def _is_homeless(node: Node) -> bool:
+    return node.op == "call" and BUILTINS[str(node.data)].domain is nowhere
+
+
+class _WritingOut(Expanding):
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """For ``rewrite``."""
+        """Expand what no backend has."""
         if operands != node.operands:
             node = super().rule(graph, node, operands)
-        if node.op != "call" or BUILTINS[str(node.data)].domain is not nowhere:
+        if not _is_homeless(node):
             return node
         self.at = self.notes.spans.get(node.id, self.at)
         return self.expansion(node)

@@ -12,7 +12,7 @@ from ..ir.program import Block, Field, Function, Program, Stage, StageName, Vary
 from ..layout import STANDARD_GROUPS, layout_blocks
 from ..semantics.shader import Notes, Shader
 from .checkpoint import passed
-from .expanding import WritingOut
+from .expanding import write_out
 from .fuse import fuse
 from .guard import Guard, Guarding
 from .hoist import Derived, hoist
@@ -121,8 +121,7 @@ def _simplified(
 def _guarded(
     graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges
 ) -> tuple[list[Node], Guarding]:
-    writing = WritingOut(graph, ranges, notes)
-    roots = passed("write_out", "opened", rewrite(graph, roots, writing.rule, notes.follow))
+    roots = passed("write_out", "opened", write_out(graph, roots, notes, ranges))
     guarding = Guarding(graph, ranges, notes, Paths(roots, ranges))
     roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
     roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from typing import Literal
 
 from ...compiler.ir.leaves import Resource
+from ...compiler.ir.node import Node
 from ...compiler.ir.program import Block, Program, Stage, StageName, StoredMember
 from ...compiler.ir.types import Struct
 from ...frozen import frozen
@@ -15,8 +16,8 @@ from .comments import comment_line, comment_lines
 from .context import Context
 from .description import Profile, Target
 from .names import Names, name_program
+from .origins import Marks
 from .stage import StagePrinter
-from .statements import Traced
 from .views import BlockView, EntryView, FileView, MemberView, StructView, TextureView
 
 _SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
@@ -43,8 +44,8 @@ class EmittedFile:
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
-    origins: Mapping[int, int]
-    """By 1-based line of ``text``, the id of the node that the line computes."""
+    origins: Mapping[int, Node]
+    """By 1-based line of ``text``, what the statement in it computes or is for."""
 
 
 @frozen
@@ -97,13 +98,11 @@ class _Emitter:
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
         names = {stage.name: _SINGLE_ENTRIES[stage.name] if single else "main" for stage in stages}
-        printers = [StagePrinter(self._context, stage) for stage in stages]
+        marks = Marks()
         entries = [
-            printer.entry(names[stage.name])
-            for printer, stage in zip(printers, stages, strict=True)
+            StagePrinter(self._context, stage, marks).entry(names[stage.name]) for stage in stages
         ]
-        text = self._text(stages, entries)
-        traced = [line for printer in printers for line in printer.traced]
+        text, origins = marks.read(self._text(stages, entries))
         extension = self._target.extension
         first = stages[0].name
         return EmittedFile(
@@ -111,7 +110,7 @@ class _Emitter:
             stage="both" if single else first,
             entries=names,
             text=text,
-            origins=dict(_origins(text, traced)),
+            origins=origins,
         )
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
@@ -180,13 +179,3 @@ class _Emitter:
             texture_slot=self._bindings.textures[resource.name],
             sampler_slot=self._bindings.samplers[resource.name],
         )
-
-
-def _origins(text: str, traced: Iterable[Traced]) -> Iterator[tuple[int, int]]:
-    """Line numbers of traced lines; skeletons keep their order, whatever they put around them."""
-    remaining = iter(traced)
-    expected = next(remaining, None)
-    for number, line in enumerate(text.split("\n"), start=1):
-        if expected is not None and line.strip() == expected:
-            yield number, expected.node
-            expected = next(remaining, None)

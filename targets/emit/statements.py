@@ -13,6 +13,7 @@ from .context import Context
 from .expressions import Expressions
 from .literals import literal
 from .namer import Namer
+from .origins import Marks
 
 INDENT = "    "
 
@@ -20,31 +21,18 @@ Lines: TypeAlias = Iterator["str | Lines"]
 """Lines of a block, and the lines of blocks inside it."""
 
 
-class Traced(str):
-    """A line that computes a node."""
-
-    __slots__ = ("node",)
-
-    def __new__(cls, text: str, node: int) -> Traced:
-        line = super().__new__(cls, text)
-        line.node = node
-        return line
-
-    node: int
-    """The node's id."""
-
-
 class Statements:
     """Prints the statements of one function body."""
 
-    def __init__(self, context: Context, expressions: Expressions, namer: Namer) -> None:
+    def __init__(
+        self, context: Context, expressions: Expressions, namer: Namer, marks: Marks
+    ) -> None:
         self._forms = context.target.forms
         self._literals = context.target.literals
         self._types = context.types
         self._expressions = expressions
         self._namer = namer
-        self.traced: list[Traced] = []
-        """The lines that compute nodes, in the order of the text."""
+        self._mark = marks.mark
 
     def lines(self, region: Region) -> list[str]:
         """The statements of ``region``; what they bind stays bound."""
@@ -55,8 +43,6 @@ class Statements:
             if item is None:
                 open_.pop()
             elif isinstance(item, str):
-                if isinstance(item, Traced):
-                    self.traced.append(item)
                 lines.append(INDENT * (len(open_) - 1) + item)
             else:
                 open_.append(item)
@@ -78,7 +64,7 @@ class Statements:
         name = self._bind(let)
         typed = self._types.declare(name, let.node.type)
         text = self._forms.let.format(name=name, typed=typed, value=value)
-        yield Traced(text, let.node.id)
+        yield self._mark(text, let.node)
 
     def _branch(self, branch: Branch) -> Lines:
         condition, then, otherwise = branch.node.operands
@@ -88,10 +74,11 @@ class Statements:
         short = otherwise.op == "constant" and not branch.otherwise.statements
         if short:
             value = self._expressions.text(otherwise)
-            yield self._forms.variable_set.format(name=name, typed=typed, value=value)
+            text = self._forms.variable_set.format(name=name, typed=typed, value=value)
         else:
-            yield self._forms.variable.format(name=name, typed=typed)
-        yield f"if ({test}) {{"
+            text = self._forms.variable.format(name=name, typed=typed)
+        yield self._mark(text, branch.node)
+        yield self._mark(f"if ({test}) {{", condition)
         yield self._block(branch.then, name, "=", then)
         if not short:
             yield "} else {"
@@ -103,19 +90,21 @@ class Statements:
         count = self._count(loop)
         start = self._expressions.text(loop.start)
         name = self._namer.declare(loop.name)
-        yield self._forms.variable_set.format(
+        text = self._forms.variable_set.format(
             name=name, typed=self._types.declare(name, loop.node.type), value=start
         )
+        yield self._mark(text, loop.node)
         # Declared out here, since C-like languages once kept a loop's variable for what follows.
         index = self._namer.declare(loop.index.name)
         self._namer.enter()
         kind = loop.count.type.kind if isinstance(loop.count.type, Scalar) else "int"
-        yield self._forms.loop.format(
+        text = self._forms.loop.format(
             index=index,
             index_typed=self._types.declare(index, loop.count.type),
             zero=literal(0, kind, self._literals),
             count=count,
         )
+        yield self._mark(text, loop.node)
         self._expressions.formals[loop.index] = index
         sign = "+=" if loop.operator == "add" else "*="
         yield self._block(loop.body, name, sign, loop.value)
@@ -137,7 +126,7 @@ class Statements:
         outer = len(bound)
         self._namer.enter()
         yield from self._region(region)
-        yield Traced(f"{name} {sign} {self._expressions.text(value)};", value.id)
+        yield self._mark(f"{name} {sign} {self._expressions.text(value)};", value)
         self._namer.leave()
         while len(bound) > outer:
             bound.popitem()
