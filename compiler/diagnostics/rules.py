@@ -377,6 +377,13 @@ UNGUARDED = _error(
     "`unguarded(x / y)` or `unguarded(sqrt(x))` means what the hardware does there.",
 )
 
+NO_LINE_DIRECTIVES = _warning(
+    "B0450",
+    "{target} has no line directives, so its text is written without",
+    "The source map in the reflection says of every target's text which line of the material each "
+    "statement is for.",
+)
+
 # --- B05: stages and rates -----------------------------------------------------------------------
 
 UNKNOWN_RATE = _error(

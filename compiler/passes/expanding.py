@@ -107,7 +107,7 @@ class Expanding(Simplifier):
 
 
 def write_out(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
-    """The roots with every ``call`` that no backend has replaced by its expansion, in calls again."""
+    """The roots with every ``call`` that no backend has as its expansion, in calls again."""
     if not any(map(_is_homeless, reachable(roots))):
         return roots
     return rewrite(graph, roots, _WritingOut(graph, ranges, notes).rule, notes.follow)

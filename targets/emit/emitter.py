@@ -32,6 +32,8 @@ class EmitOptions:
     """Negate clip-space y: for passes that draw into textures where row 0 is the bottom one."""
     single_file: bool = False
     """One text with ``vs_main`` and ``fs_main``; see ``Profile.single_file``."""
+    line_directives: bool = False
+    """``#line`` directives, where the language has them."""
 
 
 @frozen

@@ -7,8 +7,6 @@ from collections.abc import Iterator
 
 import pytest
 
-
-
 from .kit import VARIANTS, Variant
 
 FUNCTION = re.compile(r"(?!struct|cbuffer|layout|uniform)\S.*\{$")
