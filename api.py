@@ -110,6 +110,11 @@ class CompiledMaterial:
         derived = {value.parameter: value.expression for value in self._staged.derived}
         return reflect(self.shader, self._staged.program, tables, derived)
 
+    @property
+    def staged(self) -> Staged:
+        """The program that was written in each language, and how the passes came to it."""
+        return self._staged
+
     @cached_property
     def proofs(self) -> tuple[Proof, ...]:
         """Why operations go without a guard, are left away altogether, or keep their guard."""

@@ -383,6 +383,12 @@ NO_LINE_DIRECTIVES = _warning(
     "The source map in the reflection says of every target's text which line of the material each "
     "statement is for.",
 )
+TOO_LARGE_TO_DRAW = _error(
+    "B0451",
+    "{name} has {count} values to draw, and a picture holds {limit}",
+    "Nobody reads a larger one. `--format dot` and `--format text` have no limit; without `--all` "
+    "there are only the values that have names.",
+)
 
 # --- B05: stages and rates -----------------------------------------------------------------------
 
