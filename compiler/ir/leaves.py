@@ -13,7 +13,7 @@ from .types import BOOL, UINT, VEC4, Type
 InterpolationMode = Literal["perspective", "flat"]
 
 
-@frozen
+@frozen(key=True)
 class Parameter:
     """A member of a group's uniform block.
 
@@ -42,7 +42,7 @@ class Resource:
     """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
 
 
-@frozen
+@frozen(key=True)
 class Attribute:
     """A vertex input."""
 

@@ -140,12 +140,11 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
 
 def reachable(roots: Iterable[Node]) -> list[Node]:
     """All nodes that ``roots`` need, operands before users."""
-    seen: dict[int, Node] = {}
-    pending = list(roots)
+    seen = {root.id: root for root in roots}
+    pending = list(seen.values())
     while pending:
-        node = pending.pop()
-        if node.id not in seen:
-            seen[node.id] = node
-            if node.operands:
-                pending += node.operands
+        for operand in pending.pop().operands:
+            if operand.id not in seen:
+                seen[operand.id] = operand
+                pending.append(operand)
     return [seen[id_] for id_ in sorted(seen)]

@@ -14,7 +14,7 @@ from ...frozen import frozen
 ScalarKind = Literal["float", "int", "uint", "bool"]
 
 
-@frozen
+@frozen(key=True)
 class Scalar:
     """One lane."""
 
@@ -24,7 +24,7 @@ class Scalar:
         return self.kind
 
 
-@frozen
+@frozen(key=True)
 class Vector:
     """Two to four lanes of one scalar kind; a column where matrices are concerned."""
 
@@ -36,7 +36,7 @@ class Vector:
         return f"{prefix}vec{self.size}"
 
 
-@frozen
+@frozen(key=True)
 class Matrix:
     """Square float matrix of ``size`` columns, each a ``Vector("float", size)``."""
 
@@ -47,7 +47,7 @@ class Matrix:
         return f"mat{self.size}"
 
 
-@frozen
+@frozen(key=True)
 class TallMatrix:
     """Two or three columns of type ``vec4``: how blocks store a smaller ``Matrix``."""
 
@@ -57,7 +57,7 @@ class TallMatrix:
         return f"mat{self.columns}x4"
 
 
-@frozen
+@frozen(key=True)
 class Array:
     """A fixed number of elements."""
 
@@ -68,7 +68,7 @@ class Array:
         return f"{self.element}[{self.count}]"
 
 
-@frozen
+@frozen(key=True)
 class Struct:
     """Named members in declaration order."""
 
@@ -83,7 +83,7 @@ class Struct:
         return self.name
 
 
-@frozen
+@frozen(key=True)
 class Texture:
     """A sampled texture; WebGPU layouts need to know its dimension and sample type."""
 

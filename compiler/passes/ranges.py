@@ -48,6 +48,9 @@ class Ranges:
     def of(self, node: Node) -> Fact:
         """What is known of ``node``."""
         facts = self._facts
+        known = facts.get(node.id)
+        if known is not None:
+            return known
         pending = [node]
         while pending:
             top = pending[-1]

@@ -255,15 +255,14 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
 
     The bodies of functions that are called belong to it ``into_bodies``.
     """
-    seen: dict[int, Node] = {}
-    pending = list(roots)
+    seen = {root.id: root for root in roots}
+    pending = list(seen.values())
     while pending:
         node = pending.pop()
-        if node.id not in seen:
-            seen[node.id] = node
-            pending.extend(operands_of(node))
-            if into_bodies and node.op == "apply":
-                pending.append(node.operands[0])
+        for operand in node.operands if into_bodies and node.op == "apply" else operands_of(node):
+            if operand.id not in seen:
+                seen[operand.id] = operand
+                pending.append(operand)
     return [seen[id_] for id_ in sorted(seen)]
 
 

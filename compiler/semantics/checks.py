@@ -39,6 +39,7 @@ def check_declarations(low: Lowering, module: Module, surface: Instance) -> None
     that only some material has.
     """
     with_terms = not records_of(module, "material", abstract=False)
+    used = {symbol for symbol, *_ in low.applied}
     for symbols in module.declared.values():
         for symbol in symbols:
             declaration = symbol.declaration
@@ -46,6 +47,8 @@ def check_declarations(low: Lowering, module: Module, surface: Instance) -> None
                 run(lookup.value(low, symbol.name, declaration.name.span, Scope(module)))
             elif isinstance(declaration, ast.StructDeclaration):
                 struct_of(low, symbol)
+            elif symbol in used:
+                continue
             elif isinstance(declaration, ast.Function) and (declaration.kind == "fn" or with_terms):
                 _check_function(low, symbol, declaration, surface)
     _check_rig(low, surface)

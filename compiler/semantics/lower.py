@@ -96,8 +96,11 @@ class Lowering:
 
     def node(self, expression: ast.Expression, scope: Scope) -> Step[Node | Failure]:
         """The value of ``expression`` where only a plain value will do."""
-        value = yield self.expression(expression, scope)
-        if isinstance(value, Node | Failure):
+        value = yield _LOWER[type(expression)](self, expression, scope)
+        if isinstance(value, Node):
+            self.notes.spans.setdefault(value.id, expression.span)
+            return value
+        if isinstance(value, Failure):
             return value
         self.report.add(rules.NOT_A_VALUE, expression.span)
         return FAILURE
