@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from .console import FAILED, show
-from .options import file_argument, pass_option, rig_option, search_option
+from .options import file_argument, hoist_option, pass_option, rig_option, search_option
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial, CompileResult
@@ -72,12 +72,7 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
     is_flag=True,
     help="Name lines of the material by #line, where a target has it, for other tools' messages.",
 )
-@click.option(
-    "--hoist/--no-hoist",
-    default=True,
-    help="Leave what depends on parameters only to the host, or compute it in the shader.",
-    show_default=True,
-)
+@hoist_option
 def compile_(watch: bool, **chosen: Any) -> None:
     """Compile the materials of FILE.
 

@@ -16,6 +16,7 @@ LONGEST = 60
 """Characters of a formula, about."""
 
 _WORDS = {"and": "and", "or": "or", "not": "not ", "mod": "mod"}
+_FOLDS = {"add": "sum", "mul": "product"}
 _CONVERSION = "to_"
 """Conversions are written as their type: ``to_int`` is ``int``."""
 _LANES = "xyzw"
@@ -89,9 +90,11 @@ class Formulas:
                 return f"@vertex {part(operands[0], 9)}"
             case "fold":
                 assert isinstance(node.data, Folding)
-                word = "sum" if node.data.operator == "add" else "product"
+                word = _FOLDS.get(node.data.operator, node.data.operator)
                 index = node.data.index.name if node.data.index else "i"
                 return f"{word} {index} in 0..{part(operands[0])} : {part(operands[2])}"
+            case "iterate":
+                return f"iterate up to {part(operands[0])} from {part(operands[1])}"
             case "apply":
                 name = self._notes.functions.get(operands[0].id, "shade")
                 return f"{name}({', '.join(map(part, operands[1:]))})"

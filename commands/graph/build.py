@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from ...compiler.diagnostics.source import Span
 from ...compiler.formula import Formulas
 from ...compiler.ir.leaves import Parameter
-from ...compiler.ir.node import Folding, Formal, Node
-from ...compiler.ir.program import Branch, Function, Let, Loop, Region, Stage
+from ...compiler.ir.node import Folding, Formal, Iterating, Node
+from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region, Stage
 from ...compiler.passes.pipeline import Staged
-from ...compiler.passes.schedule import free_formals, operands_of, visible
+from ...compiler.passes.schedule import operands_of, visible
 from ...compiler.semantics.shader import Notes, Shader
 from ...frozen import frozen
 from .model import KINDS, Box, Cluster, Kind, Picture
@@ -116,20 +116,19 @@ class _Building:
         """A body's cluster, and one for each loop in it."""
         names = dict(_statements(region))
         order = visible(roots)
-        indices = {node.data.index: node for node in order if isinstance(node.data, Folding)}
-        inside = {
-            id_: frozenset(formal for formal in formals if formal in indices)
-            for id_, formals in free_formals(order).items()
-        }
-        yield self._cluster(_Part(prefix, title, names, inside, None, frozenset()), roots, results)
-        for index, fold in indices.items():
-            assert index is not None
-            body, around = fold.operands[2], inside[fold.id] | {index}
-            count = self._formulas.text(fold.operands[0])
-            loop = f"{prefix}.loop.{fold.id}"
-            title = f"each turn of {names.get(fold.id, 'a loop')}: {index.name} in 0..{count}"
-            part = _Part(loop, title, names, inside, index, around)
-            yield self._cluster(part, [body], {body.id: ADDED})
+        loops = {node: own for node in order if (own := _variables(node))}
+        every = frozenset().union(*loops.values()) if loops else frozenset()
+        inside = {node.id: node.variables & every for node in order}
+        whole = _Part(prefix, title, names, inside, frozenset(), frozenset())
+        yield self._cluster(whole, roots, results)
+        for loop, own in loops.items():
+            count = self._formulas.text(loop.operands[0])
+            title = f"each turn of {names.get(loop.id, 'a loop')}, up to {count}"
+            around = inside[loop.id] | own
+            part = _Part(f"{prefix}.loop.{loop.id}", title, names, inside, own, around)
+            results = _turn(loop)
+            bodies = [node for node in loop.operands if node.id in results]
+            yield self._cluster(part, bodies, results)
 
     def _cluster(self, part: _Part, roots: list[Node], results: dict[int, str]) -> Cluster:
         cluster = Cluster(part.title, part.prefix in ("vertex", "fragment"))
@@ -185,7 +184,7 @@ class _Building:
             box = self._box(self._key(prefix, node), "crossing", name, node)
             box.note = "varying, flat" if node.data == "flat" else "varying, interpolated"
             return box
-        kinds: dict[str, Kind] = {"fold": "loop", "apply": "call"}
+        kinds: dict[str, Kind] = {"fold": "loop", "iterate": "loop", "apply": "call"}
         return self._box(self._key(prefix, node), kinds.get(node.op, "value"), name, node)
 
     def _leaf(self, prefix: str, node: Node) -> Box:
@@ -255,15 +254,15 @@ class _Part:
     names: Mapping[int, str]
     """The names that statements of the whole body bind."""
     inside: Mapping[int, frozenset[Formal]]
-    """The loops of the body that each value depends on, by their indices."""
-    index: Formal | None
-    """That of the loop."""
+    """The variables of loops that each value depends on."""
+    own: frozenset[Formal]
+    """The variables of the loop: its index, and its states."""
     around: frozenset[Formal]
-    """Of this loop and those around it."""
+    """Those of loops around it too."""
 
     def is_outer(self, node: Node) -> bool:
         """Whether a value is computed before the loop."""
-        return self.index is not None and self.index not in self.inside[node.id]
+        return bool(self.own) and self.own.isdisjoint(self.inside[node.id])
 
     def is_deeper(self, node: Node) -> bool:
         """Whether a value belongs to a loop inside."""
@@ -280,6 +279,25 @@ class _Part:
                 if not self.is_outer(node):
                     pending += operands_of(node)
         return [seen[id_] for id_ in sorted(seen)]
+
+
+def _variables(node: Node) -> frozenset[Formal]:
+    """What a loop binds: its index and its states; nothing for any other value."""
+    if isinstance(node.data, Folding) and node.data.index is not None:
+        return frozenset({node.data.index})
+    if isinstance(node.data, Iterating):
+        return frozenset(node.data.formals or ())
+    return frozenset()
+
+
+def _turn(loop: Node) -> dict[int, str]:
+    """What a turn comes to, by the ids of its values: what it adds, or the states that follow."""
+    if not isinstance(loop.data, Iterating):
+        return {loop.operands[2].id: ADDED}
+    going, *following = loop.operands[1 + loop.data.states :]
+    names = [formal.name for formal in (loop.data.formals or ())[1:]]
+    named = {node.id: f"next {name}" for node, name in zip(following, names, strict=True)}
+    return named if going.op == "constant" else {going.id: "while", **named}
 
 
 def _crossings(stage: Stage, notes: Notes) -> Iterator[tuple[int, str]]:
@@ -301,11 +319,16 @@ def _statements(region: Region) -> Iterator[tuple[int, str]]:
     pending = [region]
     while pending:
         for statement in pending.pop().statements:
-            yield statement.node.id, statement.name
+            if not isinstance(statement, Iterate):
+                yield statement.node.id, statement.name
+            elif len(statement.states) == 1:
+                yield statement.node.id, statement.states[0].name
             match statement:
                 case Branch(then=then, otherwise=otherwise):
                     pending += [then, otherwise]
                 case Loop(body=body):
                     pending.append(body)
+                case Iterate(head=head, body=body):
+                    pending += [head, body]
                 case Let():
                     pass

@@ -13,7 +13,7 @@ from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from ...stdlib.builtins.intervals import outward
 from ..ir.leaves import Parameter
-from ..ir.node import Folding, Formal, Node, reachable
+from ..ir.node import Folding, Formal, Iterating, Node, reachable
 from ..ir.types import Array, Matrix, Struct, scalar_kind
 from . import rulebook
 from .conditions import learnt
@@ -43,7 +43,14 @@ class Ranges:
                     self._sources.setdefault(formal, []).append(argument)
             elif node.op == "fold":
                 assert isinstance(node.data, Folding) and node.data.index is not None
-                self._indices[node.data.index] = node.data.bound
+                self.note_index(node.data.index, node.data.bound)
+            elif node.op == "iterate":
+                assert isinstance(node.data, Iterating) and node.data.formals is not None
+                self.note_index(node.data.formals[0], node.data.bound)
+
+    def note_index(self, formal: Formal, bound: int) -> None:
+        """``formal`` counts the turns of a loop, of which there are at most ``bound``."""
+        self._indices[formal] = bound
 
     def of(self, node: Node) -> Fact:
         """What is known of ``node``."""
@@ -109,7 +116,10 @@ class _Rule:
 
 
 def _kind(node: Node) -> Kind:
-    return "matrix" if isinstance(node.type, Matrix) else scalar_kind(node.type) or "float"
+    type_ = node.type
+    while isinstance(type_, Array):
+        type_ = type_.element
+    return "matrix" if isinstance(type_, Matrix) else scalar_kind(type_) or "float"
 
 
 def _union(facts: Sequence[Fact]) -> Fact:
@@ -150,6 +160,11 @@ def _joined(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
     joined = _union(known)
     longest = max(max(part.length, part.least) for part in known)
     return Fact(joined.lo, joined.hi, joined.excludes_zero, length=longest, kind=joined.kind)
+
+
+def _elements(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    """What holds of each element."""
+    return _union(known)
 
 
 def _filled(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
@@ -214,6 +229,12 @@ def _interpolate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
 def _fold(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     assert isinstance(node.data, Folding)
     _count, start, body = known
+    if node.data.operator == "min":
+        return Fact(min(start.lo, body.lo), start.hi)
+    if node.data.operator == "max":
+        return Fact(start.lo, max(start.hi, body.hi))
+    if node.data.operator in ("and", "or"):
+        return UNKNOWN
     if node.data.operator == "add":
         lo = start.lo + min(0.0, body.lo * node.data.bound) if node.data.bound else start.lo
         hi = start.hi + max(0.0, body.hi * node.data.bound) if node.data.bound else start.hi
@@ -224,7 +245,16 @@ def _fold(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
 
 def _fold_name(node: Node) -> str:
     assert isinstance(node.data, Folding)
-    return rulebook.SUM if node.data.operator == "add" else rulebook.PRODUCT
+    return _FOLDS.get(node.data.operator, rulebook.EXTREME)
+
+
+_FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
+
+
+def _iterate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
+    """A state is what it was at the start, or what a turn has made of it."""
+    assert isinstance(node.data, Iterating)
+    return known[1].union(known[-1]) if node.data.states == 1 else UNKNOWN
 
 
 def _fold_index(ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
@@ -259,6 +289,8 @@ _RULES: Mapping[str, _Rule] = {
     "select": _named(rulebook.EITHER, _select),
     "interpolate": _named(rulebook.INTERPOLATED, _interpolate),
     "fold": _Rule(_fold_name, _fold),
+    "iterate": _named(rulebook.STATE, _iterate),
+    "array": _named(rulebook.ELEMENTS, _elements),
     "formal": _named(rulebook.ARGUMENT, _any_argument),
     "apply": _named(rulebook.BODY, _apply),
 }

@@ -25,6 +25,9 @@ OWN_CONDITION = "own condition"
 INTERPOLATED = "interpolated"
 SUM = "sum"
 PRODUCT = "product"
+EXTREME = "least or greatest"
+STATE = "state"
+ELEMENTS = "elements"
 INDEX = "fold index"
 ARGUMENT = "argument"
 BODY = "function body"
@@ -51,6 +54,9 @@ RULES: Mapping[str, str] = {
     INTERPOLATED: "a mean of three vertices' values",
     SUM: "so many terms at most, each within these bounds",
     PRODUCT: "no factor is negative",
+    EXTREME: "the least or the greatest of some values, the start among them",
+    STATE: "what it was at the start, or what a turn has made of it",
+    ELEMENTS: "between the least and the greatest of its elements",
     INDEX: "the index counts from 0 to below the bound",
     ARGUMENT: "one of the arguments that are passed",
     BODY: "what the function returns",

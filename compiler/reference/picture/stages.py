@@ -80,10 +80,12 @@ class Stages:
         count = geometry.vertex_count
         margins = Margins((count,))
 
+        inputs = geometry.inputs()
+
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
                 return _attribute(geometry, node.data)
-            return self._parameter(node)
+            return (inputs[str(node.data)],) if node.op == "input" else self._parameter(node)
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import moderngl
 
-from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline
+from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Step
 from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, link
 from .screen import Screen
 from .textures import bind_texture
+
+RATES: Mapping[Step, str] = {"vertex": "/v", "instance": "/i"}
+"""How moderngl's layouts end."""
 
 
 class Renderer:
@@ -96,12 +99,16 @@ def _render(
         for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True))
     ]
     attributes = [
-        (context.buffer(data), attribute_layout(slot.format), slot.identifier)
+        (
+            context.buffer(data),
+            f"{attribute_layout(slot.format)}{RATES[slot.step]}",
+            slot.identifier,
+        )
         for slot, data in zip(pipeline.inputs, draw.vertices, strict=True)
         if program.get(slot.identifier, None) is not None
     ]
     indices = context.buffer(draw.indices)
     array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
-    array.render()
+    array.render(instances=draw.instance_count)
     for texture in textures:
         texture.release()
