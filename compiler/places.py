@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
+from functools import cached_property
 
 from .diagnostics.source import Span
-from .ir.node import Node
+from .ir.node import Node, reachable
 from .semantics.shader import Shader
 
 
@@ -20,6 +21,7 @@ class _Places:
     """Places of nodes: their own, or of the nearest value that they are computed from."""
 
     def __init__(self, shader: Shader) -> None:
+        self._shader = shader
         self._spans = shader.notes.spans
         self._leaves: dict[Hashable, Span] = {
             **{info.parameter: info.span for info in shader.parameters},
@@ -39,4 +41,15 @@ class _Places:
             inner = {operand.id: operand for node in front for operand in node.operands}
             front = [node for id_, node in inner.items() if id_ not in seen]
             seen |= inner.keys()
-        return None
+        return self._users.get(root.id)
+
+    @cached_property
+    def _users(self) -> dict[int, Span]:
+        """Places of the users of values that have none, such as what the pipeline supplies."""
+        roots = [self._shader.clip_position, *(target.value for target in self._shader.targets)]
+        found: dict[int, Span] = {}
+        for node in reachable(roots):
+            if (span := self._spans.get(node.id)) is not None:
+                for operand in node.operands:
+                    found.setdefault(operand.id, span)
+        return found
