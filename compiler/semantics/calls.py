@@ -223,6 +223,8 @@ def _bare_moved(low: Lowering, operands: tuple[Node, ...]) -> str:
         return ""
     space = by.spaces[0]
     return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
+
+
 def _is_of_bits(name: str) -> bool:
     """Whether an operator takes integers only."""
     return all(signature.startswith("I") for signature in BUILTINS[name].signatures)

@@ -136,4 +136,5 @@ TARGET = Target(
     varying_prefix="v_",
     output_prefix="out_",
     fixed_names=("main", "viewport_height"),
+    line_directive="#line {line} {number}",
 )
