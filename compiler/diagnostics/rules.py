@@ -9,8 +9,8 @@ from __future__ import annotations
 from .diagnostic import Rule
 
 
-def _error(code: str, message: str, help: str) -> Rule:
-    return Rule(code, "error", message, help)
+def _error(code: str, message: str, help: str, *, of_absence: bool = False) -> Rule:
+    return Rule(code, "error", message, help, of_absence)
 
 
 def _warning(code: str, message: str, help: str) -> Rule:
@@ -81,6 +81,7 @@ UNKNOWN_EXPORT = _error(
     "B0012",
     "`{path}` does not declare `{name}`",
     "Only what a file declares itself can be imported from it, not what it imports in turn.",
+    of_absence=True,
 )
 
 # --- B01: syntax ---------------------------------------------------------------------------------
@@ -175,6 +176,7 @@ UNKNOWN_NAME = _error(
     "unknown {kind} `{name}`",
     "A name is visible where it is declared in the same body, inherited, declared in the file, "
     "imported, or built in.",
+    of_absence=True,
 )
 DUPLICATE_NAME = _error(
     "B0202",
@@ -457,6 +459,7 @@ ABSTRACT_SLOT = _error(
     "B0407",
     "`{record}` does not set the abstract slot `{name}`",
     "A slot declared without a value has to be set before its material, light or pass is used.",
+    of_absence=True,
 )
 ABSTRACT_USE = _error(
     "B0408",
