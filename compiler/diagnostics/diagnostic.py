@@ -58,14 +58,15 @@ class Report:
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, str, Span | None], Diagnostic] = {}
-        self._unread: set[str] = set()
+        self.unread_names: set[str] = set()
+        """Names that stand where the text makes no sense, and may have been declared there."""
 
     def unread(self, names: Iterable[str]) -> None:
         """These stand where the text makes no sense, and may have been declared there.
 
         That has been reported, so nothing more is said about nobody's declaring them.
         """
-        self._unread.update(names)
+        self.unread_names.update(names)
 
     def add(
         self,
@@ -78,7 +79,7 @@ class Report:
         **arguments: object,
     ) -> None:
         """Record a finding; ``arguments`` fill the rule's message."""
-        if rule.of_absence and arguments.get("name") in self._unread:
+        if rule.of_absence and arguments.get("name") in self.unread_names:
             return
         message = rule.message.format(**arguments)
         found = Diagnostic(rule, message, span, caption, tuple(labels), hint)

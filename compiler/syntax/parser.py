@@ -37,7 +37,7 @@ def parse(source: Source, report: Report) -> ast.File:
         for line in lexed.docs.unclaimed():
             found.add(rules.STRAY_DOC, Span(source, line.start, line.end))
     report.extend(sorted(found.diagnostics, key=_place))
-    report.unread(parser.unread)
+    report.unread(found.unread_names | parser.unread)
     edition = max((part[0] for part in parts), default=1)
     declarations = tuple(chain.from_iterable(part[1] for part in parts))
     return ast.File(source, edition, "\n".join(lexed.docs.file), declarations)

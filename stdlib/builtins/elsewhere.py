@@ -227,6 +227,12 @@ VALUES: Mapping[str, str] = MappingProxyType(
         "gl_FragCoord": "frag_coord", "SV_Position": "frag_coord",
         "gl_FrontFacing": "front_facing", "SV_IsFrontFace": "front_facing",
         "gl_Position": "clip_position", "gl_FragColor": "color",
+        "gl_VertexID": "vertex_index", "SV_VertexID": "vertex_index", "vertex_id": "vertex_index",
+        "gl_InstanceID": "instance_index", "SV_InstanceID": "instance_index",
+        "instance_id": "instance_index", "M_PI": "pi", "PI": "pi", "True": "true", "TRUE": "true",
+        "False": "false", "FALSE": "false", "super": "inherited", "red": "#f00", "green": "#0f0",
+        "blue": "#00f", "yellow": "#ff0", "white": "#fff", "black": "#000", "gray": "#808080",
+        "grey": "#808080",
     }
 )  # fmt: skip
 """What other pipelines supply or take."""
@@ -245,6 +251,27 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         "switch": "there are no statements; `if c then a else b` chooses",
         "discard": "a pass says `discard when condition`",
         "sampler": "a texture is `map name : texture2d`",
+        **dict.fromkeys(
+            ("def", "func", "function", "sub", "proc"),
+            "a function is `fn name(x: float, y: vec3) -> float = expression`",
+        ),
+        **dict.fromkeys(
+            ("class", "shader", "surface", "technique", "effect"),
+            "a surface is `material Name { … }`",
+        ),
+        **dict.fromkeys(
+            ("include", "using", "use", "from", "require"),
+            "a file is imported by `import std.terms` or `import std.terms.{lambert}`",
+        ),
+        **dict.fromkeys(
+            ("export", "public", "private"),
+            "all that a file declares can be imported from it; no word says so",
+        ),
+        **dict.fromkeys(
+            ("enum", "typedef", "type", "interface", "namespace", "module"),
+            "types are made by `struct Name { member : type, … }` only",
+        ),
+        "burnish": "`burnish 1` stands in front of all declarations",
         **dict.fromkeys(
             ("static", "inline", "precise", "highp", "mediump", "lowp", "invariant", "flat"),
             "an equation is `name = expression`; the compiler sees to the rest",
