@@ -220,7 +220,8 @@ WRONG_BASE = _error(
 NOT_A_VALUE = _error(
     "B0209",
     "this is no value by itself",
-    "Functions and terms are called; of `light`, `material` and `inherited` a slot is read.",
+    "Functions, terms and structures are called; of `light`, `material` and `inherited` a slot is "
+    "read.",
 )
 
 MISSPELT_SLOT = _warning(
@@ -232,8 +233,8 @@ MISSPELT_SLOT = _warning(
 REPLACED_PARAMETER = _error(
     "B0211",
     "`{name}` has been replaced by an equation, so there is no value to inherit",
-    "An equation in place of a `param` takes it off the host's hands. Declare the parameter again "
-    "with another default, or compute under another name.",
+    "An equation in place of a `param` or `attribute` takes it off the host's hands. Declare it "
+    "again, with another default if need be, or compute under another name.",
 )
 UNUSUAL_GROUP = _warning(
     "B0212",
@@ -258,11 +259,12 @@ WRONG_TYPE = _error(
 NO_OVERLOAD = _error(
     "B0302",
     "`{name}` cannot be called with ({arguments})",
-    "The candidates are listed below the message; count and types of the arguments have to match.",
+    "Count and types of the arguments have to match one of the candidates, and arguments of one "
+    "type parameter each other.",
 )
 WRONG_COUNT = _error(
     "B0303",
-    "`{name}` takes {expected} arguments, found {found}",
+    "`{name}` takes {expected}, found {found}",
     "Arguments are given by position; none has a default.",
 )
 NO_MEMBER = _error(
@@ -273,8 +275,8 @@ NO_MEMBER = _error(
 NO_OPERATOR = _error(
     "B0305",
     "no `{operator}` between {left} and {right}",
-    "Both sides need the same shape, or one of them is a plain number. Values that live in two "
-    "spaces have to be brought into one first.",
+    "Arithmetic takes two operands of one shape, or one of them is a single number, and their "
+    "lanes are of one kind; `and` and `or` take truths.",
 )
 OVERRIDE_CHANGES_TYPE = _error(
     "B0306",
@@ -304,7 +306,7 @@ NOT_INDEXABLE = _error(
 )
 SPACE_COUNT = _error(
     "B0311",
-    "`{type}` names {expected} spaces, found {found}",
+    "`{type}` names {expected}, found {found}",
     "`point<world>` names one space, `transform<object, world>` two, plain types none.",
 )
 NO_RANGE = _error(
@@ -580,7 +582,8 @@ NOT_AT_VERTEX = _error(
 CANNOT_CROSS = _error(
     "B0503",
     "a {type} cannot cross from the vertex to the fragment stage",
-    "Numbers and vectors of numbers can; let the columns of a matrix cross one by one.",
+    "Numbers and vectors of numbers can; let the columns of a matrix cross one by one. A truth "
+    "comes from the mesh as a `uint`.",
 )
 NO_CLIP_POSITION = _error(
     "B0504",

@@ -54,7 +54,7 @@ def _space(low: Lowering, name: ast.Name, scope: Scope) -> str | None:
     found = scope.module.find(name.text)
     if name.text in SPACES or (found and isinstance(found[0].declaration, ast.Space)):
         return name.text
-    hint = suggestion(name.text, SPACES)
+    hint = suggestion(name.text, SPACES) or f"declare it: `space {name.text}`"
     low.report.add(rules.UNKNOWN_NAME, name.span, kind="space", name=name.text, hint=hint)
     return None
 

@@ -53,18 +53,18 @@ class Advice:
         self._tokens = outline.tokens
 
     def at(self, index: int, expected: set[str], start: int, begin: int) -> str:
-        """What to do about the token at ``index``; empty where nothing is better than the rule's help.
+        """What to do about the token at ``index``; empty where the rule's help is as good.
 
         What cannot be read starts at ``start``, and the declaration around it at ``begin``.
         """
         return (
-            self._of_name(index, expected, start == begin)
-            or self._of_expression(index, expected)
+            self._of_name(index, expected, start, start == begin)
+            or self._of_expression(index, expected, self._text(start))
             or MEMBERS.get(self._text(start), "")
             or self._of_declaration(start, begin)
         )
 
-    def _of_name(self, index: int, expected: set[str], outside: bool) -> str:
+    def _of_name(self, index: int, expected: set[str], start: int, outside: bool) -> str:
         """About what stands where a member or declaration begins."""
         found, previous, before = (self._token(index - back) for back in range(3))
         if not expected & {"=", "when"}:
@@ -84,15 +84,15 @@ class Advice:
             return "what is computed at the vertices is `@vertex e`"
         if previous.kind != "NAME" or self._outline.begins_line(index):
             return ""
-        return self._of_two_words(index, outside)
+        return self._of_two_words(index, start, outside)
 
-    def _of_two_words(self, index: int, outside: bool) -> str:
+    def _of_two_words(self, index: int, start: int, outside: bool) -> str:
         """About a name behind another word, where none belongs."""
         found, previous = self._token(index), self._token(index - 1)
         if previous.text in _DECLARATORS:
             return f"equations need no `{previous.text}`: write `{found.text} = …`"
         word = nearest(previous.text, DECLARATIONS if outside else MEMBERS)
-        if word is not None:
+        if word is not None and index - 1 == start:
             return f"did you mean `{word}`?"
         if self._token(index + 1).kind == "(":
             return DECLARATIONS["fn"]
@@ -101,12 +101,12 @@ class Advice:
             return f"a type stands behind the name: write `{found.text} : {type_} = …`"
         return ""
 
-    def _of_expression(self, index: int, expected: set[str]) -> str:
+    def _of_expression(self, index: int, expected: set[str], member: str) -> str:
         """About what stands where an expression is to begin or to go on."""
         found, previous = self._token(index), self._token(index - 1)
         if expected & {"then", "else"} and "param" not in expected:
             return _IF
-        if expected == {"NAME"} and previous.text == "in":
+        if expected == {"NAME"} and previous.text == "in" and member != "param":
             return "spaces are named, `x in world`; a fold is `sum i in a..b : e`"
         if ".." in expected:
             return "a range is written `low..high`"

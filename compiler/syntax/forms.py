@@ -10,9 +10,9 @@ _RECORD = "a {} is `{} Name : Base + Mixin {{ … }}`, where base and mixins may
 DECLARATIONS: Mapping[str, str] = MappingProxyType(
     {
         **{kind: _RECORD.format(kind, kind) for kind in ("material", "light")},
-        "pass": "a pass is `pass Name : Base blend mode { … }`, where base and mode may be left out",
+        "pass": "a pass is `pass Name : Base blend mode { … }`; base and mode may be left out",
         "abstract": "what heirs complete is `abstract material Name : Base { … }`",
-        "mixin": "a mixin is `mixin Name { … }`, `mixin Name for light { … }` or `… for pass { … }`",
+        "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, or `… for pass`",
         "fn": "a function is `fn name(x: float, y: vec3) -> float = expression`",
         "term": "a term is `term name(k: rgb) -> rgb per light = expression`",
         "rig": "a rig is `rig Name { sun : Light  lamps : Light[4] { slot = value } }`",
@@ -20,7 +20,7 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
         "extern": "a block of the host's is "
         "`extern block Name per frame at group 0, binding 3 { member : type at 16 }`",
         "space": "a space is `space name`",
-        "import": 'a file is imported by `import std.terms`, `import std.terms.{lambert}` or '
+        "import": "a file is imported by `import std.terms`, `import std.terms.{lambert}` or "
         '`import "folder/file.burnish"`',
     }
 )

@@ -7,8 +7,8 @@ A file is a row of cases::
     --- said
     the messages
 
-A title that begins with ``in a material:`` stands above equations alone, which are put into a material
-that imports the library's lights and terms; its first line is line 2.
+A title that begins with ``in a material:`` stands above equations alone, which are put into a
+material that imports the library's lights and terms; their first line is line 2.
 """
 
 from __future__ import annotations
@@ -24,6 +24,9 @@ from burnish.compiler.diagnostics.render import render_all
 FOLDER = Path(__file__).parent
 _TITLE = "=== "
 _SAID = "--- said\n"
+SILENT = "nothing"
+"""What stands for no message: the program means something, if not what was intended."""
+
 _WITHIN = "in a material: "
 _AROUND = ("import std.lights  import std.terms  material M {\n", "}\n")
 _PASS = re.compile(r"^pass (\w+)", re.MULTILINE)
@@ -79,4 +82,4 @@ def told(case: Case) -> tuple[Diagnostic, ...]:
 
 def said(case: Case) -> str:
     """The messages about a program, as a terminal shows them."""
-    return render_all(told(case)).rstrip("\n") + "\n\n"
+    return (render_all(told(case)).rstrip("\n") or SILENT) + "\n"
