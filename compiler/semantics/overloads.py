@@ -87,10 +87,12 @@ def signatures(row: Builtin) -> str:
         shown.append(f"`{row.name}({', '.join(words[:-1])}) -> {words[-1]}`")
     told = {
         letter: name
-        for name, f in WRITTEN_FAMILIES.items()
-        for letter in used
-        if FAMILIES.get(letter) is f
+        for name, family in WRITTEN_FAMILIES.items()
+        for letter in sorted(used)
+        if FAMILIES.get(letter) is family
     }
+    if "M" in used:
+        told["M"] = "matrices"
     families = " and ".join(f"`{letter}` one of the {name}" for letter, name in told.items())
     return f"{', '.join(shown)}{' with ' if families else ''}{families}"
 

@@ -64,8 +64,10 @@ class Outline:
 
     def begins_line(self, index: int) -> bool:
         """Whether a token is the first of its line."""
-        before = self.tokens[index - 1].end if index else 0
-        return index == 0 or "\n" in self._text[before : self.tokens[index].start]
+        if index == 0 or index >= len(self.tokens):
+            return True
+        before = self.tokens[index - 1].end
+        return "\n" in self._text[before : self.tokens[index].start]
 
     def can_end(self, index: int) -> bool:
         """Whether an expression or declaration can end with the token at ``index``."""

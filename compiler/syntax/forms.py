@@ -15,12 +15,12 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
         "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, or `… for pass`",
         "fn": "a function is `fn name(x: float, y: vec3) -> float = expression`",
         "term": "a term is `term name(k: rgb) -> rgb per light = expression`",
-        "rig": "a rig is `rig Name { sun : Light  lamps : Light[4] { slot = value } }`",
+        "rig": "a rig is `rig Name { one : Kind  four : Kind[4] { slot = value } }`",
         "struct": "a structure is `struct Name { member : type, … }`",
         "extern": "a block of the host's is "
         "`extern block Name per frame at group 0, binding 3 { member : type at 16 }`",
         "space": "a space is `space name`",
-        "import": "a file is imported by `import std.terms`, `import std.terms.{lambert}` or "
+        "import": "a file is imported by `import folder.file`, `import folder.file.{name}` or "
         '`import "folder/file.burnish"`',
     }
 )
