@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import ExitStack
 
 import moderngl
 
@@ -10,7 +11,7 @@ from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline
 from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, link
 from .screen import Screen
-from .textures import bind_texture
+from .textures import bound_texture
 
 
 class Renderer:
@@ -91,10 +92,6 @@ def _render(
     blocks = [context.buffer(data) for data in draw.blocks]
     for number, block in enumerate(blocks):
         block.bind_to_uniform_block(number)
-    textures = [
-        bind_texture(context, functions, slot, image, unit)
-        for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True))
-    ]
     attributes = [
         (context.buffer(data), attribute_layout(slot.format), slot.identifier)
         for slot, data in zip(pipeline.inputs, draw.vertices, strict=True)
@@ -102,6 +99,7 @@ def _render(
     ]
     indices = context.buffer(draw.indices)
     array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
-    array.render()
-    for texture in textures:
-        texture.release()
+    with ExitStack() as textures:
+        for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
+            textures.enter_context(bound_texture(functions, slot, image, unit))
+        array.render()
