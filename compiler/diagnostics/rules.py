@@ -311,6 +311,30 @@ NO_RANGE = _error(
     "Only numbers, and vectors of numbers lane by lane, are bounded by `in a..b`.",
 )
 
+TEXTURE_LACKS_READ = _error(
+    "B0350",
+    "a `{type}` has no `{read}`",
+    "Colours are filtered, depths compared with a reference, whole numbers loaded; texels have "
+    "numbers in all but cubes.",
+)
+NOT_A_LANE = _error(
+    "B0351",
+    "this operand has to be a constant in 0..3",
+    "Which lane of the texels is gathered is part of the instruction on most devices.",
+)
+IMPLICIT_IN_LOOP = _error(
+    "B0352",
+    "{what} in a loop whose turns differ from pixel to pixel",
+    "The level of detail, and derivatives, come from comparing neighbouring pixels, all of which "
+    "have to get there; a pixel whose loop is over has nothing to compare.",
+)
+SETTING_WITHOUT_USE = _error(
+    "B0353",
+    "`{name}` says nothing about a `{type}`",
+    "Cubes do not wrap, only depths are compared, depths are read at level 0, and nothing filters "
+    "whole numbers.",
+)
+
 # --- B04: values and meaning ---------------------------------------------------------------------
 
 ZERO_DIVISOR = _error(

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Literal
 
 from ...frozen import frozen
+from ...stdlib.builtins import BUILTINS
 from .leaves import InterpolationMode, Parameter, Resource
 from .node import Formal, Node
 from .types import Struct, Type
@@ -133,6 +134,21 @@ class Function:
 
 
 @frozen
+class TextureRead:
+    """That a stage reads a texture in some way."""
+
+    builtin: str
+    resource: Resource
+    node: int
+    """The id of one node that does."""
+
+    @property
+    def samples(self) -> bool:
+        """Whether it does so by the texture's sampler."""
+        return BUILTINS[self.builtin].sampler is not None
+
+
+@frozen
 class Stage:
     """One shader stage."""
 
@@ -152,6 +168,8 @@ class Stage:
     """Where true the pixel is not written; comes last."""
     builtin_inputs: tuple[str, ...] = ()
     """``frag_coord``, ``front_facing``, ``vertex_index``, ``instance_index`` when read."""
+    reads: tuple[TextureRead, ...] = ()
+    """In which ways the stage reads its textures: each way of each once."""
 
 
 @frozen
@@ -171,3 +189,13 @@ class Program:
     def stages(self) -> tuple[Stage, Stage]:
         """Both stages, in pipeline order."""
         return self.vertex, self.fragment
+
+    @property
+    def reads(self) -> tuple[TextureRead, ...]:
+        """How both stages read textures."""
+        return self.vertex.reads + self.fragment.reads
+
+    @property
+    def sampled(self) -> frozenset[Resource]:
+        """The textures that are read by their samplers."""
+        return frozenset(read.resource for read in self.reads if read.samples)

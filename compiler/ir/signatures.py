@@ -15,6 +15,7 @@ from .types import (
     BOOL,
     FLOAT,
     INT,
+    TEXTURES,
     UINT,
     Matrix,
     Scalar,
@@ -56,16 +57,26 @@ FAMILIES: Mapping[str, Family] = {
     "P": Family((*NUMBER_KINDS, "bool"), (1, 2, 3, 4)),
 }
 
+TEXTURE_FAMILIES: Mapping[str, frozenset[Texture]] = {
+    "F": frozenset(t for t in TEXTURES if t.sample == "float" and not t.layered),
+    "D": frozenset(t for t in TEXTURES if t.sample == "depth" and not t.layered),
+    "G": frozenset(t for t in TEXTURES if t.dimension in ("2d", "3d")),
+    "H": frozenset(t for t in TEXTURES if t.layered),
+    "X": frozenset(TEXTURES),
+}
+"""What a letter for textures ranges over."""
+
 _PREFIXES: tuple[tuple[str, ScalarKind], ...] = (("i", "int"), ("u", "uint"), ("b", "bool"))
 FIXED: Mapping[str, Type] = {
-    "S": FLOAT, "float": FLOAT, "int": INT, "uint": UINT, "bool": BOOL, "texture2d": Texture(),
+    "S": FLOAT, "float": FLOAT, "int": INT, "uint": UINT, "bool": BOOL,
+    **{str(texture): texture for texture in TEXTURES},
     **{f"vec{n}": Vector("float", n) for n in (2, 3, 4)},
     **{f"{p}vec{n}": Vector(k, n) for n in (2, 3, 4) for p, k in _PREFIXES},
     **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
 }  # fmt: skip
 """Words of a signature that are one type."""
 
-DEPENDENT = "CLQ"
+DEPENDENT = "CLQUWE"
 """Letters that follow from others and so are bound last."""
 
 
@@ -95,7 +106,7 @@ def meaning(letter: str, bound: Mapping[str, Type]) -> Type:
 
 
 def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
-    """``L``, ``C`` and ``Q`` follow from a letter bound before them."""
+    """What follows from a letter bound before: lanes, columns, how a texture is read."""
     if letter == "C" and isinstance(matrix := bound.get("M"), Matrix):
         return Vector("float", matrix.size)
     if letter == "Q" and (base := bound.get("P")) is not None:
@@ -105,7 +116,21 @@ def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
             kind = scalar_kind(bound[source]) if source in bound else None
             if kind is not None:
                 return Scalar(kind)
-    return None
+    texture = next((t for t in bound.values() if isinstance(t, Texture)), None)
+    return None if texture is None else _of_texture(letter, texture)
+
+
+def _of_texture(letter: str, texture: Texture) -> Type | None:
+    """A texture's coordinate, its size, and what a texel holds."""
+    match letter:
+        case "U":
+            return Vector("float", texture.axes)
+        case "W":
+            return Vector("int", texture.extents)
+        case "E":
+            return texture.texel
+        case _:
+            return None
 
 
 def _bound(words: tuple[str, ...], operands: tuple[Type, ...]) -> dict[str, Type] | None:
@@ -126,6 +151,8 @@ def _may_be(letter: str, type_: Type, bound: Mapping[str, Type]) -> bool:
     """Whether a letter can stand for a type."""
     if letter in FAMILIES:
         return FAMILIES[letter].contains(type_)
+    if letter in TEXTURE_FAMILIES:
+        return type_ in TEXTURE_FAMILIES[letter]
     if letter == "M":
         return isinstance(type_, Matrix)
     return letter == "R" or type_ == (FIXED.get(letter) or dependent(letter, bound))

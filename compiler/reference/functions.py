@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
-from . import derivatives, floats, integers, logic, matrices, scalars, vectors
+from ...stdlib.builtins import texture
+from . import derivatives, floats, integers, logic, matrices, scalars, textures, vectors
 from .namespace import Lane, Lanes, Namespace
 
 LaneKind = Literal["float", "int", "uint", "bool"]
@@ -96,12 +97,12 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "refract": vectors.refract,
     "faceforward": vectors.faceforward,
     "lit": vectors.lit,
-    "sample": vectors.sample,
     "ddx": derivatives.ddx,
     "ddy": derivatives.ddy,
     "transpose": matrices.transpose,
     "determinant": matrices.determinant,
     "inverse": matrices.inverse,
+    **{row.name: textures.reading(row.name) for row in texture.ROWS},
 }
 """On whole values rather than lane by lane."""
 

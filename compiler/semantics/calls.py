@@ -10,10 +10,10 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node
-from ..ir.types import VEC2, Texture, scalar_kind
+from ..ir.types import Texture, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
-from . import lights, lookup, overloads
+from . import lights, lookup, overloads, textures
 from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type
@@ -32,8 +32,23 @@ def call(low: Lowering, e: ast.Call, scope: Scope) -> Step[Value]:
     if isinstance(e.callee, ast.Reference):
         result: Value = yield _named(low, e, e.callee, arguments, scope, failed)
         return result
-    callee = yield low.node(e.callee, scope)
-    return FAILURE if failed else _read(low, callee, arguments, e)
+    read: Value = yield _of_value(low, e, arguments, scope, failed)
+    return read
+
+
+def _of_value(
+    low: Lowering, e: ast.Call, arguments: tuple[Node, ...], scope: Scope, failed: bool
+) -> Step[Value]:
+    """``x.read(…)`` or ``x.map(…)``: only textures are called that have no name of their own."""
+    if not isinstance(e.callee, ast.Field):
+        callee = yield low.node(e.callee, scope)
+        return FAILURE if failed else textures.read(low, callee, arguments, e)
+    owner = yield low.expression(e.callee.operand, scope)
+    if isinstance(owner, Node) and isinstance(owner.type, Texture):
+        method = e.callee.name
+        return FAILURE if failed else textures.read(low, owner, arguments, e, method)
+    member = yield low.part(owner, e.callee.name)
+    return FAILURE if failed else textures.read(low, member, arguments, e)
 
 
 def _arguments(low: Lowering, e: ast.Call, scope: Scope) -> Step[tuple[tuple[Node, ...], bool]]:
@@ -59,7 +74,7 @@ def _named(
     own = scope.instance is not None and _is_map(scope.instance.record.definitions.get(name))
     if own or name in scope.locals:
         texture = yield lookup.value(low, name, callee.span, scope)
-        return FAILURE if failed else _read(low, texture, arguments, e)
+        return FAILURE if failed else textures.read(low, texture, arguments, e)
     functions = [s for s in scope.module.find(name) if isinstance(s.declaration, ast.Function)]
     if functions:
         applied: Value = FAILURE
@@ -71,13 +86,15 @@ def _named(
     surface = scope.surface
     if surface is not None and _is_map(surface.record.definitions.get(name)):
         texture = yield lookup.slot(low, surface, name, callee.span)
-        return FAILURE if failed else _read(low, texture, arguments, e)
+        return FAILURE if failed else textures.read(low, texture, arguments, e)
     if not failed or not scope.module.find(name):
         _not_callable(low, name, callee.span, scope)
     return FAILURE
 
 
-_NOT_CALLED = frozenset({"sample", *(n for n, row in BUILTINS.items() if row.operator)})
+_NOT_CALLED = frozenset(
+    name for name, row in BUILTINS.items() if row.operator or row.method is not None
+)
 """Rows that are written in another way than as a call."""
 
 
@@ -97,7 +114,12 @@ def _built_in(low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call
 ELSEWHERE = {
     "lerp": "mix", "frac": "fract", "rsqrt": "inversesqrt", "inverseSqrt": "inversesqrt",
     "texture": "name(uv)", "texture2D": "name(uv)", "tex2D": "name(uv)",
-    "textureSample": "name(uv)", "atan2f": "atan2", "fmod": "x mod y", "roundEven": "round",
+    "textureSample": "name(uv)", "textureLod": "name.level(uv, level)",
+    "textureSampleLevel": "name.level(uv, level)", "textureGrad": "name.grad(uv, dx, dy)",
+    "textureSampleGrad": "name.grad(uv, dx, dy)", "texelFetch": "name.load(place, level)",
+    "textureLoad": "name.load(place, level)", "textureSize": "name.size()",
+    "textureDimensions": "name.size()", "textureGather": "name.gather(uv, lane)",
+    "atan2f": "atan2", "fmod": "x mod y", "roundEven": "round",
     "vec3f": "vec3", "float2": "vec2", "float3": "vec3", "float4": "vec4",
 }  # fmt: skip
 """What other shading languages call the same thing."""
@@ -122,24 +144,6 @@ def _not_callable(low: Lowering, name: str, span: Span, scope: Scope) -> None:
         low.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
     lookup.unknown_here(low, "function", name, span, sorted(callables), scope.module)
-
-
-def _read(low: Lowering, texture: Value, arguments: tuple[Node, ...], e: ast.Call) -> Value:
-    """``albedo(uv)``: a texture is read by calling it."""
-    if isinstance(texture, Failure):
-        return FAILURE
-    if not isinstance(texture, Node) or not isinstance(texture.type, Texture):
-        low.report.add(rules.NOT_CALLABLE, e.callee.span, found="this")
-        return FAILURE
-    if len(arguments) != 1:
-        low.report.add(
-            rules.WRONG_COUNT, e.span, name="a texture", expected=1, found=len(arguments)
-        )
-        return FAILURE
-    coordinate = low.fit(arguments[0], VEC2, "vec2", e.arguments[0].span)
-    if isinstance(coordinate, Failure):
-        return FAILURE
-    return low.builtin("sample", (texture, coordinate), e.span, "a texture read")
 
 
 def _unguarded(low: Lowering, arguments: tuple[Node, ...], e: ast.Call) -> Value:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
 from ..diagnostics.source import Span
 from ..ir.node import Node
-from ..ir.types import Matrix, Type
+from ..ir.types import Matrix, Texture, Type
 from ..syntax import ast
 from . import overloads
 from .declared import declared_type
@@ -51,6 +52,10 @@ def fit_result(
     return low.fit(result, wanted.type, wanted.text, function.body.span)
 
 
+_WHOLE_FAMILIES: Mapping[str, type[Matrix | Texture]] = {"matrices": Matrix, "textures": Texture}
+"""Families of types without lanes that could adapt."""
+
+
 def bind_type_parameters(
     function: ast.Function, arguments: tuple[Node, ...]
 ) -> dict[str, Type] | None:
@@ -64,9 +69,10 @@ def bind_type_parameters(
         ]
         if not used:
             return None
-        if parameter.family.text == "matrices":
+        whole = _WHOLE_FAMILIES.get(parameter.family.text)
+        if whole is not None:
             type_ = used[0].type
-            if not isinstance(type_, Matrix):
+            if not isinstance(type_, whole):
                 return None
         else:
             family = overloads.WRITTEN_FAMILIES.get(parameter.family.text)

@@ -85,7 +85,7 @@ class Module:
 _NOT_IMPORTED = frozenset({"prelude", "meaning"})
 """Library files that every file sees, or none."""
 
-FAMILIES = (*WRITTEN_FAMILIES, "matrices")
+FAMILIES = (*WRITTEN_FAMILIES, "matrices", "textures")
 """What a type parameter may range over."""
 
 Read = Callable[[Path, Report, str], Source | None]

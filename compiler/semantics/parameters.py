@@ -10,33 +10,24 @@ from ...frozen import changed, frozen
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
-from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.leaves import Attribute, Parameter
 from ..ir.node import Node
 from ..ir.types import INT, Array, Scalar, Struct, Texture, Type, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
 from ..syntax import ast
 from ..trampoline import run
 from .declared import declared_type
+from .maps import resource
 from .records import Definition, Record
 from .scope import Failure, Scope
 from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
 from .typenames import Declared
-from .unique import check_once
 
 if TYPE_CHECKING:
     from .lower import Lowering
 
 DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pass": "frame"}
 """The group of a parameter that names none, by what declares it."""
-
-TEXTURE_DEFAULTS = ("white", "black", "gray", "transparent", "flat_normal")
-SAMPLER_STATE: Mapping[str, tuple[str, ...]] = {
-    "filter": ("linear", "nearest"),
-    "mip": ("linear", "nearest", "none"),
-    "wrap": ("repeat", "clamp", "mirror"),
-}
-"""What can be said of a sampler; the first of each is the default."""
-
 
 @frozen
 class Leaves:
@@ -62,7 +53,8 @@ def leaves_of(
             if info is not None:
                 parameters.append(info)
         elif isinstance(member, ast.Map):
-            texture = _resource(low, definition, prefix + name)
+            group = _group(low, definition, member.group)
+            texture = resource(low, definition, prefix + name, group)
             if texture is not None:
                 resources.append(texture)
         elif isinstance(member, ast.Attribute):
@@ -177,49 +169,6 @@ def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:
         low.report.add(rules.ZERO_DIRECTION, written.span)
         return None
     return tuple(lane / length for lane in lanes)
-
-
-def _resource(low: Lowering, definition: Definition, name: str) -> ResourceInfo | None:
-    member = definition.member
-    assert isinstance(member, ast.Map)
-    declared = declared_type(low, member.type, definition.owner.module)
-    if declared is None:
-        return None
-    if not isinstance(declared.type, Texture):
-        low.report.add(
-            rules.WRONG_TYPE, member.type.span, expected="a texture type", found=declared.text,
-            hint="`texture2d` is one",
-        )  # fmt: skip
-        return None
-    default = member.default.text if member.default is not None else TEXTURE_DEFAULTS[0]
-    if member.default is not None and default not in TEXTURE_DEFAULTS:
-        _unknown_word(low, "texture default", member.default, TEXTURE_DEFAULTS)
-    group = _group(low, definition, member.group)
-    state = tuple(sorted(_sampler_state(low, member).items()))
-    resource = Resource(name, declared.type, group, default, state)
-    return ResourceInfo(resource, member.doc, member.name.span)
-
-
-def _sampler_state(low: Lowering, member: ast.Map) -> dict[str, str]:
-    check_once(low.report, (key for key, _ in member.state))
-    state = {key: values[0] for key, values in SAMPLER_STATE.items()}
-    for key, value in member.state:
-        if key.text not in SAMPLER_STATE:
-            _unknown_word(low, "sampler setting", key, SAMPLER_STATE)
-        elif value.text not in SAMPLER_STATE[key.text]:
-            _unknown_word(low, f"value for `{key.text}`", value, SAMPLER_STATE[key.text])
-        else:
-            state[key.text] = value.text
-    return state
-
-
-def _unknown_word(
-    low: Lowering, kind: str, name: ast.Name, known: Mapping[str, object] | tuple[str, ...]
-) -> None:
-    listed = ", ".join(f"`{word}`" for word in known)
-    low.report.add(
-        rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=f"one of {listed}"
-    )
 
 
 def _attribute(low: Lowering, definition: Definition, name: str) -> AttributeInfo | None:

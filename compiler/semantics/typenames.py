@@ -17,6 +17,7 @@ from ..ir.types import (
     BOOL,
     FLOAT,
     INT,
+    TEXTURES,
     UINT,
     VEC3,
     VEC4,
@@ -24,7 +25,6 @@ from ..ir.types import (
     Matrix,
     ScalarKind,
     Struct,
-    Texture,
     Type,
     Vector,
 )
@@ -61,7 +61,7 @@ NAMED: Mapping[str, Meaning] = {
     "normal": Meaning(VEC3, spaces=1),
     "direction": Meaning(VEC3, spaces=1, fact=UNIT),
     "transform": Meaning(Matrix(4), spaces=2),
-    "texture2d": Meaning(Texture()),
+    **{str(texture): Meaning(texture) for texture in TEXTURES},
 }
 
 
