@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins import texture
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from ...ir.node import Node
 from ...ir.types import scalar_kind
@@ -114,9 +115,12 @@ _OF_VECTORS: Mapping[str, Callable[..., Jump]] = {
 }
 """Builtins of whole vectors that jump at zero."""
 
-_NOT_BY_LANE = frozenset(
+READS = frozenset(row.name for row in texture.ROWS)
+"""Builtins that read textures, which have margins of their own."""
+
+_NOT_BY_LANE = READS | frozenset(
     {"any", "all", "dot", "cross", "length", "distance", "normalize", "reflect", "transpose",
-     "determinant", "inverse", "sample", *_OF_VECTORS}
+     "determinant", "inverse", *_OF_VECTORS}
 )  # fmt: skip
 
 

@@ -36,9 +36,11 @@ class Geometry:
 class Texels:
     """A texture with its mip levels."""
 
-    levels: tuple[Floats, ...]
-    """Each (height, width, 4) linear values, the first row on top. Every level halves the one
-    before, rounding down, to no less than 1."""
+    levels: tuple[Floats | Ints, ...]
+    """Each (height, width, 4) linear values, the first row on top; of depths (height, width, 1).
+
+    With layers, faces or slices: (layers, height, width, 4). Every level halves width and height,
+    and a volume's depth, rounding down, to no less than 1."""
 
 
 @dataclass(frozen=True, slots=True)

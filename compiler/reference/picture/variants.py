@@ -16,6 +16,11 @@ class Variants:
     across: Floats
     """Texels by which a linear filter is shifted to the right."""
     down: Floats
+    inward: Floats
+    """Likewise, towards the next slice of a volume."""
+    corner: Ints
+    """What is read beyond the corner of a cube: -1 the mean of the three texels around it, or the
+    one of them with this number."""
     row: Ints
     """Which row of the quad derivatives along x are taken from; -1: the texture's from the upper
     one, a pixel's from its own."""
@@ -34,7 +39,7 @@ class Variants:
     kind: Ints
     """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level;
     5 and 6 what is interpolated, everything alike and checkered; 7 what operations give; 8 to 10
-    what functions give, with three periods."""
+    what functions give, with three periods; 11 the place inwards; 12 corners."""
     order: Floats
     """Of the norm that makes a length of the derivatives: 2; any between the largest lane
     (infinity) and the sum (1) is allowed."""
@@ -43,7 +48,13 @@ class Variants:
         return len(self.across)
 
 
-_EXACT = Variants(*(np.array([value]) for value in (0.0, 0.0, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0)))
+EXACT = Variants(
+    *(
+        np.array([value])
+        for value in (0.0, 0.0, 0.0, -1, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0)
+    )
+)
+"""The exact way only."""
 
 
 def variants(
@@ -52,18 +63,29 @@ def variants(
     varying_bits: int | None,
     rounding_bits: int | None,
     functions: bool,
+    *,
+    volumes: bool = False,
+    cubes: bool = False,
 ) -> Variants:
-    """The exact way and, where a device's bits matter, those at their limits."""
-    found = [_EXACT]
+    """The exact way and, where a device's bits matter, those at their limits.
+
+    Bits are ``None`` where they do not matter; ``volumes`` and ``cubes`` are filtered ones.
+    """
+    found = [EXACT]
 
     def add(kind: int, **changes: float) -> None:
         new = {name: np.array([value]) for name, value in changes.items()}
-        found.append(replace(_EXACT, kind=np.array([kind]), **new))
+        found.append(replace(EXACT, kind=np.array([kind]), **new))
 
     if subtexel_bits is not None:
         for step in (-(2.0**-subtexel_bits), 2.0**-subtexel_bits):
             add(1, across=step)
             add(2, down=step)
+            if volumes:
+                add(11, inward=step)
+        if cubes:
+            for corner in range(3):
+                add(12, corner=corner)
     if mip_bits is not None:
         for row, column in ((0, 0), (0, 1), (1, 0), (1, 1)):
             add(3, row=row, column=column)

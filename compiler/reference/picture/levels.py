@@ -1,0 +1,76 @@
+"""The level of detail of a read: Vulkan, "Scale Factor Operation, Level-of-Detail Operation"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .cube import met
+from .scene import Floats, Ints
+from .texels import Image
+from .variants import Variants
+
+
+def given(image: Image, level: Floats, ways: Variants) -> Floats:
+    """A level that a program names, (variants, quads, side, side)."""
+    return _limited(image, np.broadcast_arrays(level, np.zeros((1, 1, 1, 1)))[0], ways)
+
+
+def implicit(image: Image, coordinate: Sequence[Floats], ways: Variants) -> Floats:
+    """The level for coordinates in quads of 2 × 2 pixels, (variants, quads, 2, 2) or (…, 1, 1)."""
+    if coordinate[0].shape[-1] == 1 or _has_one(image):
+        return np.zeros((len(ways), 1, 1, 1))
+    across = [_chosen(t[..., :, 1] - t[..., :, 0], ways.row) for t in coordinate]
+    down = [_chosen(t[..., 1, :] - t[..., 0, :], ways.column) for t in coordinate]
+    return by_changes(image, coordinate, across, down, ways)
+
+
+def by_changes(
+    image: Image,
+    coordinate: Sequence[Floats],
+    across: Sequence[Floats],
+    down: Sequence[Floats],
+    ways: Variants,
+) -> Floats:
+    """The level where the coordinate changes so much to the right and downwards."""
+    if _has_one(image):
+        return np.zeros((len(ways), 1, 1, 1))
+    if image.type.dimension == "cube":
+        where = met(coordinate)
+        across, down = where.change(across), where.change(down)
+    sizes = image.sizes(np.zeros((), dtype=np.int64))
+    footprint = np.maximum(
+        _length([size * lane for size, lane in zip(sizes, across, strict=True)], ways.order),
+        _length([size * lane for size, lane in zip(sizes, down, strict=True)], ways.order),
+    )
+    return _limited(image, np.log2(np.maximum(footprint, np.finfo(np.float64).tiny)), ways)
+
+
+def _has_one(image: Image) -> bool:
+    return image.state["mip"] == "none" or image.levels == 1
+
+
+def _limited(image: Image, level: Floats, ways: Variants) -> Floats:
+    if _has_one(image):
+        return np.zeros((len(ways), 1, 1, 1))
+    return np.clip(level + ways.level[:, None, None, None], 0, image.levels - 1)
+
+
+def _chosen(differences: Floats, which: Ints) -> Floats:
+    """Each variant's choice (variants, quads, 1, 1) among two differences (…, quads, 2)."""
+    shape = (len(which), *differences.shape[-2:])
+    chosen: Floats = np.broadcast_to(differences, shape)[
+        np.arange(len(which)), :, np.maximum(which, 0)
+    ]
+    return chosen[..., None, None]
+
+
+def _length(lanes: Sequence[Floats], order: Floats) -> Floats:
+    """The norm of lanes (variants, quads, …), of a variant's own order."""
+    sizes = np.abs(np.stack(np.broadcast_arrays(*lanes)))
+    order = order[:, None, None, None]
+    euclidean = np.sqrt((sizes * sizes).sum(axis=0))
+    return np.where(
+        order == 2, euclidean, np.where(order == 1, sizes.sum(axis=0), sizes.max(axis=0))
+    )
