@@ -7,6 +7,7 @@ All names here are suggestions in the user's spelling; a backend's ``Namer`` mak
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Literal
 
 from ...frozen import frozen
@@ -146,6 +147,16 @@ class TextureRead:
     def samples(self) -> bool:
         """Whether it does so by the texture's sampler."""
         return BUILTINS[self.builtin].sampler is not None
+
+
+def texture_reads(nodes: Iterable[Node]) -> tuple[TextureRead, ...]:
+    """Each way in which ``nodes`` read a texture, once."""
+    found: dict[tuple[str, Resource], TextureRead] = {}
+    for node in nodes:
+        if node.operands and isinstance(resource := node.operands[0].data, Resource):
+            read = TextureRead(str(node.data), resource, node.id)
+            found.setdefault((read.builtin, resource), read)
+    return tuple(found.values())
 
 
 @frozen

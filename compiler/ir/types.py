@@ -102,7 +102,7 @@ class Texture:
     @property
     def texel(self) -> Numeric:
         """What one texel holds."""
-        return {"float": VEC4, "depth": FLOAT, "int": IVEC4, "uint": UVEC4}[self.sample]
+        return FLOAT if self.sample == "depth" else Vector(self.sample, 4)
 
     @property
     def axes(self) -> int:
@@ -128,8 +128,6 @@ BOOL = Scalar("bool")
 VEC2 = Vector("float", 2)
 VEC3 = Vector("float", 3)
 VEC4 = Vector("float", 4)
-IVEC4 = Vector("int", 4)
-UVEC4 = Vector("uint", 4)
 
 _PREFIXES: Mapping[Sample, str] = {
     "float": "texture", "depth": "depth", "int": "itexture", "uint": "utexture",

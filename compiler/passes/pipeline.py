@@ -8,7 +8,7 @@ from ...frozen import frozen
 from ..ir import build
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Graph, Node
-from ..ir.program import Block, Field, Function, Program, Stage, StageName, TextureRead, Varying
+from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying, texture_reads
 from ..layout import STANDARD_GROUPS, layout_blocks
 from ..semantics.shader import Notes, Shader
 from .checkpoint import passed
@@ -185,19 +185,8 @@ def _stage(
         results=tuple(values[1:] if name == "vertex" else values),
         discard=discard,
         builtin_inputs=tuple(sorted({str(n.data) for n in visible(roots) if n.op == "input"})),
-        reads=_texture_reads(roots),
+        reads=texture_reads(visible(roots, into_bodies=True)),
     )
-
-
-def _texture_reads(roots: list[Node]) -> tuple[TextureRead, ...]:
-    """Each way in which some texture is read, once."""
-    found: dict[tuple[str, Resource], TextureRead] = {}
-    for node in visible(roots, into_bodies=True):
-        for operand in node.operands:
-            if isinstance(operand.data, Resource):
-                read = TextureRead(str(node.data), operand.data, node.id)
-                found.setdefault((read.builtin, read.resource), read)
-    return tuple(found.values())
 
 
 def _function(call: Node, notes: Notes, naming: Naming) -> Function:

@@ -43,9 +43,7 @@ COMPARED: Settings = {
     "filter": ("linear", "nearest"),
     "compare": ("less_equal", "less", "greater_equal", "greater"),
 }
-DEPTHS = Kind(
-    ("far", "near"), {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"}
-)
+DEPTHS = Kind(("far", "near"), {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
 DEPTH_CUBES = Kind(("far", "near"), COMPARED, {"mip": "none", "wrap": "clamp"})
 INTEGERS = Kind(("zero",))
 """Nothing filters them, so they have no sampler."""
@@ -63,9 +61,7 @@ def kind_of(texture: Texture) -> Kind:
             return INTEGERS
 
 
-def resource(
-    low: Lowering, definition: Definition, name: str, group: str
-) -> ResourceInfo | None:
+def resource(low: Lowering, definition: Definition, name: str, group: str) -> ResourceInfo | None:
     """The texture that a ``map`` declares; ``None`` after reporting why it is none."""
     member = definition.member
     assert isinstance(member, ast.Map)
@@ -81,7 +77,7 @@ def resource(
     kind = kind_of(declared.type)
     default = kind.defaults[0] if member.default is None else member.default.text
     if member.default is not None and default not in kind.defaults:
-        _unknown_word(low, f"default of `{declared.text}`", member.default, kind.defaults)
+        _unknown_word(low, "texture default", member.default, kind.defaults)
     state = _sampler_state(low, member, kind, declared.text)
     found = Resource(name, declared.type, group, default, tuple(sorted(state.items())))
     return ResourceInfo(found, member.doc, member.name.span)

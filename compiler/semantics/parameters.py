@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pass": "frame"}
 """The group of a parameter that names none, by what declares it."""
 
+
 @frozen
 class Leaves:
     """A record's leaves in declaration order."""

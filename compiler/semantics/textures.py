@@ -105,17 +105,19 @@ def _operands(
     """The operands behind the texture as the read takes them."""
     least = len(way.operands) - len(way.row.optional)
     if not least <= len(arguments) <= len(way.operands):
+        span = e.callee.span
+        written = span.source.text[span.start : span.end]
         low.report.add(
-            rules.WRONG_COUNT, e.span, name=e.callee.span.text,
+            rules.WRONG_COUNT, e.span, name=written,
             expected=f"{least} or {len(way.operands)}" if way.row.optional else least,
-            found=len(arguments), hint=f"it is `{way.usage(e.callee.span.text)}`",
+            found=len(arguments), hint=f"it is `{way.usage(written)}`",
         )  # fmt: skip
         return None
     left_out = way.row.optional[len(arguments) - least :]
     fitted = [build.constant(low.graph, INT, value) for value in left_out]
     given = []
-    for node, type_, written in zip(arguments, way.operands, e.arguments, strict=False):
-        operand = low.fit(node, type_, str(type_), written.span)
+    for node, type_, argument in zip(arguments, way.operands, e.arguments, strict=False):
+        operand = low.fit(node, type_, str(type_), argument.span)
         if isinstance(operand, Failure):
             return None
         given.append(operand)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.types import Matrix, Scalar, TallMatrix, Texture, Type, Vector, scalar_kind
 from ...stdlib.builtins import BUILTINS
 from .context import Context
-from .description import Spelling
+from .description import Read, Spelling, Spellings
 from .leaves import Leaves
 from .precedence import INFIX, PREFIX, Binding, Text, infix, prefix
 
@@ -20,12 +20,22 @@ class Operand:
         self._text = text
 
     def __format__(self, form: str) -> str:
+        if form == "lane":
+            return _LANES[int(self._text.text)]
         return self._text.within(Binding.POSTFIX if form == "p" else Binding.CHOICE)
 
 
-def spelling_of(name: str, operands: Sequence[Type], table: Mapping[str, str | Spelling]) -> str:
+_LANES = ("Red", "Green", "Blue", "Alpha")
+
+
+def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
     """How builtin ``name`` is written for operands of these types."""
     spelled = table.get(name, "")
+    if isinstance(spelled, Read):
+        texture = operands[0]
+        assert isinstance(texture, Texture)
+        plain = spelled.layered if texture.layered and spelled.layered else spelled.plain
+        return spelled.types.get(str(texture), plain)
     if isinstance(spelled, Spelling):
         if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
             spelled = spelled.matrix
@@ -47,11 +57,13 @@ class Natives:
         self._splats = context.target.splats
         self._spell_type = context.types.type
         self._splat = splat
-        self._sampler = leaves.sampler
+        self._leaves = leaves
 
     def print(self, node: Node, printed: Sequence[Text]) -> Text:
         """The native ``node`` applied to printed operands."""
         assert isinstance(node.data, str)
+        if node.operands and isinstance(node.operands[0].type, Texture):
+            printed = [self._leaves.texture(node.operands[0], node.data), *printed[1:]]
         operands = self._widened(node, printed) if node.data in self._splats else printed
         spelled = spelling_of(node.data, [operand.type for operand in node.operands], self._table)
         if "{" in spelled:
@@ -77,6 +89,6 @@ class Natives:
             form.format(
                 *map(Operand, operands),
                 type=self._spell_type(node.type),
-                sampler="".join(map(self._sampler, textures)),
+                sampler="".join(map(self._leaves.sampler, textures)),
             )
         )

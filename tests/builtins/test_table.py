@@ -10,22 +10,25 @@ from pathlib import Path
 import pytest
 
 from burnish import stdlib
+from burnish.compiler.ir.types import TEXTURES
 from burnish.compiler.reference import functions
 from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
 from burnish.stdlib.builtins.row import everywhere
 
 MEANING = (Path(stdlib.__file__).parent / "meaning.burnish").read_text(encoding="utf-8")
-WORDS = {"T", "V", "S", "M", "C", "N", "L", "float", "int", "uint", "bool", "texture2d"} | {
-    f"{prefix}vec{width}" for prefix in ("", "i", "u", "b") for width in (2, 3, 4)
-}
+WORDS = (
+    {*"TVSMCNLFDGHXUWE", "float", "int", "uint", "bool"}
+    | set(map(str, TEXTURES))
+    | {f"{prefix}vec{width}" for prefix in ("", "i", "u", "b") for width in (2, 3, 4)}
+)
 rows = pytest.mark.parametrize("row", BUILTINS.values(), ids=BUILTINS.keys())
 
 
 def declared_functions() -> dict[str, int]:
     """The functions of ``meaning.burnish`` and how many parameters each has."""
     found = re.findall(r"^fn (\w+)(?:<[^>]*>)?\(([^)]*)\)", MEANING, re.MULTILINE)
-    return {name: parameters.count(":") for name, parameters in found}
+    return {name: parameters.count(":") for name, parameters in reversed(found)}
 
 
 def test_every_row_has_a_meaning_and_every_meaning_a_row() -> None:

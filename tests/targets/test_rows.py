@@ -37,7 +37,7 @@ def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_rows_print(selected: Selected) -> None:
-    text = emitted(program_of_rows(), selected)["fragment"]
+    text = emitted(program_of_rows(selected.profile), selected)["fragment"]
     assert re.search(r"\bnormalize\(", text)
 
 
