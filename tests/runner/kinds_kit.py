@@ -39,25 +39,16 @@ _SHAPES: dict[Dimension, str] = {"2d": "2D", "2d_array": "2DArray", "3d": "3D", 
 _PREFIXES: dict[Sample, str] = {"float": "", "depth": "", "sint": "i", "uint": "u"}
 _WGSL_KINDS: dict[Sample, str] = {"float": "f32", "sint": "i32", "uint": "u32"}
 
-_GLSL = """in vec4 color;
-uniform highp {sampler} image;
-layout(location = 0) out vec4 target;
-void main() {{ vec2 at = color.xy; target = {read}; }}
-"""
-_VULKAN = """#version 450
-layout(location = 0) in vec4 color;
-layout(set = 0, binding = 0) uniform {texture} image_texture;
-layout(set = 0, binding = 1) uniform {reader} reader;
-layout(location = 0) out vec4 target;
-#define image {sampler}(image_texture, reader)
-void main() {{ vec2 at = color.xy; target = {read}; }}
-"""
-_WGSL = """@group(0) @binding(0) var image: {texture};
-@group(0) @binding(1) var reader: {reader};
-@fragment fn main(@location(0) color: vec4f) -> @location(0) vec4f {{
+_VULKAN_HEAD = """#version 450
+#extension GL_EXT_samplerless_texture_functions : require
+layout(location = 0) """
+_WGSL_STAGE = """@fragment fn main(@location(0) color: vec4f) -> @location(0) vec4f {{
     let at = color.xy;
     return {read};
 }}
+"""
+_GLSL_STAGE = """layout(location = 0) out vec4 target;
+void main() {{ vec2 at = color.xy; target = {read}; }}
 """
 
 
@@ -75,26 +66,52 @@ def picture_of(
 def slot_for(image: Image, **state: object) -> TextureSlot:
     """A slot that takes a picture."""
     sample = TEXELS[image.format].sample
-    whole = {"filter": "nearest", "mip": "nearest", "wrap": "clamp", **state}
+    whole: dict[str, object] = {"filter": "nearest", "mip": "nearest", "wrap": "clamp", **state}
     if sample != "float":
         whole["sampling"] = "comparison" if sample == "depth" else "non-filtering"
-    slot = TextureSlot(
-        Place("image", 0, 0), Place("reader", 0, 1), dimension=image.dimension, sample=sample
-    )
+    reader = Place("reader", 0, 1) if whole.get("sampling", "filtering") else None
+    slot = TextureSlot(Place("image", 0, 0), reader, dimension=image.dimension, sample=sample)
     return replace(slot, **whole)  # type: ignore[arg-type]
 
 
 def read(driver: str, slot: TextureSlot, image: Image, glsl: str, wgsl: str) -> Floats:
     """The picture of an expression, 8 × 8."""
+    return _shown(driver, [slot], [image], [""], glsl, wgsl)
+
+
+def read_all(
+    driver: str, slots: Sequence[TextureSlot], images: Sequence[Image], glsl: str, wgsl: str
+) -> Floats:
+    """Likewise with many textures: ``image0`` with ``reader0``, ``image1`` …"""
+    return _shown(driver, slots, images, list(map(str, range(len(slots)))), glsl, wgsl)
+
+
+def _shown(
+    driver: str,
+    slots: Sequence[TextureSlot],
+    images: Sequence[Image],
+    names: Sequence[str],
+    glsl: str,
+    wgsl: str,
+) -> Floats:
+    placed = tuple(
+        replace(
+            slot,
+            texture=Place(f"image{name}", 0, 2 * number),
+            sampler=None if slot.sampling is None else Place(f"reader{name}", 0, 2 * number + 1),
+        )
+        for number, (slot, name) in enumerate(zip(slots, names, strict=True))
+    )
     corners = textual_kit.CORNERS
     at = [(0.0, 1.0), (2.0, 1.0), (0.0, -1.0)]
     if driver in VULKAN:
-        made, places = _vulkan_pipeline(slot, glsl), [(*each, 0.5) for each in corners]
-        draw = vulkan_kit.draw_of(places, [(*each, 0.0, 0.0) for each in at], textures=[image])
+        made, places = _vulkan_pipeline(placed, glsl), [(*each, 0.5) for each in corners]
+        draw = vulkan_kit.draw_of(places, [(*each, 0.0, 0.0) for each in at], textures=images)
         return _vulkan(driver).one(made, draw)
-    made = _textual_pipeline(driver, slot, glsl, wgsl)
+    made = _textual_pipeline(driver, placed, glsl, wgsl)
     painted: Draw = textual_kit.mesh(corners, [(*each, 0, 0) for each in at])
-    return textual_kit.shoot(driver, Job(made, (replace(painted, textures=(image,)),)))
+    job = Job(made, (replace(painted, textures=tuple(images)),))
+    return textual_kit.shoot(driver, job)
 
 
 @cache
@@ -112,24 +129,53 @@ def _names(slot: TextureSlot) -> tuple[str, str, str]:
     return f"{prefix}texture{shape}", f"{prefix}sampler{shape}{shadow}", wgsl
 
 
-def _vulkan_pipeline(slot: TextureSlot, read: str) -> Pipeline:
-    texture, sampler, _ = _names(slot)
-    reader = "samplerShadow" if slot.compare else "sampler"
-    text = _VULKAN.format(texture=texture, sampler=sampler, reader=reader, read=read)
+def _vulkan_pipeline(slots: Sequence[TextureSlot], read: str) -> Pipeline:
+    lines = [f"{_VULKAN_HEAD}in vec4 color;"]
+    for slot in slots:
+        texture, sampler, _ = _names(slot)
+        name, binding = slot.texture.identifier, slot.texture.binding
+        lines.append(f"layout(set = 0, binding = {binding}) uniform {texture} {name}_texture;")
+        if slot.sampler is None:
+            lines.append(f"#define {name} {name}_texture")
+            continue
+        reader = "samplerShadow" if slot.compare else "sampler"
+        binding = slot.sampler.binding
+        lines += [
+            f"layout(set = 0, binding = {binding}) uniform {reader} {slot.sampler.identifier};",
+            f"#define {name} {sampler}({name}_texture, {slot.sampler.identifier})",
+        ]
+    text = "\n".join([*lines, _GLSL_STAGE.format(read=read)])
     fragment = vulkan_kit.glsl("frag", text)
-    return replace(vulkan_kit.painted_pipeline(), fragment=fragment, textures=(slot,))
+    return replace(vulkan_kit.painted_pipeline(), fragment=fragment, textures=tuple(slots))
 
 
-def _textual_pipeline(api: str, slot: TextureSlot, glsl: str, wgsl: str) -> Pipeline:
-    _, sampler, texture = _names(slot)
+def _textual_pipeline(
+    api: str, slots: Sequence[TextureSlot], glsl: str, wgsl: str
+) -> Pipeline:
+    lines = [] if api == "webgpu" else [textual_kit.GLSL_HEADS[api], "in vec4 color;"]
+    for slot in slots:
+        _, sampler, texture = _names(slot)
+        if api != "webgpu":
+            lines.append(f"uniform highp {sampler} {slot.texture.identifier};")
+            continue
+        lines.append(_variable(slot.texture, texture))
+        if slot.sampler is not None:
+            kind = "sampler_comparison" if slot.compare else "sampler"
+            lines.append(_variable(slot.sampler, kind))
     if api == "webgpu":
-        reader = "sampler_comparison" if slot.compare else "sampler"
-        text = _WGSL.format(texture=texture, reader=reader, read=wgsl)
+        text = "\n".join([*lines, _WGSL_STAGE.format(read=wgsl)])
     else:
-        text = textual_kit.GLSL_HEADS[api] + _GLSL.format(sampler=sampler, read=glsl)
-        slot = replace(slot, texture=Place("image", None, None), sampler=None)
+        text = "\n".join([*lines, _GLSL_STAGE.format(read=glsl)])
+        slots = [
+            replace(slot, texture=Place(slot.texture.identifier, None, None), sampler=None)
+            for slot in slots
+        ]
     made = textual_kit.pipeline(api, targets=(Target("rgba32float"),))
-    return replace(made, fragment=Code("main", text), textures=(slot,))
+    return replace(made, fragment=Code("main", text), textures=tuple(slots))
+
+
+def _variable(place: Place, type_: str) -> str:
+    return f"@group(0) @binding({place.binding}) var {place.identifier}: {type_};"
 
 
 def faces(size: int, channels: Sequence[float] = (0.0, 0.0, 1.0)) -> npt.NDArray[np.float64]:

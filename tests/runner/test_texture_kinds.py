@@ -5,9 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw import Compare, DriverError, TextureFormat
+from burnish.targets.runner.drivers.draw import (
+    Compare,
+    DriverError,
+    Sampling,
+    TextureFormat,
+)
 
-from .kinds_kit import DRIVERS, faces, picture_of, read, slot_for
+from .kinds_kit import DRIVERS, faces, picture_of, read, read_all, slot_for
 
 pytestmark = pytest.mark.parametrize("driver", DRIVERS)
 
@@ -171,6 +176,24 @@ def test_depths_of_layers_and_faces(driver: str) -> None:
     assert shown[0, 0].tolist() == [1, 0, 0, 0]
 
 
+def test_several_depths_at_once(driver: str) -> None:
+    """Each kind of sampler is told which texture it reads; they cannot all have the first."""
+    whole = [
+        picture_of("2d", "depth32float", np.full((1, 1, 1), 0.2)),
+        picture_of("2d_array", "depth32float", np.full((2, 1, 1, 1), 0.6)),
+        picture_of("cube", "depth32float", np.full((6, 1, 1, 1), 0.6)),
+    ]
+    shown = read_all(
+        driver, [slot_for(each, compare="less") for each in whole], whole,
+        "vec4(texture(image0, vec3(at, 0.5)), texture(image1, vec4(at, 1.0, 0.5)),"
+        " texture(image2, vec4(at, 1.0, 0.5)), 1.0)",
+        "vec4f(textureSampleCompare(image0, reader0, at, 0.5),"
+        " textureSampleCompare(image1, reader1, at, 1, 0.5),"
+        " textureSampleCompare(image2, reader2, vec3f(at, 1.0), 0.5), 1)",
+    )  # fmt: skip
+    assert shown[0, 0].tolist() == [0, 1, 1, 1]
+
+
 def test_depths_have_levels(driver: str) -> None:
     levels = [np.full((4 >> n, 4 >> n, 1), (n + 1) / 4) for n in range(3)]
     image = picture_of("2d", "depth32float", *levels)
@@ -181,6 +204,21 @@ def test_depths_have_levels(driver: str) -> None:
         " textureSampleCompare(image, reader, at, 0.6), 0, 0)",
     )  # fmt: skip
     assert shown[0, 0].tolist() == [1, 0, 0, 0]
+
+
+@pytest.mark.parametrize("sampling", ["filtering", None])
+def test_texels_of_all_levels_can_be_loaded(driver: str, sampling: Sampling | None) -> None:
+    """Also where the sampler stays on the first level, or where there is none."""
+    levels = [np.full((4 >> n, 4 >> n, 4), float(n)) for n in range(3)]
+    image = picture_of("2d", "rgba32float", *levels)
+    sampled = ("texture(image, at * 16.0)", "textureSample(image, reader, at * 16.0)")
+    glsl, wgsl = sampled if sampling else ("vec4(0)", "vec4f(0)")
+    shown = read(
+        driver, slot_for(image, mip="none", sampling=sampling), image,
+        f"vec4(texelFetch(image, ivec2(0), 2).x, ({glsl}).yzw)",
+        f"vec4f(textureLoad(image, vec2i(0), 2).x, ({wgsl}).yzw)",
+    )  # fmt: skip
+    assert shown[0, 0].tolist() == [2, 0, 0, 0]
 
 
 def test_a_picture_of_another_kind_is_refused(driver: str) -> None:

@@ -72,13 +72,14 @@ export function bindSampler(gl, unit, { filter, mip, wrap, compare, sampling }) 
   const sampler = gl.createSampler();
   const set = (name, value) => gl.samplerParameteri(sampler, gl[name], gl[value]);
   const name = sampling === null ? "NEAREST" : filter.toUpperCase();
-  const none = sampling === null || mip === "none";
-  const minify = none ? name : `${name}_MIPMAP_${mip.toUpperCase()}`;
+  const between = mip === "linear" && sampling !== null ? "LINEAR" : "NEAREST";
   set("TEXTURE_MAG_FILTER", name);
-  set("TEXTURE_MIN_FILTER", minify);
+  set("TEXTURE_MIN_FILTER", `${name}_MIPMAP_${between}`);
   set("TEXTURE_WRAP_S", WRAPS[wrap]);
   set("TEXTURE_WRAP_T", WRAPS[wrap]);
   set("TEXTURE_WRAP_R", WRAPS[wrap]);
+  // So that texels of other levels can still be loaded.
+  if (mip === "none") gl.samplerParameterf(sampler, gl.TEXTURE_MAX_LOD, 0);
   if (compare !== null) {
     set("TEXTURE_COMPARE_MODE", "COMPARE_REF_TO_TEXTURE");
     set("TEXTURE_COMPARE_FUNC", COMPARES[compare]);

@@ -35,7 +35,7 @@ class Renderer:
     def draw(self, job: Job) -> Sequence[Picture]:
         """Links the job's program and draws with it. Raises ``DriverError``."""
         self._context.clear_errors()  # of a job that broke off
-        program = link(self._context, job.pipeline)
+        program = link(self._context, self._functions, job.pipeline)
         try:
             return [
                 _picture(self._context, self._functions, program, job.pipeline, draw)

@@ -36,20 +36,22 @@ STORAGE: dict[TextureFormat, tuple[int, int, int]] = {
 }
 """Internal format, and what the bytes are: lanes and type."""
 
-GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAX_LEVEL = 0x2800, 0x2801, 0x813D
+GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER = 0x2800, 0x2801
+GL_TEXTURE_MAX_LOD, GL_TEXTURE_MAX_LEVEL, MOST_LEVELS = 0x813B, 0x813D, 1000
 GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R = 0x2802, 0x2803, 0x8072
 GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC = 0x884C, 0x884D
 GL_COMPARE_REF_TO_TEXTURE = 0x884E
 WRAPS: dict[Wrap, int] = {"repeat": 0x2901, "clamp": 0x812F, "mirror": 0x8370}
 MAGNIFY: dict[Filter, int] = {"linear": 0x2601, "nearest": 0x2600}
 MINIFY: dict[tuple[Filter, Mip], int] = {
-    ("linear", "none"): 0x2601,
+    ("linear", "none"): 0x2701,
     ("linear", "nearest"): 0x2701,
     ("linear", "linear"): 0x2703,
-    ("nearest", "none"): 0x2600,
+    ("nearest", "none"): 0x2700,
     ("nearest", "nearest"): 0x2700,
     ("nearest", "linear"): 0x2702,
 }
+"""Without levels the sampler stays on the first one, but texels of others can be loaded."""
 COMPARES: dict[Compare, int] = {
     "never": 0x0200, "less": 0x0201, "equal": 0x0202, "less_equal": 0x0203,
     "greater": 0x0204, "not_equal": 0x0205, "greater_equal": 0x0206, "always": 0x0207,
@@ -105,6 +107,7 @@ def _state(slot: TextureSlot, levels: int) -> dict[int, int]:
         ("nearest", "nearest") if slot.sampling is None else (slot.filter, slot.mip)
     )
     state = {
+        GL_TEXTURE_MAX_LOD: 0 if minify[1] == "none" else MOST_LEVELS,
         GL_TEXTURE_MAX_LEVEL: levels - 1,
         GL_TEXTURE_MIN_FILTER: MINIFY[minify],
         GL_TEXTURE_MAG_FILTER: MAGNIFY[minify[0]],
