@@ -313,7 +313,7 @@ NO_RANGE = _error(
 
 TEXTURE_LACKS_READ = _error(
     "B0350",
-    "a `{type}` has no `{read}`",
+    "a `{type}` has no {read}",
     "Colours are filtered, depths compared with a reference, whole numbers loaded; texels have "
     "numbers in all but cubes.",
 )

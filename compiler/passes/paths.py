@@ -11,12 +11,12 @@ import math
 from collections.abc import Iterable, Iterator
 
 from ...frozen import frozen
-from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
 from ..ir.node import Node, reachable
 from ..ir.types import Scalar
 from .arithmetic import OPPOSITES
 from .ranges import Ranges
+from .uniformity import needing_uniform_flow
 
 FARTHEST = 16
 """Conditions looked at on the way out; farther ones rarely say anything more."""
@@ -52,7 +52,7 @@ class Paths:
         wanted = list(roots)
         nodes = reachable(wanted)
         if any(node.op == "select" for node in nodes):
-            self._find(wanted, nodes)
+            self._find(wanted, nodes, needing_uniform_flow(wanted))
 
     def known(self, user: Node, operand: Node) -> tuple[Fact, tuple[Node, ...]]:
         """What holds of ``operand`` where ``user`` is computed, and the selects that say so."""
@@ -68,7 +68,8 @@ class Paths:
                 selects.append(step.select)
         return fact, tuple(selects)
 
-    def _find(self, roots: list[Node], nodes: list[Node]) -> None:
+    def _find(self, roots: list[Node], nodes: list[Node], together: frozenset[int]) -> None:
+        """Paths of all nodes; what needs all pixels, and its operands, come before all branches."""
         for root in roots:
             self._of[root.id] = None
         for node in reversed(nodes):
@@ -78,7 +79,7 @@ class Paths:
                 depth = 0 if here is None else here.depth + 1
                 if depth < DEEPEST:
                     sides[1:] = [Path(here, node, holds, depth) for holds in (True, False)]
-            elif node.op == "interpolate" or _needs_uniform_control_flow(node):
+            elif node.op == "interpolate" or node.id in together:
                 sides = [None] * len(node.operands)
             for operand, path in zip(node.operands, sides, strict=True):
                 known = operand.id in self._of
@@ -122,11 +123,6 @@ class Paths:
 
 
 _MIRRORED = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le", "eq": "eq", "ne": "ne"}
-
-
-def _needs_uniform_control_flow(node: Node) -> bool:
-    """Such a node, and so what it needs, is computed before all branches."""
-    return node.op == "call" and BUILTINS[str(node.data)].uniform_control_flow
 
 
 def _common(left: Path | None, right: Path | None) -> Path | None:

@@ -10,15 +10,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from ...stdlib.builtins import BUILTINS
 from ..ir.node import Folding, Formal, Node
 from ..ir.program import Branch, Let, Loop, Region, Statement
+from ..ir.types import Texture
 from ..semantics.shader import Notes
 from ..trampoline import Step, run
 from .cost import cost_of
 from .guard import BRANCH
 from .naming import Naming
 from .paths import DEEPEST
+from .uniformity import compares, needing_uniform_flow
 
 LEAVES = frozenset({"constant", "parameter", "resource", "attribute", "formal", "input", "bound"})
 BRANCH_COST = 32
@@ -67,6 +68,8 @@ class Scheduler:
         sampler before it computes the coordinate, and a ``?:`` would part join and read."""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
+        self._together = needing_uniform_flow(self._roots)
+        """What all pixels have to reach, branches or not."""
         self._order = in_order_of_use(self._roots)
         self._naming.learn(reversed(self._order))
 
@@ -93,7 +96,7 @@ class Scheduler:
             home = _enclosing(homes[node.id])
             self._home[node.id] = self._lifted(node, home)
             lifted = self._home[node.id] is not home
-            if lifted or (node.id in optional and _needs_uniform_flow(node)):
+            if lifted or (node.id in optional and node.id in self._together):
                 self._apart.add(node.id)
             home = self._home[node.id]
             if node.op == "fold":
@@ -105,7 +108,7 @@ class Scheduler:
                     _Block(home, node, None, home.depth + 1),
                     _Block(home, node, None, home.depth + 1),
                 )
-            if _needs_uniform_flow(node):
+            if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
             for position, operand in enumerate(operands_of(node)):
                 region = self._region_of(node, position, home)
@@ -123,7 +126,7 @@ class Scheduler:
 
     def _lifted(self, node: Node, home: _Block) -> _Block:
         """Out of loops that a value does not depend on; reads with implicit level to the top."""
-        uniform = _needs_uniform_flow(node)
+        uniform = node.id in self._together
         block, best = home, home
         while block.parent is not None:
             if block.loop is not None and block.loop in self._depends[node.id]:
@@ -170,7 +173,7 @@ class Scheduler:
             outside = {u for u in users[node.id] if u[0] not in inside and u != (select.id, side)}
             if outside or node.id in inside:
                 continue
-            if _needs_uniform_flow(node):
+            if node.id in self._together:
                 continue
             inside.add(node.id)
             total += cost_of(node)
@@ -296,9 +299,8 @@ def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
     return list(order.values())
 
 
-def _needs_uniform_flow(node: Node) -> bool:
-    """Whether a node compares neighbouring pixels, all of which have to get there."""
-    return node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
+def _reads_texture(node: Node) -> bool:
+    return bool(node.operands) and isinstance(node.operands[0].type, Texture)
 
 
 def is_access(node: Node) -> bool:

@@ -24,6 +24,7 @@ from .rigs import Entry, rig_entries
 from .scope import Failure, Instance, Replacement, Scope
 from .shader import ParameterInfo, Shader, TargetInfo
 from .typenames import TypeResolver
+from .uniformity import check_loops
 
 FORMATS: Mapping[str, Type] = {
     "r8": FLOAT, "r16f": FLOAT, "r32f": FLOAT,
@@ -69,6 +70,8 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     discard = _discard(low, drawn, passing)
     check_slots(low, surface, passing)
     check_declarations(low, parts.module, surface)
+    roots = [target.value for target in targets]
+    check_loops(roots if discard is None else [*roots, discard], report, low.notes)
     if report.failed or isinstance(clip, Failure):
         return None
     declaration = parts.material.declaration

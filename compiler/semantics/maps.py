@@ -88,8 +88,8 @@ def _sampler_state(low: Lowering, member: ast.Map, kind: Kind, type_: str) -> di
     state = {**kind.fixed, **{key: values[0] for key, values in kind.settings.items()}}
     known = {**COLORS.settings, **DEPTHS.settings}
     for key, value in member.state:
-        if key.text not in known:
-            _unknown_word(low, "sampler setting", key, kind.settings or known)
+        if key.text not in known and kind.settings:
+            _unknown_word(low, "sampler setting", key, kind.settings)
         elif key.text not in kind.settings:
             low.report.add(rules.SETTING_WITHOUT_USE, key.span, name=key.text, type=type_)
         elif value.text not in kind.settings[key.text]:
