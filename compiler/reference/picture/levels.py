@@ -21,9 +21,15 @@ def implicit(image: Image, coordinate: Sequence[Floats], ways: Variants) -> Floa
     """The level for coordinates in quads of 2 × 2 pixels, (variants, quads, 2, 2) or (…, 1, 1)."""
     if coordinate[0].shape[-1] == 1 or _has_one(image):
         return np.zeros((len(ways), 1, 1, 1))
-    across = [_chosen(t[..., :, 1] - t[..., :, 0], ways.row) for t in coordinate]
-    down = [_chosen(t[..., 1, :] - t[..., 0, :], ways.column) for t in coordinate]
-    return by_changes(image, coordinate, across, down, ways)
+    level = by_changes(image, coordinate, *_differences(coordinate, ways), ways)
+    if image.type.dimension != "cube":
+        return level
+    # Some devices take the differences between the places on the cube that a quad's pixels meet,
+    # and some of those add them up along the axes.
+    largest = np.abs(np.stack(coordinate)).max(axis=0)
+    surface = [lane / np.maximum(largest, np.finfo(np.float64).tiny) / 2 for lane in coordinate]
+    between = _level(image, *_differences(surface, ways), ways)
+    return np.where((ways.surface == 1)[:, None, None, None], between, level)
 
 
 def by_changes(
@@ -39,7 +45,22 @@ def by_changes(
     if image.type.dimension == "cube":
         where = met(coordinate)
         across, down = where.change(across), where.change(down)
+    return _level(image, across, down, ways)
+
+
+def _differences(coordinate: Sequence[Floats], ways: Variants) -> tuple[list[Floats], list[Floats]]:
+    """Between the columns and between the rows of quads, in each variant's choice of them."""
+    across = [_chosen(t[..., :, 1] - t[..., :, 0], ways.row) for t in coordinate]
+    down = [_chosen(t[..., 1, :] - t[..., 0, :], ways.column) for t in coordinate]
+    return across, down
+
+
+def _level(
+    image: Image, across: Sequence[Floats], down: Sequence[Floats], ways: Variants
+) -> Floats:
+    """The level where a place in the texture, or on a cube's surface, changes so much."""
     sizes = image.sizes(np.zeros((), dtype=np.int64))
+    sizes += sizes[:1] * (len(across) - len(sizes))
     footprint = np.maximum(
         _length([size * lane for size, lane in zip(sizes, across, strict=True)], ways.order),
         _length([size * lane for size, lane in zip(sizes, down, strict=True)], ways.order),

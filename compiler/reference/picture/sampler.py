@@ -122,8 +122,9 @@ class Reader:
         lanes = np.moveaxis(texels, -1, 0)
         return tuple(lane if lane.ndim else lane.item() for lane in lanes)
 
-    def _texture_size(self) -> Lanes:
-        return tuple(int(size) for size in self._image.sizes(np.zeros((), dtype=np.int64)))
+    def _texture_size(self, level: Lanes) -> Lanes:
+        number = np.clip(np.asarray(level[0], dtype=np.int64), 0, self._image.levels - 1)
+        return tuple(size if size.ndim else size.item() for size in self._image.sizes(number))
 
     def _texture_layers(self) -> Lanes:
         return (self._image.layers,)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -24,14 +24,9 @@ from .texels import Image
 from .variants import Variants, variants
 from .vertex_reads import VertexReader
 
-_COMPARES_NEIGHBOURS = frozenset(
-    name for name, row in BUILTINS.items() if row.uniform_control_flow
-)
+_COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _NOT_ROUNDED = (
-    EXACT
-    | READS
-    | _COMPARES_NEIGHBOURS
-    | {"neg", "abs", "min", "max", "clamp", "saturate"}
+    EXACT | READS | _COMPARES_NEIGHBOURS | {"neg", "abs", "min", "max", "clamp", "saturate"}
 )
 """What gives one of its operands, or a number that float32 has, or has bounds of its own."""
 
@@ -81,19 +76,16 @@ class Stages:
         self._crossings = [node for node in nodes if node.op == "interpolate"]
         called = {str(node.data) for node in nodes if node.op in ("call", "native")}
         self.side = 2 if called.intersection(_COMPARES_NEIGHBOURS) else 1
-        read = [node.data for node in nodes if isinstance(node.data, Resource)]
-        self.ways = _ways(read, textures, rules, called, self._crossings)
-        moving = [node.data for node in reachable((self._position,))]
-        read += [leaf for leaf in moving if isinstance(leaf, Resource)]
+        everywhere = (*nodes, *reachable((self._position,)))
+        read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         self._images = {r: Image(_texels(textures, r), r) for r in read}
+        self.ways = _ways(self._images.values(), rules, called, self._crossings)
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """The vertex stage."""
         count = geometry.vertex_count
         margins = Margins((count,))
-        readers = {
-            resource: VertexReader(image, count) for resource, image in self._images.items()
-        }
+        readers = {resource: VertexReader(image, count) for resource, image in self._images.items()}
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
@@ -225,28 +217,21 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
 
 
 def _ways(
-    read: list[Resource],
-    textures: Mapping[str, Texels],
-    rules: RasterRules,
-    called: set[str],
-    crossings: list[Node],
+    images: Iterable[Image], rules: RasterRules, called: set[str], crossings: list[Node]
 ) -> Variants:
     """The variants of reading and interpolating that make a difference to a shader."""
-    varied = [r for r in read if any(np.ptp(level) > 0 for level in _texels(textures, r).levels)]
-    states = [dict(resource.state) for resource in varied]
-    smooth = [
-        str(resource.type) for resource, state in zip(varied, states, strict=True)
-        if state.get("filter") == "linear"
-    ]  # fmt: skip
-    mipped = any(state.get("mip", "none") != "none" for state in states)
+    varied = [image for image in images if image.only is None]
+    read = {image.type.dimension for image in varied}
+    smooth = any(image.state.get("filter") == "linear" for image in varied)
+    mipped = any(image.state.get("mip", "none") != "none" for image in varied)
     return variants(
         rules.subtexel_bits if smooth else None,
         rules.mip_bits if mipped or called & {"ddx", "ddy"} else None,
         rules.varying_bits if any(node.data != "flat" for node in crossings) else None,
         rules.rounding_bits,
         any(name in called for name, _ in rules.functions),
-        volumes="texture3d" in smooth,
-        cubes=bool({"texture_cube", "depth_cube"}.intersection(smooth)),
+        volumes="3d" in read,
+        cubes="cube" in read,
     )
 
 

@@ -26,6 +26,8 @@ class Variants:
     one, a pixel's from its own."""
     column: Ints
     """Likewise along y: the left column, or the pixel's own."""
+    surface: Ints
+    """1: derivatives of a cube's coordinate are those of the place on its surface."""
     level: Floats
     """What is added to the level of detail."""
     nudge: Floats
@@ -49,10 +51,7 @@ class Variants:
 
 
 EXACT = Variants(
-    *(
-        np.array([value])
-        for value in (0.0, 0.0, 0.0, -1, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0)
-    )
+    *(np.array([value]) for value in (0.0, 0.0, 0.0, -1, -1, -1, 0, 0.0, 0.0, 0, 0.0, 0, 0, 2.0))
 )
 """The exact way only."""
 
@@ -69,7 +68,7 @@ def variants(
 ) -> Variants:
     """The exact way and, where a device's bits matter, those at their limits.
 
-    Bits are ``None`` where they do not matter; ``volumes`` and ``cubes`` are filtered ones.
+    Bits are ``None`` where they do not matter; ``volumes`` and ``cubes`` say what is read.
     """
     found = [EXACT]
 
@@ -83,12 +82,14 @@ def variants(
             add(2, down=step)
             if volumes:
                 add(11, inward=step)
-        if cubes:
-            for corner in range(3):
+            for corner in range(3 if cubes else 0):
                 add(12, corner=corner)
     if mip_bits is not None:
         for row, column in ((0, 0), (0, 1), (1, 0), (1, 1)):
             add(3, row=row, column=column)
+            if cubes:
+                add(3, row=row, column=column, surface=1)
+                add(3, row=row, column=column, surface=1, order=1.0)
         add(4, level=-(2.0**-mip_bits), order=np.inf)
         add(4, level=2.0**-mip_bits, order=1.0)
     if varying_bits is not None:
