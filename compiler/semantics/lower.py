@@ -220,7 +220,8 @@ def _component(low: Lowering, node: Node, name: ast.Name) -> Node | Failure:
         lanes = _swizzle_lanes(name.text, width(node.type))
         if lanes is not None:
             return build.swizzle(low.graph, node, lanes)
-    low.report.add(rules.NO_MEMBER, name.span, name=name.text, type=node.type)
+    hint = "read it: `name(coordinate)`" if isinstance(node.type, Texture) else ""
+    low.report.add(rules.NO_MEMBER, name.span, name=name.text, type=node.type, hint=hint)
     return FAILURE
 
 
