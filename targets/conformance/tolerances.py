@@ -35,6 +35,9 @@ class Tolerance:
     mip_bits: int = 8
     """Of the level of detail, where the API does not tell, or the device promises too much."""
 
+    projects_gradients: bool = True
+    """Whether gradients given for a cube are projected onto its surface, as Vulkan specifies."""
+
 
 _LLVM = Tolerance(
     1e-5,
@@ -56,6 +59,7 @@ _SWIFTSHADER = Tolerance(
     clips_sides=True,
     # Levels of detail were measured to be off by 1.07 times 2^-6.
     mip_bits=5,
+    projects_gradients=False,
 )
 # GL leaves open who owns a pixel that lies on an edge, and rows from the bottom up turn a top-left
 # rule over: such pixels are undecided.

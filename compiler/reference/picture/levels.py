@@ -42,10 +42,14 @@ def by_changes(
     """The level where the coordinate changes so much to the right and downwards."""
     if _has_one(image):
         return np.zeros((len(ways), 1, 1, 1))
-    if image.type.dimension == "cube":
-        where = met(coordinate)
-        across, down = where.change(across), where.change(down)
-    return _level(image, across, down, ways)
+    if image.type.dimension != "cube":
+        return _level(image, across, down, ways)
+    where = met(coordinate)
+    level = _level(image, where.change(across), where.change(down), ways)
+    if not (ways.surface == 2).any():
+        return level
+    given = ([lane / where.out / 2 for lane in lanes] for lanes in (across, down))
+    return np.where((ways.surface == 2)[:, None, None, None], _level(image, *given, ways), level)
 
 
 def _differences(coordinate: Sequence[Floats], ways: Variants) -> tuple[list[Floats], list[Floats]]:

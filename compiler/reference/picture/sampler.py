@@ -27,7 +27,7 @@ _COORDINATE_MARGIN = 2.0**-15
 bits."""
 _FLOAT32_MARGIN = 4e-6
 """How far it may be off besides, relative to itself."""
-_GATHER_MARGIN = 2.0**-8
+_GATHER_MARGIN = 2.0**-12
 """How far off, in texels, the four that are gathered may be told apart."""
 _FARTHEST = 1e9
 """Coordinates beyond are as good as none."""

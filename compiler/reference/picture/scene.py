@@ -70,6 +70,8 @@ class RasterRules:
     exact."""
     mip_bits: int | None = None
     """Binary places of the level of detail, likewise."""
+    projects_gradients: bool = True
+    """Whether gradients that a program gives for a cube are projected onto its surface."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -232,6 +232,7 @@ def _ways(
         any(name in called for name, _ in rules.functions),
         volumes="3d" in read,
         cubes="cube" in read,
+        gradients=not rules.projects_gradients,
     )
 
 

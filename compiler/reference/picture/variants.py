@@ -27,7 +27,8 @@ class Variants:
     column: Ints
     """Likewise along y: the left column, or the pixel's own."""
     surface: Ints
-    """1: derivatives of a cube's coordinate are those of the place on its surface."""
+    """1: derivatives of a cube's coordinate are those of the place on its surface; 2: gradients
+    that a program gives are taken as such, however far from the surface they lead."""
     level: Floats
     """What is added to the level of detail."""
     nudge: Floats
@@ -65,10 +66,12 @@ def variants(
     *,
     volumes: bool = False,
     cubes: bool = False,
+    gradients: bool = False,
 ) -> Variants:
     """The exact way and, where a device's bits matter, those at their limits.
 
-    Bits are ``None`` where they do not matter; ``volumes`` and ``cubes`` say what is read.
+    Bits are ``None`` where they do not matter; ``volumes`` and ``cubes`` say what is read;
+    with ``gradients`` the device does not project those that a program gives for a cube.
     """
     found = [EXACT]
 
@@ -90,6 +93,11 @@ def variants(
             if cubes:
                 add(3, row=row, column=column, surface=1)
                 add(3, row=row, column=column, surface=1, order=1.0)
+        if cubes and gradients:
+            # Far enough off for the levels between to differ from both ends.
+            for level in (-0.5, 0.0, 0.5):
+                add(3, surface=2, level=level)
+                add(3, surface=2, level=level, order=1.0)
         add(4, level=-(2.0**-mip_bits), order=np.inf)
         add(4, level=2.0**-mip_bits, order=1.0)
     if varying_bits is not None:
