@@ -29,6 +29,12 @@ def _names() -> tuple[str, ...]:
 NAMES = _names()
 """``operations: Limits``: a file, and one of its passes."""
 
+LACKING = {
+    name: ("glsl:es300", "glsl:gl330")
+    for name in ("gathered: Colors", "gathered: Depths", "gathered: Levels")
+}
+"""What some profiles cannot do."""
+
 
 def compiled(name: str, *profiles: str) -> CompiledMaterial:
     """One of ``NAMES``, compiled anew."""

@@ -85,8 +85,8 @@ def variants(
             add(2, down=step)
             if volumes:
                 add(11, inward=step)
-            for corner in range(3 if cubes else 0):
-                add(12, corner=corner)
+        for corner in range(3 if cubes else 0):
+            add(12, corner=corner)
     if mip_bits is not None:
         for row, column in ((0, 0), (0, 1), (1, 0), (1, 1)):
             add(3, row=row, column=column)
