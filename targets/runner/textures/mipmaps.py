@@ -5,11 +5,12 @@ The levels are made here and not by a driver, because drivers filter each in the
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drivers.checks import level_size
-from ..drivers.draw import TEXELS, Dimension, Image, TextureFormat
+from ..drivers.draw import TEXELS, Dimension, TextureFormat
 from .srgb import decode_srgb, encode_srgb
 
 Texels = NDArray[np.uint8 | np.float32 | np.uint32 | np.int32]
@@ -46,18 +47,23 @@ def encoded(lanes: Linear, format: TextureFormat) -> Texels:
     return np.rint(limited * 255.0).astype(np.uint8)
 
 
-def stored_levels(image: Image) -> list[NDArray[np.float64 | np.int64]]:
-    """Each level as a shader reads it: of depths one lane, else four, 0, 0, 1 where there are not."""
-    texel, found = TEXELS[image.format], []
-    for number, data in enumerate(image.levels):
-        width, height, depth = level_size(image, number)
-        texels = np.frombuffer(data, texel.kind).reshape(depth, height, width, texel.lanes)
+def stored_levels(
+    format: TextureFormat, levels: Sequence[bytes], size: Callable[[int], tuple[int, int, int]]
+) -> list[NDArray[np.float64 | np.int64]]:
+    """Each level as a shader reads it: of depths one lane, else four, 0, 0, 1 where there are not.
+
+    ``size`` is a level's depth, height and width.
+    """
+    texel = TEXELS[format]
+    found: list[NDArray[np.float64 | np.int64]] = []
+    for number, data in enumerate(levels):
+        texels = np.frombuffer(data, texel.kind).reshape(*size(number), texel.lanes)
         if texel.sample == "float":
-            found.append(decoded(texels, image.format))
+            found.append(decoded(texels, format))
         elif texel.sample == "depth":
             found.append(texels.astype(np.float64))
         else:
-            whole = np.zeros((depth, height, width, 4), np.int64)
+            whole = np.zeros((*texels.shape[:3], 4), np.int64)
             whole[..., 3] = 1
             whole[..., : texel.lanes] = texels
             found.append(whole)

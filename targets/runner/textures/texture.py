@@ -159,6 +159,11 @@ class Texture:
         held: dict[str, Kind] = {"float": "float", "depth": "depth", "sint": "int", "uint": "uint"}
         return held[TEXELS[self.format].sample]
 
+    def _size(self, level: int) -> tuple[int, int, int]:
+        """Layers, faces or slices of a level, its height and its width."""
+        height, width = max(self.height >> level, 1), max(self.width >> level, 1)
+        return max(self.depth >> level, 1) if self.dimension == "3d" else self.depth, height, width
+
     def image(self) -> Image:
         """The texture as drivers take it."""
         return Image(
@@ -172,7 +177,7 @@ class Texture:
         """
         from .mipmaps import stored_levels
 
-        found = stored_levels(self.image())
+        found = stored_levels(self.format, self.levels, self._size)
         return [level[0] for level in found] if self.dimension == "2d" else found
 
 
