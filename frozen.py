@@ -22,18 +22,23 @@ EMPTY: Any = MappingProxyType({})
 @overload
 def frozen(cls: type[T], /) -> type[T]: ...
 @overload
-def frozen(*, eq: bool = True, kw_only: bool = False) -> Callable[[type[T]], type[T]]: ...
+def frozen(
+    *, eq: bool = True, kw_only: bool = False, key: bool = False
+) -> Callable[[type[T]], type[T]]: ...
 @dataclass_transform(frozen_default=True)
-def frozen(cls: type[T] | None = None, /, *, eq: bool = True, kw_only: bool = False) -> Any:
+def frozen(
+    cls: type[T] | None = None, /, *, eq: bool = True, kw_only: bool = False, key: bool = False
+) -> Any:
     """A class of slotted, unchangeable records, as ``dataclass(frozen=True, slots=True)`` makes it.
 
     The annotations are the fields, in the order of the initialiser's parameters; they have to be
     texts (``from __future__ import annotations``). With ``eq=False`` every record is equal to
-    itself alone; with ``kw_only=True`` fields are initialised by name.
+    itself alone; with ``kw_only=True`` fields are initialised by name. ``key=True`` is for what is
+    part of keys far more often than it is made: its hash is worked out when it is made.
     """
     if cls is None:
-        return lambda decorated: _frozen(decorated, eq, kw_only)
-    return _frozen(cls, eq, kw_only)
+        return lambda decorated: _frozen(decorated, eq, kw_only, key)
+    return _frozen(cls, eq, kw_only, key)
 
 
 def changed(record: T, **changes: Any) -> T:
@@ -44,13 +49,13 @@ def changed(record: T, **changes: Any) -> T:
     return made
 
 
-def _frozen(cls: type[T], eq: bool, kw_only: bool) -> type[T]:
+def _frozen(cls: type[T], eq: bool, kw_only: bool, key: bool) -> type[T]:
     texts: dict[str, str] = cls.__annotations__
     names = tuple(name for name, text in texts.items() if not text.startswith("ClassVar"))
     members = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
     defaults = {name: members.pop(name) for name in names if name in members}
-    own = {"__slots__": names, "__match_args__": names}
-    shared = _ANY | (_by_value(names) if eq else {})
+    own = {"__slots__": (*names, "_hash") if key else names, "__match_args__": names}
+    shared = _ANY | (_by_value(names) if eq else {}) | (_KEPT_HASH if key else {})
     made: Any = type(cls.__name__, cls.__bases__, shared | members | own)
     made.__qualname__ = cls.__qualname__
     made.__init__ = _on_first_use(made, defaults, kw_only)
@@ -76,6 +81,9 @@ def _initialiser(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callab
     parameters = [f"{name}=default_{name}" if name in defaults else name for name in names]
     head = ["self", *(["*"] if kw_only else []), *parameters]
     body = [f"set_{name}(self, {name})" for name in names] or ["pass"]
+    if hasattr(cls, "_hash"):
+        known["keep_hash"] = cls._hash.__set__
+        body.append(f"keep_hash(self, hash(({', '.join(names)},)))")
     exec(f"def __init__({', '.join(head)}):\n    " + "\n    ".join(body), known)
     written: Callable[..., None] = known["__init__"]
     return written
@@ -90,6 +98,14 @@ def _by_value(names: tuple[str, ...]) -> dict[str, Any]:
         return values(self) == values(other)
 
     return {"__eq__": equal, "__hash__": lambda self: hash(values(self))}
+
+
+def _kept_hash(self: Any) -> int:
+    found: int = self._hash
+    return found
+
+
+_KEPT_HASH: dict[str, Any] = {"__hash__": _kept_hash}
 
 
 def _shown(self: Any) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from .console import FAILED, show
-from .options import file_argument, pass_option, rig_option, search_option
+from .options import file_argument, hoist_option, pass_option, rig_option, search_option
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial, CompileResult
@@ -66,12 +66,7 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
 @click.option("--watch", is_flag=True, help="Compile again whenever a source changes.")
 @click.option("--single-file", is_flag=True, help="Both stages in one text: vs_main and fs_main.")
 @click.option("--flip-y", is_flag=True, help="Turn the picture over, for drawing into textures.")
-@click.option(
-    "--hoist/--no-hoist",
-    default=True,
-    help="Leave what depends on parameters only to the host, or compute it in the shader.",
-    show_default=True,
-)
+@hoist_option
 def compile_(watch: bool, **chosen: Any) -> None:
     """Compile the materials of FILE.
 

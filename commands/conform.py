@@ -11,7 +11,7 @@ import click
 
 from .console import FAILED, remark, show, wants_color
 from .failures import told
-from .options import pass_option, rig_option, search_option
+from .options import hoist_option, pass_option, rig_option, search_option
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial
@@ -34,6 +34,7 @@ class Request(NamedTuple):
     rig: str | None
     pass_: str | None
     search_path: tuple[Path, ...]
+    hoist: bool
 
 
 @click.command()
@@ -53,6 +54,7 @@ class Request(NamedTuple):
 @rig_option
 @pass_option
 @search_option
+@hoist_option
 def conform(**chosen: Any) -> None:
     """Draw each FILE by every route, and hold it against the reference.
 
@@ -112,7 +114,8 @@ def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, Comp
     profiles = sorted({route.profile for route in routes})
     results = [
         (path, variant, api.compile(
-            path, profiles, rig=variant[0], pass_=variant[1], search_path=request.search_path
+            path, profiles, rig=variant[0], pass_=variant[1],
+            search_path=request.search_path, hoist=request.hoist,
         ))
         for path in request.files
         for variant in _variants(path, request)

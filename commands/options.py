@@ -23,6 +23,12 @@ search_option = click.option(
     type=click.Path(path_type=Path),
     help="A folder to look for imported files in; may be given several times.",
 )
+hoist_option = click.option(
+    "--hoist/--no-hoist",
+    default=True,
+    help="Leave what depends on parameters only to the host, or compute it in the shader.",
+    show_default=True,
+)
 format_option = click.option(
     "--format",
     "form",

@@ -12,7 +12,7 @@ import click
 
 from .console import FAILED, remark
 from .failures import fail, told
-from .options import file_argument, pass_option, rig_option, search_option
+from .options import file_argument, hoist_option, pass_option, rig_option, search_option
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
@@ -38,6 +38,8 @@ class Request(NamedTuple):
     output: Path
     on: tuple[str, ...]
     mesh: str
+    instances: int
+    """How many there are of what tells instances apart."""
     size: tuple[int, int]
     values: tuple[tuple[str, str], ...]
     background: Color
@@ -47,6 +49,7 @@ class Request(NamedTuple):
     rig: str | None
     pass_: str | None
     search_path: tuple[Path, ...]
+    hoist: bool
 
 
 def _names(_context: click.Context, _option: click.Parameter, given: str) -> tuple[str, ...]:
@@ -103,6 +106,10 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="What to draw on.",
 )
 @click.option(
+    "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
+    help="How often the mesh is drawn, if the material tells instances apart.",
+)  # fmt: skip
+@click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,
     help="Pixels of the picture, or of each one on a sheet.",
 )  # fmt: skip
@@ -119,6 +126,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @rig_option
 @pass_option
 @search_option
+@hoist_option
 def render(**chosen: Any) -> None:
     """Draw the materials of FILE.
 

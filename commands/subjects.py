@@ -72,7 +72,7 @@ def _compiled(
     results = {
         rig: api.compile(
             request.file, profiles, material=request.material, rig=rig, pass_=request.pass_,
-            search_path=request.search_path,
+            search_path=request.search_path, hoist=request.hoist,
         )
         for rig in rigs
     }  # fmt: skip
@@ -88,17 +88,17 @@ def _shot(material: CompiledMaterial, request: Request) -> Shot:
 
     reflection, scene = material.reflection, Scene()
     target_number(reflection, request.target)
-    mesh = _mesh(reflection, request.mesh, scene.eye)
+    mesh = _mesh(reflection, request, scene.eye)
     return take(material.instance(), mesh, scene, request.size, request.background)
 
 
-def _mesh(reflection: Mapping[str, Any], name: str, eye: Sequence[float]) -> Mesh:
+def _mesh(reflection: Mapping[str, Any], request: Request, eye: Sequence[float]) -> Mesh:
     """The mesh of that name with all that the material reads, ordered for blending if it blends."""
     from ..targets.runner.meshes import farthest_first, mesh
     from ..targets.runner.scene import with_inputs
 
-    plain = mesh(name)
-    whole = with_inputs(reflection, plain)
+    plain = mesh(request.mesh)
+    whole = with_inputs(reflection, plain, request.instances)
     made_up = [f"`{channel}`" for channel in whole.channels if channel not in plain.channels]
     if made_up:
         remark("note", (

@@ -18,14 +18,18 @@ Rules for Constant Variables"; WGSL, "Memory Layout" and "Address Space Layout C
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from itertools import count, filterfalse
+from typing import TYPE_CHECKING
 
 from ..frozen import frozen
 from .ir.leaves import Parameter
 from .ir.program import Block, StoredMember
 from .ir.types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, TallMatrix, Type, Vector
+
+if TYPE_CHECKING:
+    from .semantics.shader import ExternInfo
 
 STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
 """The groups that every shader has, in binding order."""
@@ -51,31 +55,79 @@ def layout_blocks(
     parameters: Sequence[Parameter],
     group_order: Sequence[str] = STANDARD_GROUPS,
     docs: Mapping[str, str] | None = None,
+    externs: Sequence[ExternInfo] = (),
 ) -> tuple[Block, ...]:
     """One block for each group's parameters, each followed by the one of what is derived there.
 
     Groups that ``group_order`` does not name come last, in order of first appearance. ``docs``
-    are doc comments by parameter name. Nothing but the declarations decides the layout.
+    are doc comments by parameter name. Nothing but the declarations decides the layout. The host's
+    own blocks, ``externs``, come first, as their names are not ours to change.
     """
-    groups = dict.fromkeys((*group_order, *(parameter.group for parameter in parameters)))
-    blocks = []
+    own = [parameter for parameter in parameters if parameter.host is None]
+    groups = dict.fromkeys((*group_order, *(parameter.group for parameter in own)))
+    blocks = [_extern_block(extern) for extern in externs if extern.members]
+    taken = frozenset(block.name for block in blocks)
     for group in groups:
         for derived in (False, True):
-            held = [p for p in parameters if p.group == group and p.derived == derived]
+            held = [p for p in own if p.group == group and p.derived == derived]
             if held:
-                blocks.append(_block(group, derived, held, docs or {}))
+                name = block_name(group, derived, taken)
+                blocks.append(_block(name, group, derived, held, docs or {}))
     return tuple(blocks)
 
 
-def block_name(group: str, derived: bool) -> str:
+def _extern_block(extern: ExternInfo) -> Block:
+    """A block of the host's as it says, with every gap filled."""
+    name = extern.place.name
+    padding = _padding_names(f"{name.lower()}_pad", (member.name for member in extern.members))
+    members: list[StoredMember] = []
+    end = 0
+    for member in extern.members:
+        for filler, offset in _fillers(end, member.offset):
+            size = byte_size(filler)
+            members.append(StoredMember(next(padding), filler, offset, size, None))
+        stored, info = stored_type(member.info.parameter.type), member.info
+        size = byte_size(stored)
+        members.append(
+            StoredMember(member.name, stored, member.offset, size, info.parameter, info.doc)
+        )
+        end = member.offset + size
+    return Block(
+        name=name,
+        group=extern.group,
+        derived=False,
+        members=tuple(members),
+        size=_rounded(end),
+        structs=_structs(member.type for member in members),
+        host=extern.place,
+    )
+
+
+def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
+    """What fills a gap: scalars, and whole rows at once."""
+    while start < end:
+        rows = (end - start) // ROW if start % ROW == 0 else 0
+        filler: Type = Array(Vector("float", 4), rows) if rows else FLOAT
+        yield filler, start
+        start += byte_size(filler)
+
+
+def _padding_names(stem: str, taken: Iterable[str]) -> Iterator[str]:
+    """``stem_0``, ``stem_1`` …, without those that are taken."""
+    return filterfalse(frozenset(taken).__contains__, (f"{stem}_{i}" for i in count()))
+
+
+def block_name(group: str, derived: bool, taken: frozenset[str] = frozenset()) -> str:
     """Suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
-    return group[:1].upper() + group[1:] + ("Derived" if derived else "")
+    name = group[:1].upper() + group[1:] + ("Derived" if derived else "")
+    while name in taken:
+        name += "Group"
+    return name
 
 
 def _block(
-    group: str, derived: bool, parameters: list[Parameter], docs: Mapping[str, str]
+    name: str, group: str, derived: bool, parameters: list[Parameter], docs: Mapping[str, str]
 ) -> Block:
-    name = block_name(group, derived)
     rows = [(suggested_name(p), stored_type(p.type)) for p in parameters]
     placed = place(rows, f"{name.lower()}_pad", gaps=True)
     size = _rounded(placed[-1].offset + byte_size(placed[-1].type))
@@ -116,8 +168,7 @@ def place(
     vector that every rule set moves to the next row by itself.
     """
     members = tuple(members)
-    taken = {name for name, _ in members}
-    free = filterfalse(taken.__contains__, (f"{padding}_{i}" for i in count()))
+    free = _padding_names(padding, (name for name, _ in members))
     placed: list[Placed] = []
     end = 0
 
@@ -130,7 +181,7 @@ def place(
     for name, type_ in members:
         if gaps and _is_vector_in_new_row(type_, end):
             end = _rounded(end)
-        pad_to(_alignment(type_))
+        pad_to(alignment(type_))
         placed.append(Placed(name, type_, end))
         end += byte_size(type_)
     pad_to(ROW)
@@ -221,7 +272,8 @@ def _rounded(end: int) -> int:
     return -(-end // ROW) * ROW
 
 
-def _alignment(stored: Type) -> int:
+def alignment(stored: Type) -> int:
+    """What the offset of a stored type is a multiple of, in bytes."""
     match stored:
         case Scalar():
             return LANE

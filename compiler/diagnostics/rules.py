@@ -322,17 +322,62 @@ NOT_A_LANE = _error(
     "this operand has to be a constant in 0..3",
     "Which lane of the texels is gathered is part of the instruction on most devices.",
 )
-IMPLICIT_IN_LOOP = _error(
-    "B0352",
-    "{what} in a loop whose turns differ from pixel to pixel",
-    "The level of detail, and derivatives, come from comparing neighbouring pixels, all of which "
-    "have to get there; a pixel whose loop is over has nothing to compare.",
-)
 SETTING_WITHOUT_USE = _error(
-    "B0353",
+    "B0352",
     "`{name}` says nothing about a `{type}`",
     "Cubes do not wrap, only depths are compared, depths are read at level 0, and nothing filters "
     "whole numbers.",
+)
+MEMBER_COUNT = _error(
+    "B0380",
+    "`{name}` has the members ({members}), found {found} values",
+    "A structure is made by calling it with a value for each member, in the order of the "
+    "declaration.",
+)
+ELEMENTS_DIFFER = _error(
+    "B0381",
+    "the first element is {first}, this one {found}",
+    "All elements of an array have one type. Only literals adapt: `[1, x]` is an array of floats "
+    "if `x` is one.",
+)
+UNBOUNDED_LOOP = _error(
+    "B0382",
+    "nothing says how often this loop turns at most",
+    "Every loop ends, and the compiler has to see when. The ranges of parameters tell, and so do "
+    "`clamp`, `mod` and constants.",
+)
+NO_INITIAL = _error(
+    "B0383",
+    "`{word}` of nothing has no value",
+    "There may be no term at all, so say what the result is then: `min i in a..b from x : e`.",
+)
+STATE_CHANGES = _error(
+    "B0384",
+    "`{name}` is {before} at the start, and {after} after a turn",
+    "A state keeps its type. `iterate x from 1` begins with an `int`, `from 1.0` with a `float`.",
+)
+STATE_TOO_LARGE = _error(
+    "B0385",
+    "a state of {count} parts; there can be {most}",
+    "Every part of a state is a variable of the loop. Keep what no turn changes outside of it.",
+)
+READ_IN_LOOP = _error(
+    "B0386",
+    "{what} compares neighbouring pixels, which may not turn as often",
+    "Its result is open where neighbours have left the loop. Read with an explicit level, "
+    "or before the loop.",
+)
+CROSSING_IN_LOOP = _error(
+    "B0387",
+    "what changes from turn to turn cannot cross from the vertices",
+    "Every turn's value would need a varying of its own. That is done for folds of at most 16 "
+    "turns whose bounds are constants; else put `@vertex` around the whole loop.",
+)
+CROSSING_PER_LIGHT = _error(
+    "B0388",
+    "what differs from light to light cannot cross from the vertices one by one",
+    "Put `@vertex` around the call of the term, so that the sum over the lights crosses: "
+    "`@vertex shaded(…)`.",
 )
 
 # --- B04: values and meaning ---------------------------------------------------------------------
@@ -399,6 +444,65 @@ UNGUARDED = _error(
     "B0412",
     "`unguarded` takes one operation",
     "`unguarded(x / y)` or `unguarded(sqrt(x))` means what the hardware does there.",
+)
+
+# Mixins
+
+MIXIN_AS_BASE = _error(
+    "B0430",
+    "`{name}` is a mixin and cannot be the base",
+    "A header names one base and then any number of mixins: `material Robot : Plastic + Skinned`.",
+)
+NOT_A_MIXIN = _error(
+    "B0431",
+    "`{name}` is not a mixin for a {kind}",
+    "Only mixins stand behind the `+` of a header, each with records of its own kind: "
+    "`mixin Flicker for light { … }`, and `mixin Skinned { … }` for materials.",
+)
+MIXIN_TWICE = _error(
+    "B0432",
+    "the mixin `{name}` is in already",
+    "A mixin stands once in the chain of a record and its bases.",
+)
+MIXINS_CLASH = _error(
+    "B0433",
+    "the mixins `{first}` and `{later}` of `{record}` both declare `{name}`",
+    "What two mixins declare independently of each other would become one thing by chance. One "
+    "that is meant to continue the other's says so by `inherited.name`, and one that only needs it "
+    "by the name and its type, without a value.",
+)
+
+# Blocks that the host owns
+
+EXTERN_ALIGNMENT = _error(
+    "B0440",
+    "`{name}` cannot lie at byte {offset}: a {type} begins at a multiple of {alignment}",
+    "Scalars begin at multiples of 4 bytes, a vec2 at one of 8, everything else at one of 16: "
+    "elsewhere std140, Direct3D or WGSL would read it from another place. Declare what lies there "
+    "as scalars, and put them together with `vec3(x, y, z)`.",
+)
+EXTERN_OVERLAP = _error(
+    "B0441",
+    "`{name}` at byte {offset} overlaps `{other}`, which ends at byte {end}",
+    "Members of a block do not share bytes. A mat2 takes 32 of them, a mat3 48, and a structure "
+    "whole multiples of 16.",
+)
+EXTERN_ARRAY = _error(
+    "B0442",
+    "no host lays out a {element}[{count}] as every backend can read it",
+    "Elements of an array begin 16 bytes apart in std140 and Direct3D; WGSL takes no scalars or "
+    "vec2s that do. Declare it as `vec4[n]`, and read the first lanes of each element.",
+)
+EXTERN_NUMBER = _error(
+    "B0443",
+    "expected a whole number from 0 to {largest}",
+    "WebGPU has four bind groups, with binding numbers below 1000; and a block has 16 KiB on every "
+    "device of OpenGL ES.",
+)
+EXTERN_PLACE_TAKEN = _error(
+    "B0444",
+    "`{name}` is bound where `{other}` is",
+    "Each block of the host's has a group and binding of its own.",
 )
 
 # --- B05: stages and rates -----------------------------------------------------------------------

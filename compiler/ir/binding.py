@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from .node import Formal, Graph, Node, binders, body_of, reachable
+from .node import Formal, Graph, Node, binders, bodies_of
 
 Moved = Callable[[Node, Node], None]
 """Told of every node that was rebuilt: ``(old, new)``."""
@@ -25,14 +25,14 @@ def close(graph: Graph, body: Node, formals: Sequence[Formal], moved: Moved | No
     A formal that occurs nowhere leaves an unused index; ``body`` has no free bound variables.
     """
     position = {formal: i for i, formal in enumerate(formals)}
-    affected = _dependents(body, lambda node: node.op == "formal" and node.data in position)
 
     def leaf(node: Node, depth: int) -> Node | None:
         if node.op == "formal" and isinstance(node.data, Formal) and node.data in position:
             return graph.node("bound", node.type, (), depth + position[node.data])
         return None
 
-    return _transform(graph, body, leaf, lambda node, _depth: node.id in affected, moved)
+    wanted = frozenset(formals)
+    return _transform(graph, body, leaf, lambda node, _: _needs(node, wanted), moved)
 
 
 def open_body(
@@ -59,23 +59,18 @@ def substitute(
     graph: Graph, root: Node, replacements: Mapping[Formal, Node], moved: Moved | None = None
 ) -> Node:
     """``root`` with formals replaced; for graphs whose binders are all open."""
-    affected = _dependents(root, lambda node: node.op == "formal" and node.data in replacements)
+    wanted = frozenset(replacements)
 
     def leaf(node: Node, _depth: int) -> Node | None:
         if node.op == "formal" and isinstance(node.data, Formal):
             return replacements.get(node.data)
         return None
 
-    return _transform(graph, root, leaf, lambda node, _depth: node.id in affected, moved)
+    return _transform(graph, root, leaf, lambda node, _: _needs(node, wanted), moved)
 
 
-def _dependents(root: Node, is_source: Callable[[Node], bool]) -> set[int]:
-    """Ids of the nodes under ``root`` that contain a source."""
-    found: set[int] = set()
-    for node in reachable((root,)):
-        if is_source(node) or any(operand.id in found for operand in node.operands):
-            found.add(node.id)
-    return found
+def _needs(node: Node, formals: frozenset[Formal]) -> bool:
+    return bool(node.variables) and not node.variables.isdisjoint(formals)
 
 
 def _transform(
@@ -119,9 +114,5 @@ def _transform(
 
 
 def _operand_depths(node: Node, depth: int) -> list[int]:
-    body = body_of(node)
-    count = binders(node)
-    if body is None or not count:
-        return [depth] * len(node.operands)
-    position = 2 if node.op == "fold" else 0
-    return [depth + count if i == position else depth for i in range(len(node.operands))]
+    count, inside = binders(node), bodies_of(node)
+    return [depth + count if i in inside else depth for i in range(len(node.operands))]

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from .node import Graph, Node
+from collections.abc import Iterator, Sequence
+
+from .node import Graph, Iterating, Node, Op
 from .types import (
     FLOAT,
+    INT,
     VEC4,
     Array,
     Matrix,
@@ -85,3 +88,71 @@ def member(graph: Graph, operand: Node, name: str) -> Node:
     """Member of a struct."""
     assert isinstance(operand.type, Struct)
     return graph.node("member", operand.type.member(name), (operand,), name)
+
+
+def part(graph: Graph, operand: Node, position: int) -> Node:
+    """Member, element, column or lane ``position``; of what was made here, the part that it got."""
+    if operand.op in ("struct", "array", "matrix"):
+        return operand.operands[position]
+    if isinstance(operand.type, Struct):
+        return member(graph, operand, operand.type.members[position][0])
+    return index(graph, operand, constant(graph, INT, position))
+
+
+def parts_of(type_: Type) -> tuple[Type, ...] | None:
+    """The types of an aggregate's members or elements; ``None`` where it is none."""
+    match type_:
+        case Struct(members=members):
+            return tuple(inner for _, inner in members)
+        case Array(element=element, count=count):
+            return (element,) * count
+        case _:
+            return None
+
+
+def assembled(graph: Graph, type_: Type, leaves: Iterator[Node]) -> Node:
+    """An aggregate from the parts of its parts, or the next leaf where ``type_`` is none.
+
+    Recurses over a type, whose nesting is that of declarations.
+    """
+    parts = parts_of(type_)
+    if parts is None:
+        return next(leaves)
+    op: Op = "struct" if isinstance(type_, Struct) else "array"
+    return graph.node(op, type_, tuple(assembled(graph, inner, leaves) for inner in parts))
+
+
+def flattened(graph: Graph, node: Node) -> Iterator[Node]:
+    """The parts of a value's parts, down to what is no aggregate; the value itself if it is none"""
+    parts = parts_of(node.type)
+    if parts is None:
+        yield node
+        return
+    for position in range(len(parts)):
+        yield from flattened(graph, part(graph, node, position))
+
+
+def states_type(types: Sequence[Type]) -> Type:
+    """The type of a loop with states of these types: of one, its own; of several, their struct."""
+    if len(types) == 1:
+        return types[0]
+    return Struct("", tuple((str(i), type_) for i, type_ in enumerate(types)))
+
+
+def iterate(
+    graph: Graph,
+    data: Iterating,
+    count: Node,
+    starts: tuple[Node, ...],
+    going: Node,
+    nexts: tuple[Node, ...],
+) -> Node:
+    """A loop over states; ``going`` and ``nexts`` stand under its binder."""
+    type_ = states_type([start.type for start in starts])
+    return graph.node("iterate", type_, (count, *starts, going, *nexts), data)
+
+
+def state(graph: Graph, loop: Node, position: int) -> Node:
+    """What the loop leaves in one of its states."""
+    assert isinstance(loop.data, Iterating)
+    return loop if loop.data.states == 1 else member(graph, loop, str(position))

@@ -12,8 +12,20 @@ from .types import BOOL, UINT, VEC4, Type
 
 InterpolationMode = Literal["perspective", "flat"]
 
+Step = Literal["vertex", "instance"]
+"""How often a vertex input goes on to its next value."""
+
 
 @frozen
+class HostPlace:
+    """A uniform block that the host owns, and where it binds it."""
+
+    name: str
+    group: int
+    binding: int
+
+
+@frozen(key=True)
 class Parameter:
     """A member of a group's uniform block.
 
@@ -28,6 +40,8 @@ class Parameter:
     member_facts: tuple[tuple[str, Fact], ...] = ()
     derived: bool = False
     """Computed on the host side from other parameters and kept in the group's derived block."""
+    host: HostPlace | None = None
+    """The host's own block that holds it, instead of the group's."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,12 +56,13 @@ class Resource:
     """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
 
 
-@frozen
+@frozen(key=True)
 class Attribute:
-    """A vertex input."""
+    """A vertex input: a number or vector, or a matrix's column (``bend.0``)."""
 
     name: str
     type: Type
+    step: Step = "vertex"
 
 
 PIPELINE_TYPES: Mapping[str, Type] = {

@@ -25,12 +25,15 @@ Op = Literal[
     "vector",  # lanes of the operands, joined
     "splat",  # one scalar in every lane
     "matrix",  # columns
+    "struct",  # one operand for each member
+    "array",  # the elements
     "swizzle",  # data: tuple of lane numbers
     "index",  # (aggregate, integer)
     "member",  # data: member name of a struct
     "select",  # (condition, then, otherwise); data: "branch" where both must not be computed
     "interpolate",  # data: mode; the operand lives in the vertex domain
     "fold",  # data: Folding; (count, start, body); the body's bound 0 is the index
+    "iterate",  # data: Iterating; (count, *starts, going, *nexts); bound 0: the turn, then states
     "apply",  # data: Formals once opened; (body, *arguments); the body's bound i is argument i
     "bound",  # data: de Bruijn index
     "formal",  # data: Formal, a binder that has been opened
@@ -47,31 +50,50 @@ class Formal:
 Formals = tuple[Formal, ...]
 
 
+FoldOperator = Literal["add", "mul", "min", "max", "and", "or"]
+
+
 @frozen
 class Folding:
     """How a fold combines its terms, and how many there can be at most."""
 
-    operator: Literal["add", "mul"]
+    operator: FoldOperator
     bound: int
     index: Formal | None = None
     """The body's variable, once the fold has been opened."""
 
 
+@frozen
+class Iterating:
+    """A loop that takes its states from one turn to the next, while ``going``, up to the last turn.
+
+    With one state the node has that state's type; with several, that of ``states_type``, whose
+    members are the states.
+    """
+
+    bound: int
+    """How many turns there can be at most."""
+    states: int
+    formals: Formals | None = None
+    """The turn's number and the states, once the loop has been opened."""
+
+
 class Node:
     """One value. Compare with ``is``; build only through ``Graph``."""
 
-    __slots__ = ("data", "free", "id", "op", "operands", "type")
+    __slots__ = ("data", "free", "id", "op", "operands", "type", "variables")
 
     def __init__(
-        self, op: Op, type_: Type, operands: tuple[Node, ...], data: Hashable, id_: int, free: int
+        self, op: Op, type_: Type, operands: tuple[Node, ...], data: Hashable, id_: int
     ) -> None:
         self.op: Op = op
         self.type = type_
         self.operands = operands
         self.data = data
         self.id = id_
-        self.free = free
-        """Bit i is set when the binder i levels out (de Bruijn) occurs free."""
+        self.free, self.variables = _free(op, operands, data)
+        """In ``free``, bit i is set when the binder i levels out (de Bruijn) occurs free;
+        ``variables`` are the formals of binders further out."""
 
     def __repr__(self) -> str:
         inner = ", ".join(f"%{operand.id}" for operand in self.operands)
@@ -85,17 +107,40 @@ def binders(node: Node) -> int:
 
 
 def _binders(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
-    if op == "fold":
-        assert isinstance(data, Folding)
+    if isinstance(data, Folding):
         return 1 if data.index is None else 0
+    if isinstance(data, Iterating):
+        return 1 + data.states if data.formals is None else 0
     return len(operands) - 1 if op == "apply" and data is None else 0
 
 
-def body_of(node: Node) -> Node | None:
-    """The operand in which a binding node's variables are bound."""
-    if node.op == "fold":
-        return node.operands[2]
-    return node.operands[0] if node.op == "apply" else None
+def bodies_of(node: Node) -> range:
+    """The positions of the operands in which a binding node's variables are bound."""
+    return _bodies(node.op, node.data)
+
+
+_NOWHERE = range(0)
+
+
+def _bodies(op: Op, data: Hashable) -> range:
+    if op == "fold":
+        return range(2, 3)
+    if isinstance(data, Iterating):
+        return range(1 + data.states, 2 + 2 * data.states)
+    return range(1) if op == "apply" else _NOWHERE
+
+
+def formals_of(node: Node) -> Formals:
+    """The variables of an opened binder."""
+    return _formals(node.op, node.data)
+
+
+def _formals(op: Op, data: Hashable) -> Formals:
+    if isinstance(data, Folding):
+        return () if data.index is None else (data.index,)
+    if isinstance(data, Iterating):
+        return data.formals or ()
+    return data if op == "apply" and isinstance(data, tuple) else ()
 
 
 class Graph:
@@ -116,36 +161,49 @@ class Graph:
         key = (op, type_, repr(data) if op == "constant" else data, operands)
         found = self._interned.get(key)
         if found is None:
-            found = Node(op, type_, operands, data, len(self._interned), _free(op, operands, data))
+            found = Node(op, type_, operands, data, len(self._interned))
             self._interned[key] = found
         return found
 
 
-def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
+_NONE: frozenset[Formal] = frozenset()
+
+
+def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, frozenset[Formal]]:
+    """The variables of binders further out: by de Bruijn index, and opened."""
     if op == "bound":
         assert isinstance(data, int)
-        return 1 << data
-    free = 0
+        return 1 << data, _NONE
+    if op == "formal":
+        assert isinstance(data, Formal)
+        return 0, frozenset((data,))
+    free, variables = 0, _NONE
     for operand in operands:
-        free |= operand.free
-    if not free or op not in ("fold", "apply"):
-        return free
-    bound, body = _binders(op, operands, data), 2 if op == "fold" else 0
-    free = operands[body].free >> bound
+        if operand.free or operand.variables:
+            break
+    else:
+        return free, variables
+    inside = _bodies(op, data)
+    bound, formals = (_binders(op, operands, data), _formals(op, data)) if inside else (0, ())
     for i, operand in enumerate(operands):
-        if i != body:
+        theirs = operand.variables
+        if i in inside:
+            free |= operand.free >> bound
+            theirs = theirs.difference(formals)
+        else:
             free |= operand.free
-    return free
+        if theirs and theirs is not variables:
+            variables = variables | theirs if variables else theirs
+    return free, variables
 
 
 def reachable(roots: Iterable[Node]) -> list[Node]:
     """All nodes that ``roots`` need, operands before users."""
-    seen: dict[int, Node] = {}
-    pending = list(roots)
+    seen = {root.id: root for root in roots}
+    pending = list(seen.values())
     while pending:
-        node = pending.pop()
-        if node.id not in seen:
-            seen[node.id] = node
-            if node.operands:
-                pending += node.operands
+        for operand in pending.pop().operands:
+            if operand.id not in seen:
+                seen[operand.id] = operand
+                pending.append(operand)
     return [seen[id_] for id_ in sorted(seen)]

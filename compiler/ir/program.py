@@ -12,8 +12,8 @@ from typing import Literal
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
-from .leaves import InterpolationMode, Parameter, Resource
-from .node import Formal, Node
+from .leaves import HostPlace, InterpolationMode, Parameter, Resource, Step
+from .node import FoldOperator, Formal, Node
 from .types import Struct, Type
 
 StageName = Literal["vertex", "fragment"]
@@ -38,7 +38,7 @@ class StoredMember:
 
 @frozen
 class Block:
-    """A uniform block: one group's parameters, or what was derived from them."""
+    """A uniform block: one group's parameters, what was derived from them, or a host's own."""
 
     name: str
     """Suggested identifier, ``Material`` or ``MaterialDerived``."""
@@ -49,6 +49,8 @@ class Block:
     """Bytes, a multiple of 16."""
     structs: tuple[Struct, ...]
     """Stored struct types (padded) that members use, in order of definition."""
+    host: HostPlace | None = None
+    """Where a host binds it that owned it before the program did."""
 
 
 @frozen
@@ -60,6 +62,8 @@ class Field:
     location: int
     mode: InterpolationMode = "perspective"
     doc: str = ""
+    step: Step = "vertex"
+    """Of a vertex input."""
 
 
 @frozen
@@ -101,13 +105,42 @@ class Loop:
     bound: int
     start: Node
     index: Formal
-    operator: Literal["add", "mul"]
+    operator: FoldOperator
     body: Region
     value: Node
-    """What each turn adds (or multiplies), in terms of ``index``."""
+    """What each turn adds (multiplies, …), in terms of ``index``."""
 
 
-Statement = Let | Branch | Loop
+@frozen
+class State:
+    """A variable of an ``Iterate``, and what a turn makes of it."""
+
+    name: str
+    formal: Formal
+    start: Node
+    next: Node
+    kept: bool = False
+    """Whether what the turn makes of it has to wait until the other states have followed."""
+
+
+@frozen
+class Iterate:
+    """``node`` computed by a loop that takes its states from one turn to the next."""
+
+    node: Node
+    count: Node
+    bound: int
+    index: Formal
+    states: tuple[State, ...]
+    """In the order in which a turn sets them; ``positions`` are those in ``node``."""
+    positions: tuple[int, ...]
+    head: Region
+    """What it takes to know whether to go on."""
+    going: Node
+    body: Region
+
+
+Statement = Let | Branch | Loop | Iterate
 
 
 @frozen

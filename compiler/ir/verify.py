@@ -12,8 +12,9 @@ from typing import Literal
 
 from ..layout import stored_type
 from . import signatures
+from .build import parts_of, states_type
 from .leaves import Attribute, Parameter, Resource
-from .node import Folding, Formal, Node, binders, body_of, reachable
+from .node import Folding, Formal, Iterating, Node, binders, bodies_of, formals_of, reachable
 from .types import (
     BOOL,
     INT,
@@ -88,14 +89,17 @@ def _variables(node: Node, known: Mapping[int, Variables]) -> Variables:
         return frozenset(((node.data, node.type),))
     if node.op == "formal" and isinstance(node.data, Formal):
         return frozenset(((node.data, node.type),))
-    body = body_of(node)
-    others = [known[o.id] for o in node.operands if o is not body and known[o.id]]
-    inside = frozenset() if body is None else _bound(node, known[body.id])
-    return inside.union(*others) if others else inside
+    inside = bodies_of(node)
+    others = [known[o.id] for i, o in enumerate(node.operands) if i not in inside]
+    bodies = [_bound(node, known[node.operands[i].id]) for i in inside]
+    found = [variables for variables in (*others, *bodies) if variables]
+    return found[0].union(*found[1:]) if found else frozenset()
 
 
 def _bound(node: Node, used: Variables) -> Variables:
-    """Of the variables in the body of ``node``, those that it does not bind."""
+    """Of the variables in a body of ``node``, those that it does not bind."""
+    if not used:
+        return used
     types = _variable_types(node)
     count = binders(node)
     left: set[tuple[Formal | int, Type]] = set()
@@ -110,10 +114,14 @@ def _bound(node: Node, used: Variables) -> Variables:
 
 def _variable_types(node: Node) -> dict[Formal | int, Type]:
     """What ``node`` binds in its body."""
-    if isinstance(node.data, Folding):
-        return {0 if node.data.index is None else node.data.index: INT}
-    formals = node.data if isinstance(node.data, tuple) else range(len(node.operands) - 1)
-    return dict(zip(formals, (argument.type for argument in node.operands[1:]), strict=True))
+    match node.data:
+        case Folding():
+            types: list[Type] = [INT]
+        case Iterating(states=states):
+            types = [INT, *(start.type for start in node.operands[1 : 1 + states])]
+        case _:
+            types = [argument.type for argument in node.operands[1:]]
+    return dict(zip(formals_of(node) or range(len(types)), types, strict=True))
 
 
 # --- types ---------------------------------------------------------------------------------------
@@ -195,6 +203,12 @@ def _matrix(node: Node) -> Type | None:
     return Matrix(size) if columns else None
 
 
+def _aggregate(node: Node) -> Type | None:
+    wanted = Struct if node.op == "struct" else Array
+    given = tuple(operand.type for operand in node.operands)
+    return node.type if isinstance(node.type, wanted) and parts_of(node.type) == given else None
+
+
 def _swizzle(node: Node) -> Type | None:
     (source,) = node.operands
     lanes = node.data
@@ -246,6 +260,17 @@ def _fold(node: Node) -> Type | None:
     return body if fits and _is_numeric(node.operands[2]) else None
 
 
+def _iterate(node: Node) -> Type | None:
+    data = node.data
+    if not isinstance(data, Iterating) or len(node.operands) != 2 + 2 * data.states:
+        return None
+    count, *states = (operand.type for operand in node.operands)
+    starts, going, nexts = states[: data.states], states[data.states], states[data.states + 1 :]
+    fits = count == INT and going == BOOL and starts == nexts
+    plain = all(isinstance(type_, Scalar | Vector | Matrix) for type_ in starts)
+    return states_type(starts) if fits and plain else None
+
+
 def _apply(node: Node) -> Type | None:
     body, *arguments = node.operands
     fits = node.data is None or (isinstance(node.data, tuple) and len(node.data) == len(arguments))
@@ -268,12 +293,15 @@ _RULES: Mapping[str, Callable[[Node], Type | None]] = {
     "vector": _vector,
     "splat": _splat,
     "matrix": _matrix,
+    "struct": _aggregate,
+    "array": _aggregate,
     "swizzle": _swizzle,
     "index": _index,
     "member": _member,
     "select": _select,
     "interpolate": _interpolate,
     "fold": _fold,
+    "iterate": _iterate,
     "apply": _apply,
 }
 """The type that each operation has, derived from its operands; ``None`` where they do not fit."""

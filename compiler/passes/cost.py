@@ -6,13 +6,18 @@ from ...stdlib.builtins import BUILTINS
 from ..ir.node import Node, reachable
 from ..ir.types import Scalar, Vector, width
 
+LOOP = 32
+"""A loop is worth skipping, however little it does in a turn."""
+
 
 def cost_of(node: Node) -> int:
     """ALU operations of one node, not counting its operands."""
     if node.op in ("call", "native"):
         lanes = width(node.type) if isinstance(node.type, Scalar | Vector) else 4
         return BUILTINS[str(node.data)].cost * lanes
-    return 1 if node.op in ("select", "apply", "fold") else 0
+    if node.op in ("fold", "iterate"):
+        return LOOP
+    return 1 if node.op in ("select", "apply") else 0
 
 
 def cost(root: Node) -> int:

@@ -34,7 +34,7 @@ class Step:
     """The function of ``meaning.burnish`` whose value this is."""
 
 
-@frozen
+@frozen(eq=False)
 class Template:
     """An expansion as steps; the first ones are its parameters."""
 

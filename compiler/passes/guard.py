@@ -80,8 +80,10 @@ class Guarding(Simplifier):
     def _safe_on_path(self, node: Node, operands: tuple[Node, ...]) -> bool:
         """Whether conditions prove what ranges alone do not; their selects then have to branch."""
         row = BUILTINS[str(node.data)]
-        plain = tuple(self.ranges.of(operand) for operand in operands)
-        if not row.expansion or row.domain(plain):
+        if not row.expansion:
+            return False
+        plain = tuple([self.ranges.of(operand) for operand in operands])
+        if row.domain(plain):
             return False
         known = [self._paths.known(node, operand) for operand in node.operands]
         facts = tuple(fact.meet(more) for fact, (more, _) in zip(plain, known, strict=True))
@@ -98,8 +100,10 @@ class Guarding(Simplifier):
         if node.op != "call":
             return node
         row = BUILTINS[str(node.data)]
-        facts = tuple(self.ranges.of(operand) for operand in node.operands)
-        if not row.expansion or row.domain(facts):
+        if not row.expansion:
+            return self.graph.node("native", node.type, node.operands, node.data)
+        facts = tuple([self.ranges.of(operand) for operand in node.operands])
+        if row.domain(facts):
             return self.graph.node("native", node.type, node.operands, node.data)
         if node.id not in self._expanded:
             if row.outside:

@@ -22,6 +22,9 @@ from .rewrite import rewrite
 COMMON_GROUP = "frame"
 """Every other group is updated at least as often, so it may go with any of them."""
 
+_NOT_HOISTED = frozenset({"interpolate", "fold", "iterate", "apply", "struct", "array"})
+"""Loops stay in the shader, and so do arrays that are put together."""
+
 CHEAP = frozenset({"neg", "not"})
 """Operand modifiers: free in hardware, so a stored value would only cost memory."""
 
@@ -92,7 +95,7 @@ class _Hoisting:
             return frozenset({node.data.group})
         if node.op == "constant":
             return frozenset()
-        if not node.operands or node.op in ("interpolate", "fold", "apply"):
+        if not node.operands or node.op in _NOT_HOISTED:
             return None
         groups: frozenset[str] = frozenset()
         for operand in node.operands:

@@ -19,11 +19,19 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
     """The roots with applies of bodies that are used once replaced by the bodies."""
     wanted = list(roots)
     uses = Counter(node.operands[0].id for node in reachable(wanted) if node.op == "apply")
+    if not uses:
+        return wanted
+    costs: dict[int, int] = {}
+
+    def is_dear(body: Node) -> bool:
+        if body.id not in costs:
+            costs[body.id] = cost(body)
+        return costs[body.id] > TRIVIAL
 
     def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op != "apply":
             return None
-        if uses[node.operands[0].id] > 1 and cost(operands[0]) > TRIVIAL:
+        if uses[node.operands[0].id] > 1 and is_dear(operands[0]):
             return None
         assert isinstance(node.data, tuple)
         replacements = dict(zip(node.data, operands[1:], strict=True))

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..ir.node import Formal, Formals, Graph, Node
+from ..ir.node import Formal, Formals, Graph, Node, formals_of
 from ..semantics.shader import Notes
 from .naming import Naming
 from .rewrite import rewrite
-from .schedule import free_formals, operands_of, visible
+from .schedule import operands_of, visible
 
 GLOBALS = frozenset({"constant", "parameter", "resource"})
 
@@ -42,7 +42,7 @@ class _Lifting:
     def _close(
         self, graph: Graph, body: Node, formals: Formals
     ) -> tuple[Node, Formals, tuple[Node, ...]]:
-        captured = _captured(body)
+        captured = _captured(body, formals)
         extra = tuple(Formal(self._naming.name(node)) for node in captured)
         replaced = {
             node.id: graph.node("formal", node.type, (), formal)
@@ -56,16 +56,25 @@ class _Lifting:
         return closed, formals + extra, captured
 
 
-def _captured(body: Node) -> tuple[Node, ...]:
-    """The largest parts of a body that depend on none of its variables and are not at hand."""
+def _captured(body: Node, formals: Formals) -> tuple[Node, ...]:
+    """The largest parts of a body that depend on none of its variables and are not at hand.
+
+    They may depend on those of a loop around the call.
+    """
     nodes = visible((body,))
-    variables = free_formals(nodes)
+    own = set(formals).union(*map(formals_of, nodes))
     found: dict[int, Node] = {}
     for node in nodes:
-        if variables[node.id]:
-            for operand in operands_of(node):
-                if not variables[operand.id] and not _global(operand):
-                    found[operand.id] = operand
+        if node.variables.isdisjoint(own):
+            continue
+        for operand in operands_of(node):
+            # An array is put together where it is indexed, from elements that are passed on.
+            parts = operand.operands if operand.op == "array" else (operand,)
+            for part in parts:
+                if part.variables.isdisjoint(own) and not _global(part):
+                    found[part.id] = part
+    if body.variables.isdisjoint(own) and not _global(body):
+        found[body.id] = body
     return tuple(found.values())
 
 

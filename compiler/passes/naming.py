@@ -19,6 +19,7 @@ OPERATIONS = {
     "lt": "is_below", "le": "is_at_most", "gt": "is_above", "ge": "is_at_least",
     "eq": "is_equal", "ne": "differs", "and": "both", "or": "either", "not": "unless",
     "swizzle": "lanes", "index": "element", "matrix": "columns", "member": "part",
+    "array": "elements", "iterate": "state",
     "saturate": "clamped", "max": "at_least", "min": "at_most",
 }  # fmt: skip
 """What a value is called after where only its operation is known."""

@@ -1,61 +1,134 @@
 """Opens every binder once, so that passes can treat bodies like any other part of the graph.
 
-Applies of one body share the opened body and its formals: that is what becomes a function.
+Applies of one body share the opened body and its formals: that is what becomes a function. Loops
+have variables of their own. Structures and arrays are no arguments of functions unless they all
+come from uniform blocks as they are: elsewhere each of their parts is an argument.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from ...frozen import changed
+from ..ir import build
 from ..ir.binding import open_body
-from ..ir.node import Folding, Formal, Formals, Graph, Node, binders, body_of
-from ..ir.types import INT, Type
+from ..ir.node import (
+    Folding,
+    Formal,
+    Formals,
+    Graph,
+    Iterating,
+    Node,
+    binders,
+    bodies_of,
+    reachable,
+)
+from ..ir.types import INT, Array, Struct, Type
 from ..semantics.shader import Notes
 from .rewrite import rewrite
 
 
-class _Opener:
-    def __init__(self, notes: Notes) -> None:
-        self._notes = notes
-        self._opened: dict[tuple[int, int], tuple[Node, Formals]] = {}
+def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+    """The roots with every fold, loop and apply opened."""
+    wanted = list(roots)
+    return rewrite(graph, wanted, _Opener(graph, notes, _taken_apart(wanted)).rule, notes.follow)
 
-    def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+
+def _taken_apart(roots: list[Node]) -> set[tuple[int, int]]:
+    """The arguments, by body and position, of which each part has to be an argument."""
+    return {
+        (node.operands[0].id, position)
+        for node in reachable(roots)
+        if node.op == "apply"
+        for position, argument in enumerate(node.operands[1:])
+        if isinstance(argument.type, Struct | Array) and not _is_stored(argument)
+    }
+
+
+def _is_stored(node: Node) -> bool:
+    """Whether an aggregate is read from a uniform block as it stands there."""
+    while node.op in ("member", "index"):
+        node = node.operands[0]
+    return node.op == "parameter"
+
+
+class _Opener:
+    def __init__(self, graph: Graph, notes: Notes, apart: set[tuple[int, int]]) -> None:
+        self._graph = graph
+        self._notes = notes
+        self._apart = apart
+        self._functions: dict[int, tuple[Node, Formals]] = {}
+
+    def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Open ``node`` if it binds; its body has been opened inside already."""
         if not binders(node):
             return None
-        position = 2 if node.op == "fold" else 0
-        types = (INT,) if node.op == "fold" else tuple(arg.type for arg in operands[1:])
-        body, formals = self._open(graph, node, operands[position], types)
-        opened = (*operands[:position], body, *operands[position + 1 :])
-        if node.op == "fold":
-            assert isinstance(node.data, Folding)
-            return graph.node("fold", node.type, opened, changed(node.data, index=formals[0]))
-        return graph.node("apply", node.type, opened, formals)
+        if node.op == "apply":
+            return self._apply(node, operands)
+        states = node.data.states if isinstance(node.data, Iterating) else 0
+        types = (INT, *(start.type for start in operands[1 : 1 + states]))
+        formals = tuple(map(Formal, self._names(node, len(types))))
+        variables = self._variables(formals, types)
+        opened = list(operands)
+        for position in bodies_of(node):
+            opened[position] = self._open(node.operands[position], operands[position], variables)
+        if isinstance(node.data, Folding):
+            data: Folding | Iterating = changed(node.data, index=formals[0])
+        else:
+            assert isinstance(node.data, Iterating)
+            data = changed(node.data, formals=formals)
+        return self._graph.node(node.op, node.type, tuple(opened), data)
 
-    def _open(
-        self, graph: Graph, node: Node, body: Node, types: tuple[Type, ...]
-    ) -> tuple[Node, Formals]:
-        original = body_of(node)
-        assert original is not None
-        key = (original.id, len(types))
-        if key not in self._opened:
-            names = self._names(original, len(types))
-            formals = tuple(Formal(name) for name in names)
-            leaves = [
-                graph.node("formal", type_, (), formal)
-                for type_, formal in zip(types, formals, strict=True)
-            ]
-            opened = open_body(graph, body, leaves, self._notes.follow)
-            self._notes.follow(original, opened)
-            self._opened[key] = opened, formals
-        return self._opened[key]
+    def _apply(self, node: Node, operands: tuple[Node, ...]) -> Node:
+        body, arguments = node.operands[0], operands[1:]
+        apart = [(body.id, position) in self._apart for position in range(len(arguments))]
+        if body.id not in self._functions:
+            self._functions[body.id] = self._function(node, operands[0], apart)
+        opened, formals = self._functions[body.id]
+        given: list[Node] = []
+        for argument, split in zip(arguments, apart, strict=True):
+            given += build.flattened(self._graph, argument) if split else (argument,)
+        return self._graph.node("apply", node.type, (opened, *given), formals)
 
-    def _names(self, body: Node, count: int) -> tuple[str, ...]:
-        known = self._notes.variables.get(body.id, ())
+    def _function(self, node: Node, body: Node, apart: list[bool]) -> tuple[Node, Formals]:
+        names = self._names(node, len(apart))
+        values: list[Node] = []
+        formals: list[Formal] = []
+        for name, argument, split in zip(names, node.operands[1:], apart, strict=True):
+            type_ = argument.type
+            parts = tuple(_parts(name, type_)) if split else ((name, type_),)
+            own = tuple(Formal(part) for part, _ in parts)
+            leaves = self._variables(own, tuple(inner for _, inner in parts))
+            whole = build.assembled(self._graph, type_, iter(leaves)) if split else leaves[0]
+            values.append(whole)
+            formals += own
+        return self._open(node.operands[0], body, tuple(values)), tuple(formals)
+
+    def _variables(self, formals: Formals, types: tuple[Type, ...]) -> tuple[Node, ...]:
+        return tuple(
+            self._graph.node("formal", type_, (), formal)
+            for type_, formal in zip(types, formals, strict=True)
+        )
+
+    def _open(self, original: Node, body: Node, variables: tuple[Node, ...]) -> Node:
+        opened = open_body(self._graph, body, variables, self._notes.follow)
+        self._notes.follow(original, opened)
+        return opened
+
+    def _names(self, node: Node, count: int) -> tuple[str, ...]:
+        named = node.operands[0] if node.op == "apply" else node
+        known = self._notes.variables.get(named.id, ())
         return tuple(known[i] if i < len(known) else "i" for i in range(count))
 
 
-def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
-    """The roots with every fold and apply opened."""
-    return rewrite(graph, roots, _Opener(notes).rule, notes.follow)
+def _parts(name: str, type_: Type) -> Iterator[tuple[str, Type]]:
+    """Names and types of what ``build.flattened`` makes of a value."""
+    match type_:
+        case Struct(members=members):
+            for member, inner in members:
+                yield from _parts(f"{name}_{member}", inner)
+        case Array(element=element, count=count):
+            for i in range(count):
+                yield from _parts(f"{name}_{i}", element)
+        case _:
+            yield name, type_

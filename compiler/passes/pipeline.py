@@ -12,6 +12,7 @@ from ..ir.program import Block, Field, Function, Program, Stage, StageName, Vary
 from ..layout import STANDARD_GROUPS, layout_blocks
 from ..semantics.shader import Notes, Shader
 from .checkpoint import passed
+from .dissolve import dissolve
 from .fuse import fuse
 from .guard import Guard, Guarding
 from .hoist import Derived, hoist
@@ -24,6 +25,7 @@ from .ranges import Ranges
 from .rates import move_to_vertices
 from .rewrite import rewrite
 from .schedule import Scheduler, called_functions, visible
+from .separate import separate
 from .simplify import Simplifier
 from .split import pack
 from .storage import lower_reads
@@ -74,6 +76,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     )
     roots = passed("semantics", "semantics", results.flat())
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
+    roots = passed("dissolve", "opened", dissolve(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
     ranges = Ranges(roots)
     roots = _simplified(graph, roots, notes, ranges)
@@ -85,6 +88,7 @@ def stage(shader: Shader, options: Options) -> Staged:
         passed("hoist", "guarded", roots)
     roots = passed("lift", "guarded", lift(graph, roots, notes))
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
+    roots = passed("separate", "stored", separate(graph, roots, notes.follow))
     program = _program(shader, results.of(roots), derived)
     return Staged(program, derived, guards)
 
@@ -138,7 +142,7 @@ def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
     parameters = [info.parameter for info in shader.parameters]
     docs = {info.parameter.name: info.doc for info in shader.parameters if info.doc}
     parameters += [value.parameter for value in derived]
-    return layout_blocks(parameters, STANDARD_GROUPS, docs)
+    return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
 
 
 def _joined(graph: Graph, varyings: Iterable[Varying]) -> list[Node]:
@@ -152,10 +156,13 @@ def _attributes(
     roots = [results.position, *(value for varying in varyings for value in varying.values)]
     read = {node.data for node in visible(roots) if isinstance(node.data, Attribute)}
     return tuple(
-        Field(info.attribute.name, info.attribute.type, location, doc=info.doc)
+        Field(
+            info.attribute.name, info.attribute.type, location,
+            doc=info.doc, step=info.attribute.step,
+        )
         for location, info in enumerate(shader.attributes)
         if info.attribute in read
-    )
+    )  # fmt: skip
 
 
 def _stage(

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from ..ir.leaves import Parameter
-from ..ir.node import Folding, Formal, Node, reachable
+from ..ir.node import Folding, Formal, Iterating, Node, reachable
 from ..ir.types import Array, Matrix, Struct, scalar_kind
 
 
@@ -31,10 +31,20 @@ class Ranges:
                     self._sources.setdefault(formal, []).append(argument)
             elif node.op == "fold":
                 assert isinstance(node.data, Folding) and node.data.index is not None
-                self._indices[node.data.index] = node.data.bound
+                self.note_index(node.data.index, node.data.bound)
+            elif node.op == "iterate":
+                assert isinstance(node.data, Iterating) and node.data.formals is not None
+                self.note_index(node.data.formals[0], node.data.bound)
+
+    def note_index(self, formal: Formal, bound: int) -> None:
+        """``formal`` counts the turns of a loop, of which there are at most ``bound``."""
+        self._indices[formal] = bound
 
     def of(self, node: Node) -> Fact:
         """What is known of ``node``."""
+        known = self._facts.get(node.id)
+        if known is not None:
+            return known
         pending = [node]
         while pending:
             top = pending[-1]
@@ -76,7 +86,10 @@ class Ranges:
 
 
 def _kind(node: Node) -> Kind:
-    return "matrix" if isinstance(node.type, Matrix) else scalar_kind(node.type) or "float"
+    type_ = node.type
+    while isinstance(type_, Array):
+        type_ = type_.element
+    return "matrix" if isinstance(type_, Matrix) else scalar_kind(type_) or "float"
 
 
 def _union(facts: list[Fact]) -> Fact:
@@ -109,6 +122,11 @@ def _call(node: Node, operands: list[Fact]) -> Fact:
 def _joined(_node: Node, operands: list[Fact]) -> Fact:
     joined = _union(operands)
     return Fact(joined.lo, joined.hi, joined.excludes_zero, kind=joined.kind)
+
+
+def _elements(_node: Node, operands: list[Fact]) -> Fact:
+    """What holds of each element."""
+    return _union(operands)
 
 
 def _lanes(_node: Node, operands: list[Fact]) -> Fact:
@@ -156,11 +174,23 @@ def _interpolate(node: Node, operands: list[Fact]) -> Fact:
 def _fold(node: Node, operands: list[Fact]) -> Fact:
     assert isinstance(node.data, Folding)
     _count, start, body = operands
+    if node.data.operator == "min":
+        return Fact(min(start.lo, body.lo), start.hi)
+    if node.data.operator == "max":
+        return Fact(start.lo, max(start.hi, body.hi))
+    if node.data.operator in ("and", "or"):
+        return UNKNOWN
     if node.data.operator == "add":
         lo = start.lo + min(0.0, body.lo * node.data.bound) if node.data.bound else start.lo
         hi = start.hi + max(0.0, body.hi * node.data.bound) if node.data.bound else start.hi
         return Fact(lo, hi)
     return Fact(0.0) if start.lo >= 0 and body.lo >= 0 else UNKNOWN
+
+
+def _iterate(node: Node, operands: list[Fact]) -> Fact:
+    """A state is what it was at the start, or what a turn has made of it."""
+    assert isinstance(node.data, Iterating)
+    return operands[1].union(operands[-1]) if node.data.states == 1 else UNKNOWN
 
 
 def _apply(_node: Node, operands: list[Fact]) -> Fact:
@@ -180,5 +210,7 @@ _RULES: Mapping[str, Callable[[Node, list[Fact]], Fact]] = {
     "select": _select,
     "interpolate": _interpolate,
     "fold": _fold,
+    "iterate": _iterate,
+    "array": _elements,
     "apply": _apply,
 }

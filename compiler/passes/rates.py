@@ -36,7 +36,7 @@ class _Moving:
                 self._users[operand.id] = self._users.get(operand.id, 0) + 1
             self._constant[node.id] = node.op in ("constant", "parameter") or (
                 bool(node.operands)
-                and node.op not in ("interpolate", "apply", "fold")
+                and node.op not in ("interpolate", "apply", "fold", "iterate")
                 and all(self._constant[operand.id] for operand in node.operands)
             )
 

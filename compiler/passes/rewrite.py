@@ -22,7 +22,9 @@ def rewrite(
     wanted = list(roots)
     new: dict[int, Node] = {}
     for node in reachable(wanted):
-        operands = tuple([new[operand.id] for operand in node.operands])
+        operands = node.operands
+        if operands:
+            operands = tuple([new[operand.id] for operand in operands])
         replacement = rule(graph, node, operands) or with_operands(graph, node, operands)
         new[node.id] = replacement
         if moved is not None and replacement is not node:

@@ -10,16 +10,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from ..ir.node import Folding, Formal, Node
-from ..ir.program import Branch, Let, Loop, Region, Statement
-from ..ir.types import Texture
+from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of
+from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
+from ..ir.types import Matrix, Texture
 from ..semantics.shader import Notes
 from ..trampoline import Step, run
 from .cost import cost_of
 from .guard import BRANCH
 from .naming import Naming
 from .paths import DEEPEST
-from .uniformity import compares, needing_uniform_flow
+from .uniformity import LOOPS, compares, needing_uniform_flow
 
 LEAVES = frozenset({"constant", "parameter", "resource", "attribute", "formal", "input", "bound"})
 BRANCH_COST = 32
@@ -41,8 +41,8 @@ class _Block:
     parent: _Block | None
     owner: Node | None = None
     """The fold or select whose part this is."""
-    loop: Formal | None = None
-    """The index, where this is the body of a loop."""
+    loop: frozenset[Formal] = frozenset()
+    """The variables, where this is the body of a loop."""
     depth: int = 0
     nodes: list[Node] = field(default_factory=list)
 
@@ -57,9 +57,9 @@ class Scheduler:
         self._top = _Block(None)
         self._home: dict[int, _Block] = {}
         self._uses: dict[int, int] = {}
-        self._loops: dict[int, _Block] = {}
+        self._loops: dict[int, tuple[_Block, _Block]] = {}
+        """What comes before the decision to go on, and what behind; of a fold, both are one."""
         self._sides: dict[int, tuple[_Block, _Block]] = {}
-        self._depends: dict[int, frozenset[Formal]] = {}
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
         """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
@@ -75,7 +75,6 @@ class Scheduler:
 
     def schedule(self) -> Region:
         """The statements that compute the roots."""
-        self._depends = free_formals(self._order)
         branching = self._branching()
         self._place(branching)
         self._results = self._region_results()
@@ -99,14 +98,14 @@ class Scheduler:
             if lifted or (node.id in optional and node.id in self._together):
                 self._apart.add(node.id)
             home = self._home[node.id]
-            if node.op == "fold":
-                assert isinstance(node.data, Folding)
-                body = _Block(home, node, node.data.index, home.depth + 1)
-                self._loops[node.id] = body
+            if node.op in LOOPS:
+                head = _Block(home, node, frozenset(formals_of(node)), home.depth + 1)
+                tail = head if node.op == "fold" else _Block(head, None, depth=head.depth + 1)
+                self._loops[node.id] = head, tail
             elif node.id in branching and (home.depth < DEEPEST or node.data == BRANCH):
                 self._sides[node.id] = (
-                    _Block(home, node, None, home.depth + 1),
-                    _Block(home, node, None, home.depth + 1),
+                    _Block(home, node, depth=home.depth + 1),
+                    _Block(home, node, depth=home.depth + 1),
                 )
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
@@ -118,8 +117,11 @@ class Scheduler:
                     optional.add(operand.id)
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
-        if user.op == "fold" and position == 2:
-            return self._loops[user.id]
+        inside = bodies_of(user)
+        if user.id in self._loops and position in inside:
+            # Of a fold the whole body; of a loop with states first what says whether to go on.
+            head, tail = self._loops[user.id]
+            return head if position == inside.start else tail
         if user.id in self._sides and position > 0:
             return self._sides[user.id][position - 1]
         return home
@@ -129,11 +131,11 @@ class Scheduler:
         uniform = node.id in self._together
         block, best = home, home
         while block.parent is not None:
-            if block.loop is not None and block.loop in self._depends[node.id]:
+            if not block.loop.isdisjoint(node.variables):
                 break
             if block.owner is not None and block.owner.data == BRANCH and not uniform:
                 break
-            if block.loop is not None or uniform:
+            if block.loop or uniform:
                 best = block.parent
             block = block.parent
         return best
@@ -142,8 +144,8 @@ class Scheduler:
         """Values that a statement of their own region takes, where a name would only repeat it."""
         found = {root.id for root in self._roots}
         for node in self._order:
-            if node.op == "fold":
-                found.add(node.operands[2].id)
+            if node.op in LOOPS:
+                found.update(node.operands[i].id for i in bodies_of(node))
             elif node.id in self._sides:
                 found.update(side.id for side in node.operands[1:])
         return found
@@ -157,7 +159,12 @@ class Scheduler:
         return {
             node.id
             for node in self._order
-            if node.op == "select" and (node.data is not None or self._dear_side(node, users))
+            if node.op == "select"
+            and (
+                node.data is not None
+                or isinstance(node.type, Matrix)
+                or self._dear_side(node, users)
+            )
         }
 
     def _dear_side(self, select: Node, users: dict[int, set[tuple[int, int]]]) -> bool:
@@ -194,6 +201,9 @@ class Scheduler:
         if node.op == "fold":
             loop: Loop = yield self._loop(node)
             return loop
+        if node.op == "iterate":
+            iterate: Iterate = yield self._iterate(node)
+            return iterate
         if node.id in self._sides:
             first, second = self._sides[node.id]
             then = yield self._emit(first)
@@ -209,11 +219,29 @@ class Scheduler:
         assert isinstance(node.data, Folding) and node.data.index is not None
         count, start, value = node.operands
         name = self._naming.name(node)
-        body = yield self._emit(self._loops[node.id])
+        body = yield self._emit(self._loops[node.id][0])
         self._size[node.id] = BOUND
         return Loop(
             name, node, count, node.data.bound, start, node.data.index, node.data.operator,
             body, value,
+        )  # fmt: skip
+
+    def _iterate(self, node: Node) -> Step[Iterate]:
+        assert isinstance(node.data, Iterating) and node.data.formals is not None
+        index, *formals = node.data.formals
+        count, states = node.data.states, node.operands[1 : 1 + node.data.states]
+        whole = self._naming.name(node)
+        names = [whole] if count == 1 else [formal.name for formal in formals]
+        head, tail = self._loops[node.id]
+        before = yield self._emit(head)
+        after = yield self._emit(tail)
+        self._size[node.id] = BOUND
+        nexts = node.operands[2 + count :]
+        order = _order_of_states(nexts, formals)
+        return Iterate(
+            node, node.operands[0], node.data.bound, index,
+            tuple(State(names[k], formals[k], states[k], nexts[k], kept) for k, kept in order),
+            tuple(k for k, _ in order), before, node.operands[1 + count], after,
         )  # fmt: skip
 
     def _bound(self, node: Node) -> bool:
@@ -221,6 +249,8 @@ class Scheduler:
         size, depth = self._measure(node)
         if node.op in LEAVES or is_access(node):
             return False
+        if node.op == "array":
+            return True
         if self._uses[node.id] > 1 or node.id in self._apart:
             return True
         if node.id in self._coordinates and node.id in self._choosing:
@@ -258,31 +288,15 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
 
     The bodies of functions that are called belong to it ``into_bodies``.
     """
-    seen: dict[int, Node] = {}
-    pending = list(roots)
+    seen = {root.id: root for root in roots}
+    pending = list(seen.values())
     while pending:
         node = pending.pop()
-        if node.id not in seen:
-            seen[node.id] = node
-            pending.extend(operands_of(node))
-            if into_bodies and node.op == "apply":
-                pending.append(node.operands[0])
+        for operand in node.operands if into_bodies and node.op == "apply" else operands_of(node):
+            if operand.id not in seen:
+                seen[operand.id] = operand
+                pending.append(operand)
     return [seen[id_] for id_ in sorted(seen)]
-
-
-def free_formals(nodes: Iterable[Node]) -> dict[int, frozenset[Formal]]:
-    """The variables that each node depends on; operands come before users."""
-    free: dict[int, frozenset[Formal]] = {}
-    for node in nodes:
-        found: frozenset[Formal] = frozenset()
-        if isinstance(node.data, Formal):
-            found = frozenset({node.data})
-        for operand in operands_of(node):
-            found |= free[operand.id]
-        if isinstance(node.data, Folding) and node.data.index is not None:
-            found -= {node.data.index}
-        free[node.id] = found
-    return free
 
 
 def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
@@ -306,8 +320,28 @@ def _reads_texture(node: Node) -> bool:
 def is_access(node: Node) -> bool:
     """Reads of parts of what is at hand anyway; naming them would only add lines."""
     if node.op in ("swizzle", "member", "index"):
-        return node.operands[0].op in LEAVES or is_access(node.operands[0])
+        whole = node.operands[0]
+        return whole.op in LEAVES or whole.op == "iterate" or is_access(whole)
     return node.op in ("interpolate", "splat")
+
+
+def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[tuple[int, bool]]:
+    """The order in which states are set, and which of them have to be kept until the end.
+
+    All of a turn is computed from the states before it, so a state that another one still needs
+    comes after that; where they need each other, one is kept.
+    """
+    remaining = list(range(len(nexts)))
+    order: list[tuple[int, bool]] = []
+    while remaining:
+        needed = [f for j in remaining for f in nexts[j].variables]
+        free = [
+            k for k in remaining if needed.count(formals[k]) == (formals[k] in nexts[k].variables)
+        ]
+        k = free[0] if free else remaining[0]
+        remaining.remove(k)
+        order.append((k, not free))
+    return order
 
 
 def _enclosing(blocks: list[_Block]) -> _Block:

@@ -6,23 +6,36 @@ the next one sees. Rules stand in tables by operation and by builtin.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from math import isfinite
 
 from ...stdlib.builtins import BUILTINS
 from ..ir import build
 from ..ir.binding import substitute
-from ..ir.node import Folding, Formal, Graph, Node, Op
-from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
+from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
+from ..ir.types import INT, Scalar, Struct, Type, Vector, scalar_kind, width
+from ..reference.evaluate import evaluate
+from ..reference.namespace import Lanes
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
+from .cost import cost_of
 from .ranges import Ranges
 from .rewrite import rewrite
 
 LARGEST_FLOAT = 3.4028234663852886e38
 UNROLLED = 2
-"""Folds of at most so many turns are written out."""
+"""Loops of at most so many turns are written out."""
+MOST_UNROLLED = 4
+"""Up to so many, if they come to no more than this many operations:"""
+UNROLLED_COST = 12
+LONGEST_FIXED = 4096
+"""Loops of constants are computed when compiling if they come to no more operations."""
+_COMPUTED = frozenset(
+    {"constant", "call", "vector", "splat", "matrix", "swizzle", "index", "array", "select"}
+)
+NEUTRAL: Mapping[str, float | bool] = {"add": 0, "mul": 1, "and": True, "or": False}
+"""What changes nothing, term by term."""
 
 OpRule = Callable[["Simplifier", Type, tuple[Node, ...], Hashable], Node | None]
 
@@ -83,6 +96,11 @@ def _folded(s: Simplifier, type_: Type, operands: tuple[Node, ...], name: str) -
         s.graph.node("call", type_, operands, name),
         [constant_lanes(operand.type, operand.data) for operand in operands],
     )
+    return _representable(s, type_, lanes)
+
+
+def _representable(s: Simplifier, type_: Type, lanes: Lanes) -> Node | None:
+    """A constant, where float32 can hold it."""
     if any(isinstance(v, float) and not (isfinite(v) and abs(v) <= LARGEST_FLOAT) for v in lanes):
         return None
     return build.constant(s.graph, type_, lanes[0] if isinstance(type_, Scalar) else tuple(lanes))
@@ -160,12 +178,21 @@ def _splat(s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashab
 
 def _index(s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashable) -> Node | None:
     source, position = operands
+    if source.op == "array" and len(set(source.operands)) == 1:
+        return source.operands[0]
     if position.op != "constant":
         return None
     assert isinstance(position.data, int)
     if isinstance(source.type, Vector):
         return s.make("swizzle", type_, (source,), (position.data,))
-    return source.operands[position.data] if source.op == "matrix" else None
+    return source.operands[position.data] if source.op in ("matrix", "array") else None
+
+
+def _member(_s: Simplifier, _type: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
+    (source,) = operands
+    if source.op != "struct" or not isinstance(source.type, Struct):
+        return None
+    return source.operands[[name for name, _ in source.type.members].index(str(data))]
 
 
 def _select(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
@@ -198,17 +225,99 @@ def _interpolate(
 def _fold(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
     """Folds that do nothing, or so little that it is written out."""
     count, start, body = operands
-    assert isinstance(data, Folding)
-    neutral = 0 if data.operator == "add" else 1
-    if data.bound == 0 or uniform_lane(body) == neutral:
+    assert isinstance(data, Folding) and data.index is not None
+    turns = _turns(count, data.bound)
+    if turns == 0 or (body.op == "constant" and uniform_lane(body) == NEUTRAL.get(data.operator)):
         return start
-    if count.op != "constant" or data.bound > UNROLLED or data.index is None:
+    if turns is None:
+        return None
+    if start.op == "constant" and _is_fixed(turns, (body,), {data.index}):
+        return _evaluated(s, s.graph.node("fold", type_, operands, data))
+    if not _worth_unrolling(turns, (body,), {data.index}):
         return None
     result = start
-    for i in range(data.bound):
+    for i in range(turns):
         turn = substitute_through(s, body, {data.index: build.constant(s.graph, INT, i)})
         result = s.call(data.operator, type_, result, turn)
     return result
+
+
+def _iterate(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
+    """Loops that never turn, or that turn a few times without asking whether to stop."""
+    assert isinstance(data, Iterating) and data.formals is not None
+    count, states = operands[0], operands[1 : 1 + data.states]
+    going, nexts = operands[1 + data.states], operands[2 + data.states :]
+    turns = _turns(count, data.bound)
+    stops_at_once = going.op == "constant" and going.data is False
+    if turns == 0 or stops_at_once or (data.states == 1 and nexts[0].data is data.formals[1]):
+        return _states(s, type_, states)
+    if turns is None or going.op != "constant":
+        return None
+    if not _worth_unrolling(turns, nexts, set(data.formals)):
+        return None
+    for i in range(turns):
+        given = (build.constant(s.graph, INT, i), *states)
+        here = dict(zip(data.formals, given, strict=True))
+        states = tuple(substitute_through(s, following, here) for following in nexts)
+    return _states(s, type_, states)
+
+
+def _states(s: Simplifier, type_: Type, states: tuple[Node, ...]) -> Node:
+    return states[0] if len(states) == 1 else s.graph.node("struct", type_, states)
+
+
+def _turns(count: Node, bound: int) -> int | None:
+    """How often a loop turns, where that is known; no count may be above its bound."""
+    if bound == 0:
+        return 0
+    if count.op != "constant" or not isinstance(count.data, int):
+        return None
+    return max(min(count.data, bound), 0)
+
+
+def _is_fixed(turns: int, bodies: Iterable[Node], formals: set[Formal]) -> bool:
+    """Whether a loop computes with constants and its own variables, and not for too long."""
+    seen: set[int] = set()
+    pending = list(bodies)
+    while pending:
+        node = pending.pop()
+        if node.id in seen:
+            continue
+        seen.add(node.id)
+        own = node.op == "formal" and node.data in formals
+        if not (own or node.op in _COMPUTED) or len(seen) * turns > LONGEST_FIXED:
+            return False
+        pending += node.operands
+    return True
+
+
+def _evaluated(s: Simplifier, loop: Node) -> Node | None:
+    """The value of a loop of constants, where float32 can hold it."""
+    return _representable(s, loop.type, evaluate(loop))
+
+
+def _worth_unrolling(turns: int, bodies: Iterable[Node], formals: set[Formal]) -> bool:
+    """Whether a loop is so short, in turns or in operations, that it is better written out.
+
+    A loop in it is not copied. Only what changes from turn to turn counts, and is looked at only
+    so far as to know that it is too much.
+    """
+    if turns > MOST_UNROLLED:
+        return False
+    spent, seen = 0, set()
+    pending = list(bodies)
+    while pending:
+        node = pending.pop()
+        if node.id in seen or node.variables.isdisjoint(formals):
+            continue
+        seen.add(node.id)
+        if node.op in ("fold", "iterate"):
+            return False
+        spent += cost_of(node) * turns
+        if turns > UNROLLED and spent > UNROLLED_COST:
+            return False
+        pending += node.operands
+    return True
 
 
 def substitute_through(s: Simplifier, body: Node, replacements: Mapping[Formal, Node]) -> Node:
@@ -229,5 +338,7 @@ _RULES: Mapping[str, OpRule] = {
     "index": _index,
     "select": _select,
     "interpolate": _interpolate,
+    "member": _member,
     "fold": _fold,
+    "iterate": _iterate,
 }

@@ -2,7 +2,7 @@
 
 Scalars, vectors and matrices are converted right where they are read. Structs and arrays stay in
 stored form wherever they travel (through selects, binders and calls) until a member or an element
-is taken out, because no operation makes one from parts. A product with a column, and a column, are
+is taken out. A product with a column, and a column, are
 taken from a matrix as it is stored.
 """
 
@@ -31,6 +31,9 @@ from ..ir.types import (
 from ..layout import elements_in_row, stored_type
 from .rewrite import rewrite
 
+_MADE = frozenset({"array", "struct", "iterate"})
+"""What is put together in the shader, out of plain values; all other aggregates are stored."""
+
 
 def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:
     """The roots, with every ``parameter`` node of its stored type. Lowering twice changes nothing.
@@ -44,6 +47,8 @@ def _lower(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
     if node.op == "parameter":
         stored = graph.node("parameter", stored_type(node.type), (), node.data)
         return _loaded(graph, node.type, stored)
+    if node.op in _MADE or (operands and node.operands[0].op in _MADE):
+        return None
     if node.op == "member":
         assert isinstance(node.data, str)
         return _loaded(graph, node.type, member(graph, operands[0], node.data))

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from ...stdlib.builtins import BUILTINS
 from ..ir.node import Node, reachable
 
-LOOPS = frozenset({"fold"})
+LOOPS = frozenset({"fold", "iterate"})
 
 
 def compares(node: Node) -> bool:
@@ -25,19 +25,15 @@ def needing_uniform_flow(roots: Iterable[Node]) -> frozenset[int]:
     What a loop's turns have in common is computed before it, and so does not count.
     """
     found: set[int] = set()
-    varying: set[int] = set()
-    """What may differ from turn to turn of some loop, or from call to call."""
     inside: set[int] = set()
     turning: set[int] = set()
     """What contains a comparison, and one that differs."""
     for node in reachable(roots):
         below = [operand.id for operand in node.operands]
-        if node.op == "formal" or not varying.isdisjoint(below):
-            varying.add(node.id)
         own = compares(node)
         if own or not inside.isdisjoint(below):
             inside.add(node.id)
-        if (own and node.id in varying) or not turning.isdisjoint(below):
+        if (own and node.variables) or not turning.isdisjoint(below):
             turning.add(node.id)
         calls = node.op == "apply" and node.operands[0].id in inside
         if own or calls or (node.op in LOOPS and node.id in turning):

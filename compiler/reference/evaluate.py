@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from ..ir.node import Folding, Formal, Node, binders, body_of, reachable
+from ..ir.node import Folding, Formal, Iterating, Node, binders, bodies_of, formals_of
 from ..ir.types import scalar_kind
 from ..trampoline import Step, run
 from . import scalars
 from .functions import evaluate as builtin
-from .namespace import Lanes, Namespace
+from .namespace import Lane, Lanes, Namespace
 from .operations import NotConstantError, apply, chosen
 
 __all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "evaluate"]
@@ -65,28 +65,14 @@ class Evaluator:
         self._xp = xp
         self._observer = observer
         self._outermost = _Frame()
-        self._variables: dict[int, frozenset[Formal]] = {}
 
     def value(self, root: Node) -> Lanes:
         """The lanes of ``root``."""
-        self._learn_variables(root)
         return run(self._value(root, self._outermost))
-
-    def _learn_variables(self, root: Node) -> None:
-        """Which formals of binders further out each node needs."""
-        if root.id in self._variables:
-            return
-        for node in reachable((root,)):
-            if node.id not in self._variables:
-                inner = [self._variables[operand.id] for operand in node.operands]
-                found = frozenset().union(*inner) if any(inner) else frozenset()
-                if node.op == "formal" and isinstance(node.data, Formal):
-                    found = frozenset((node.data,))
-                self._variables[node.id] = found.difference(_formals(node))
 
     def _home(self, node: Node, frame: _Frame) -> _Frame:
         """The outermost frame in which ``node`` has the value that it has in ``frame``."""
-        wanted = self._variables[node.id]
+        wanted = node.variables
         while frame.parent is not None and not node.free and wanted.isdisjoint(frame.formals):
             frame = frame.parent
         return frame
@@ -130,10 +116,13 @@ class Evaluator:
         if node.op == "fold":
             folded: Lanes = yield self._folded(node, operands, frame)
             return folded
-        body = body_of(node)
-        if body is None:
+        if node.op == "iterate":
+            last: Lanes = yield self._iterated(node, operands, frame)
+            return last
+        if node.op != "apply":
             value = apply(node, operands, self._xp)
             return value if self._observer is None else self._observer(node, operands, value)
+        body = node.operands[0]
         result: Lanes = yield self._value(body, _inner(node, frame, tuple(operands)))
         return result
 
@@ -151,25 +140,48 @@ class Evaluator:
             total = chosen(self._xp, goes_on, combined, total)
         return total
 
+    def _iterated(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
+        """Likewise: where values differ, in an array, those that have stopped keep their states."""
+        assert isinstance(node.data, Iterating)
+        (count,), *states = operands
+        going, *nexts = (node.operands[i] for i in bodies_of(node))
+        goes_on: Lane = True
+        for turn in range(node.data.bound):
+            inner = _inner(node, frame, ((turn,), *states))
+            (condition,) = yield self._value(going, inner)
+            goes_on = _all(self._xp, goes_on, turn < count, condition)
+            if not _anywhere(goes_on):
+                break
+            following = []
+            for state, next_ in zip(states, nexts, strict=True):
+                new = yield self._value(next_, inner)
+                following.append(chosen(self._xp, goes_on, new, state))
+            states = following
+        return states[0] if len(states) == 1 else tuple(states)
+
+
+def _all(xp: Namespace, *conditions: Lane) -> Lane:
+    """Whether all of them hold, as a plain bool where it is one."""
+    found: Lane = True
+    for condition in conditions:
+        found = xp.logical_and(found, condition)
+    return found if getattr(found, "ndim", 0) else bool(found)
+
+
+def _anywhere(condition: Lane) -> bool:
+    return condition if isinstance(condition, bool) else bool(condition.any())
+
 
 def _needed_first(node: Node) -> tuple[Node, ...]:
-    """The operands that are evaluated where the node is: not the body under its binder."""
-    if node.op == "fold":
-        return node.operands[:2]
-    return node.operands[1:] if node.op == "apply" else node.operands
-
-
-def _formals(node: Node) -> tuple[Formal, ...]:
-    """The variables of an opened binder."""
-    if node.op == "apply" and isinstance(node.data, tuple):
-        return node.data
-    if isinstance(node.data, Folding) and node.data.index is not None:
-        return (node.data.index,)
-    return ()
+    """The operands that are evaluated where the node is: not the bodies under its binder."""
+    inside = bodies_of(node)
+    if not inside:
+        return node.operands
+    return node.operands[: inside.start] + node.operands[inside.stop :]
 
 
 def _inner(node: Node, frame: _Frame, variables: tuple[Lanes, ...]) -> _Frame:
     """A frame for the body of ``node``."""
     if binders(node):
         return _Frame(frame, variables + frame.bound)
-    return _Frame(frame, frame.bound, dict(zip(_formals(node), variables, strict=True)))
+    return _Frame(frame, frame.bound, dict(zip(formals_of(node), variables, strict=True)))

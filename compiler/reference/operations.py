@@ -67,7 +67,8 @@ def _splat(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
     return operands[0] * node.type.size
 
 
-def _matrix(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
+def _joined(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
+    """Columns, members or elements."""
     return tuple(operands)
 
 
@@ -121,7 +122,9 @@ _STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "native": _call,
     "vector": _vector,
     "splat": _splat,
-    "matrix": _matrix,
+    "matrix": _joined,
+    "struct": _joined,
+    "array": _joined,
     "swizzle": _swizzle,
     "index": _index,
     "member": _member,

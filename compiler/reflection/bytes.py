@@ -16,6 +16,7 @@ def block_row(block: Block, program: Program) -> dict[str, Any]:
         "name": block.name,
         "group": block.group,
         "derived": block.derived,
+        "extern": block.host is not None,
         "size": block.size,
         "stages": [stage.name for stage in program.stages if block in stage.blocks],
         "members": [

@@ -54,6 +54,7 @@ def reflect(
         "textures": [texture_row(info, program) for info in shader.resources],
         "samplers": sampler_rows(shader.resources, program),
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
+        "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": [_varying_row(varying) for varying in program.varyings],
         "targets": list(_target_rows(shader.targets, program)),
         "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
@@ -71,6 +72,8 @@ def _vertex_input_rows(
             "type": info.declared_type,
             "representation": str(field.type),
             "location": field.location,
+            "step": field.step,
+            "column": {"of": info.matrix, "index": info.column} if info.matrix else None,
             "doc": info.doc,
         }
 

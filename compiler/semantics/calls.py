@@ -10,10 +10,11 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node
-from ..ir.types import Texture, scalar_kind
+from ..ir.types import Array, Struct, Texture, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
 from . import lights, lookup, overloads, textures
+from .aggregates import structure
 from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type
@@ -81,6 +82,9 @@ def _named(
         if not failed:
             applied = yield _function(low, functions, arguments, e, scope)
         return applied
+    structures = scope.module.find(name)
+    if structures and isinstance(structures[0].declaration, ast.StructDeclaration):
+        return FAILURE if failed else structure(low, structures[0], arguments, e)
     if _is_built_in(name):
         return FAILURE if failed else _built_in(low, name, arguments, e)
     surface = scope.surface
@@ -176,12 +180,23 @@ def no_signature(
         types = [str(operand.type) for operand in operands]
         low.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
-            operator=shown, left=types[0], right=types[-1], hint=_mixed_numbers(operands),
+            operator=shown, left=types[0], right=types[-1],
+            hint=_parts(operands) or _mixed_numbers(operands),
         )  # fmt: skip
         return FAILURE
     hint = f"candidates: {overloads.signatures(row)}"
     low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
     return FAILURE
+
+
+def _parts(operands: tuple[Node, ...]) -> str:
+    """Operators are for numbers: of structures and arrays they take the parts."""
+    for operand in operands:
+        if isinstance(operand.type, Struct):
+            return f"name the members that count: `a.{operand.type.members[0][0]}`"
+        if isinstance(operand.type, Array):
+            return "name the elements that count: `a[0]`, or `sum i in 0..n : a[i]`"
+    return ""
 
 
 def _mixed_numbers(operands: tuple[Node, ...]) -> str:
@@ -333,10 +348,9 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
             lookup.unknown(low, f"slot of `{surface.record.name}`", name.text, name.span, known)
             return FAILURE
         node = yield low.node(expression, scope)
-        written = surface.record.typed(name.text)
-        if written is not None and isinstance(node, Node):
-            owner = surface.record.declaration(name.text).owner
-            wanted = declared_type(low, written, owner.module)
+        typing = surface.record.typing(name.text)
+        if typing is not None and typing.member.type is not None and isinstance(node, Node):
+            wanted = declared_type(low, typing.member.type, typing.owner.module)
             if wanted is not None:
                 node = low.fit(node, wanted.type, wanted.text, expression.span)
         given[name.text] = Replacement(value=node)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..ir.build import constant, splat
 from ..ir.node import Graph, Node
-from ..ir.types import Scalar, Type, Vector, scalar_kind, width
+from ..ir.types import Array, Scalar, Type, Vector, scalar_kind, width
 
 
 def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -> Node | None:
@@ -19,6 +19,8 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
     if node.type == wanted:
         return node
     kind = scalar_kind(wanted)
+    if isinstance(wanted, Array):
+        return _elements(graph, node, wanted)
     if node.op == "select" and scalar_kind(node.type) != kind:
         return _choice(graph, node, wanted, broadcast=broadcast)
     if not isinstance(node.type, Scalar) or not isinstance(wanted, Scalar | Vector):
@@ -27,6 +29,15 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
     if lane is None or not (is_constant(node) or broadcast or isinstance(wanted, Scalar)):
         return None
     return splat(graph, lane, width(wanted))
+
+
+def _elements(graph: Graph, node: Node, wanted: Array) -> Node | None:
+    """``[1, 2]`` as two floats: what is put together of constants adapts as they do."""
+    if node.op != "array" or len(node.operands) != wanted.count:
+        return None
+    fitted = [coerce(graph, element, wanted.element) for element in node.operands]
+    elements = tuple(element for element in fitted if element is not None)
+    return graph.node("array", wanted, elements) if len(elements) == wanted.count else None
 
 
 def _choice(graph: Graph, root: Node, wanted: Type, *, broadcast: bool) -> Node | None:

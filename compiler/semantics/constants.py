@@ -6,14 +6,29 @@ from ...stdlib.builtins.facts import SMALLEST_NORMAL
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
+from ..ir.build import parts_of
 from ..ir.node import Node, reachable
-from ..ir.types import Matrix
+from ..ir.types import Scalar, Type
 from ..reference.evaluate import NotConstantError, evaluate
 from ..reference.namespace import Lanes
 from .scope import Failure
 from .shader import Lanes as Value
 
-_OPERATIONS = frozenset({"constant", "call", "vector", "splat", "matrix", "swizzle", "select"})
+_OPERATIONS = frozenset(
+    {
+        "constant",
+        "call",
+        "vector",
+        "splat",
+        "matrix",
+        "swizzle",
+        "select",
+        "struct",
+        "array",
+        "member",
+        "index",
+    }
+)
 
 
 class ConstantValues:
@@ -45,7 +60,7 @@ class ConstantValues:
         lanes = None if isinstance(node, Failure) else self.lanes(node, span)
         if lanes is None or isinstance(node, Failure):
             return None
-        return lanes[0] if len(lanes) == 1 and not isinstance(node.type, Matrix) else lanes
+        return _nested(node.type, lanes)
 
     def known_integer(self, node: Node) -> int | None:
         """The value of an ``int`` where it is one, and nothing is reported if not."""
@@ -65,3 +80,13 @@ class ConstantValues:
         if any(op.op not in _OPERATIONS for op in (node, *node.operands)):
             return False
         return all(n.op in _OPERATIONS for n in reachable((node,)))
+
+
+def _nested(type_: Type, lanes: Lanes) -> Value:
+    """A value as the reflection has it; recurses over a type."""
+    if isinstance(type_, Scalar):
+        return lanes[0]  # type: ignore[no-any-return]
+    parts = parts_of(type_)
+    if parts is None:
+        return lanes
+    return tuple(_nested(inner, part) for inner, part in zip(parts, lanes, strict=True))

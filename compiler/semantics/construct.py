@@ -51,7 +51,7 @@ def _hint(name: str, type_: Type) -> str:
         case Vector(kind=kind, size=size):
             return f"`{name}` takes {size} lanes in all, or one {kind} for every lane"
         case Matrix(size=size):
-            return f"`{name}` takes {size} columns, each a vec{size}, or a larger matrix"
+            return f"`{name}` takes {size} columns, each a vec{size}, or another matrix"
         case _:
             return f"`{name}` takes one number"
 
@@ -123,16 +123,20 @@ def _matrix(low: Lowering, type_: Matrix, arguments: tuple[Node, ...]) -> Node |
     return None
 
 
-def _resized(low: Lowering, argument: Node, source: int, wanted: int) -> Node | None:
-    """The upper left part of a larger matrix."""
-    if source < wanted:
-        return None
+def _resized(low: Lowering, argument: Node, source: int, wanted: int) -> Node:
+    """The upper left part of a larger matrix; a smaller one continued by the identity."""
     if source == wanted:
         return argument
+    zero, one = (build.floating(low.graph, number) for number in (0.0, 1.0))
     columns = []
     for i in range(wanted):
-        column = build.index(low.graph, argument, build.constant(low.graph, Scalar("int"), i))
-        columns.append(build.swizzle(low.graph, column, tuple(range(wanted))))
+        lanes: list[Node] = []
+        if i < source:
+            column = build.part(low.graph, argument, i)
+            lanes.append(build.swizzle(low.graph, column, tuple(range(min(source, wanted)))))
+        filled = range(source if i < source else 0, wanted)
+        lanes += (one if row == i else zero for row in filled)
+        columns.append(build.vector(low.graph, tuple(lanes)))
     return build.matrix(low.graph, tuple(columns))
 
 

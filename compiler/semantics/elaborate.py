@@ -15,16 +15,15 @@ from ..syntax import ast
 from ..trampoline import run
 from . import lookup
 from .checks import check_declarations, check_slots
+from .instances import instance_of
 from .lower import Lowering
 from .modules import Module, Symbol
-from .overrides import check_overrides
 from .parameters import Leaves, leaves_of
 from .records import Record, Records
 from .rigs import Entry, rig_entries
 from .scope import Failure, Instance, Replacement, Scope
-from .shader import ParameterInfo, Shader, TargetInfo
+from .shader import ExternInfo, ParameterInfo, Shader, TargetInfo
 from .typenames import TypeResolver
-from .uniformity import check_loops
 
 FORMATS: Mapping[str, Type] = {
     "r8": FLOAT, "r16f": FLOAT, "r32f": FLOAT,
@@ -61,17 +60,16 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     pass_leaves = _apart(pass_leaves, material_leaves, drawn)
     _check_attributes(low, pass_leaves, material_leaves, material)
     _check_names_of_lights(low, (material_leaves, pass_leaves), entries)
-    surface = _instance(low, material, material_leaves)
-    passing = _instance(low, drawn, pass_leaves)
+    surface = instance_of(low, material, material_leaves)
+    passing = instance_of(low, drawn, pass_leaves)
     passing.surface = surface
     surface.replaced.update(_overrides(material, drawn, passing))
     clip = _clip_position(low, passing, surface)
     targets = _targets(low, drawn, passing)
     discard = _discard(low, drawn, passing)
     check_slots(low, surface, passing)
+    low.externs.learn(parts.module)
     check_declarations(low, parts.module, surface)
-    roots = [target.value for target in targets]
-    check_loops(roots if discard is None else [*roots, discard], report, low.notes)
     if report.failed or isinstance(clip, Failure):
         return None
     declaration = parts.material.declaration
@@ -84,21 +82,23 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
         rig_name=parts.rig.name,
         graph=low.graph,
         notes=low.notes,
-        parameters=_all_parameters(leaves, entries),
+        parameters=_all_parameters(leaves, entries, low.externs.blocks),
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         clip_position=clip,
         targets=targets,
         discard=discard,
+        externs=low.externs.blocks,
     )
 
 
 def _all_parameters(
-    leaves: Iterable[Leaves], entries: Iterable[Entry]
+    leaves: Iterable[Leaves], entries: Iterable[Entry], externs: Iterable[ExternInfo]
 ) -> tuple[ParameterInfo, ...]:
     own = [info for group in leaves for info in group.parameters]
-    return tuple(own + [info for _, infos, _ in entries for info in infos])
+    of_lights = [info for _, infos, _ in entries for info in infos]
+    return (*own, *of_lights, *(member.info for block in externs for member in block.members))
 
 
 def _check_names_of_lights(
@@ -152,24 +152,6 @@ def _check_attributes(low: Lowering, leaves: Leaves, others: Leaves, material: R
                 expected=other.declared_type, found=info.declared_type,
                 labels=[Label(other.span, "declared here")],
             )  # fmt: skip
-
-
-def _instance(low: Lowering, record: Record, leaves: Leaves) -> Instance:
-    nodes: dict[str, Node] = {}
-    for info in leaves.parameters:
-        short = info.parameter.name.rpartition(".")[2]
-        nodes[short] = low.graph.node("parameter", info.parameter.type, (), info.parameter)
-    for attribute in leaves.attributes:
-        leaf = attribute.attribute
-        nodes[leaf.name] = low.graph.node("attribute", leaf.type, (), leaf)
-    resources = {}
-    for texture in leaves.resources:
-        read = texture.resource
-        short = read.name.rpartition(".")[2]
-        resources[short] = low.graph.node("resource", read.type, (), read)
-    instance = Instance(record, parameters=nodes, resources=resources)
-    check_overrides(low, instance)
-    return instance
 
 
 def _overrides(material: Record, drawn: Record, passing: Instance) -> dict[str, Replacement]:

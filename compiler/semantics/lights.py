@@ -20,7 +20,7 @@ from ..ir.types import INT, Array, Scalar, Struct, Vector, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
 from . import lookup
-from .folds import fold
+from .folds import changing, folded
 from .functions import entered, fit_result
 from .modules import Symbol
 from .overrides import check_overrides
@@ -63,7 +63,7 @@ def _summed(
             return FAILURE
         if formal is not None:
             count = None if entry.count is None else _parameter(low, entry.count)
-            contribution = fold(
+            contribution = folded(
                 low.graph, "add", entry.bound, contribution, formal, low.notes.follow, count
             )
         low.notes.spans.setdefault(contribution.id, span)
@@ -97,6 +97,11 @@ def _shared_body(
     if body.type == INT and isinstance(body.data, int) and body.op == "constant":
         body = build.floating(low.graph, float(body.data))
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
+    for node in changing((body,), set(formals)):
+        if node.op == "interpolate":
+            where = low.notes.spans.get(node.id, function.body.span)
+            low.report.add(rules.CROSSING_PER_LIGHT, where)
+            return FAILURE
     closed = close(low.graph, body, formals, low.notes.follow)
     low.notes.functions.setdefault(closed.id, symbol.name)
     low.notes.variables.setdefault(closed.id, tuple(light.variables))

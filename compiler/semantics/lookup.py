@@ -22,6 +22,7 @@ from .declared import declared_type
 from .modules import Module, Symbol
 from .records import Definition, NamedMember, Record
 from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
+from .stages import VERTEX_INPUTS
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -52,12 +53,17 @@ def value(low: Lowering, name: str, span: Span, scope: Scope) -> Step[Value]:
         return outer
     if name in INPUTS and scope.surface is not None:
         return low.graph.node("input", INPUTS[name], (), name)
+    if name in VERTEX_INPUTS and scope.surface is not None:
+        supplied = low.graph.node("input", PIPELINE_TYPES[name], (), name)
+        return low.stages.attribute(supplied)
     _unknown_name(low, name, span, scope)
     return FAILURE
 
 
 def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
     declaration = symbol.declaration
+    if isinstance(declaration, ast.ExternMember):
+        return low.externs.value(symbol, span)
     if not isinstance(declaration, ast.Constant):
         low.report.add(
             rules.NOT_A_VALUE, span,
@@ -85,7 +91,7 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
     if name == "light":
         low.report.add(rules.OUTSIDE_LIGHT, span, name=name)
         return
-    known = [*scope.locals, *scope.module.visible(), *INPUTS]
+    known = [*scope.locals, *scope.module.visible(), *INPUTS, *VERTEX_INPUTS]
     for instance in (scope.instance, scope.surface):
         if instance is not None and instance.record.baseless:
             return
@@ -215,11 +221,10 @@ def _defined(
     locals_ = {"material": scope.surface} if scope.surface is not None else {}
     result: Node | Failure = yield low.node(expression, scope.binding(locals_))
     record = _typing(instance, name)
-    written = record.typed(name)
-    if written is None:
+    typing = record.typing(name)
+    if typing is None or typing.member.type is None:
         return result
-    owner = next(d for d in record.definitions[name] if d.member.type is written).owner
-    wanted = declared_type(low, written, owner.module)
+    wanted = declared_type(low, typing.member.type, typing.owner.module)
     if wanted is None:
         return FAILURE
     fitted: Node | Failure = low.fit(result, wanted.type, wanted.text, expression.span)

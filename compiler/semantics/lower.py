@@ -30,12 +30,13 @@ from ..ir.types import (
     Vector,
     width,
 )
+from ..passes.ranges import Ranges
 from ..syntax import ast
 from ..trampoline import Step
-from . import calls, lookup, overloads
+from . import aggregates, calls, folds, lookup, overloads
 from .coerce import coerce
 from .constants import ConstantValues
-from .folds import fold
+from .externs import Externs
 from .modules import Symbol
 from .records import Records
 from .scope import (
@@ -60,7 +61,6 @@ OPERATORS: Mapping[str, str] = {
 SWIZZLES: Mapping[str, Mapping[str, int]] = {
     letters: {letter: i for i, letter in enumerate(letters)} for letters in ("xyzw", "rgba")
 }
-LARGEST_FOLD = 4096
 LOWEST = str(2**31)
 """An `int` only with a minus in front."""
 
@@ -73,12 +73,15 @@ class Lowering:
     ) -> None:
         self.report = report
         self.records = records
+        self.externs = Externs(self)
         self.types = types
         self.rig = rig
         self.graph = Graph()
         self.notes = Notes()
         self.stages = Stages(self.graph, report, self.notes)
         self.constants = ConstantValues(report)
+        self.ranges = Ranges(())
+        """What is known of values already, by which loops are bounded."""
         self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
         self.active: dict[Any, tuple[str, Span]] = {}
         """What is being lowered right now, outermost first: finding it again is a cycle."""
@@ -96,8 +99,11 @@ class Lowering:
 
     def node(self, expression: ast.Expression, scope: Scope) -> Step[Node | Failure]:
         """The value of ``expression`` where only a plain value will do."""
-        value = yield self.expression(expression, scope)
-        if isinstance(value, Node | Failure):
+        value = yield _LOWER[type(expression)](self, expression, scope)
+        if isinstance(value, Node):
+            self.notes.spans.setdefault(value.id, expression.span)
+            return value
+        if isinstance(value, Failure):
             return value
         self.report.add(rules.NOT_A_VALUE, expression.span)
         return FAILURE
@@ -249,7 +255,7 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
         if not 0 <= known < count:
             low.report.add(rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type)
             return FAILURE
-        return build.index(low.graph, operand, build.constant(low.graph, INT, known))
+        return build.part(low.graph, operand, known)
     zero, last = (build.constant(low.graph, INT, n) for n in (0, count - 1))
     clamped = low.graph.node("call", INT, (position, zero, last), "clamp")
     return build.index(low.graph, operand, clamped)
@@ -319,32 +325,6 @@ def _at_rate(low: Lowering, e: ast.AtRate, scope: Scope) -> Step[Value]:
     return low.stages.interpolated(operand, e.span)
 
 
-def _fold(low: Lowering, e: ast.Fold, scope: Scope) -> Step[Value]:
-    bounds = []
-    for bound in (e.start, e.end):
-        node = yield low.typed(bound, scope, INT, "int")
-        bounds.append(low.constants.integer(node, bound.span))
-    if bounds[0] is None or bounds[1] is None:
-        return FAILURE
-    start, count = bounds[0], max(bounds[1] - bounds[0], 0)
-    if count > LARGEST_FOLD:
-        low.report.add(rules.FOLD_TOO_LONG, e.span, count=count, most=LARGEST_FOLD)
-        return FAILURE
-    formal = Formal(e.variable.text)
-    variable = low.graph.node("formal", INT, (), formal)
-    offset = build.constant(low.graph, INT, start)
-    index = low.graph.node("call", INT, (variable, offset), "add") if start else variable
-    body = yield low.node(e.body, scope.binding({e.variable.text: index}))
-    if isinstance(body, Failure):
-        return FAILURE
-    if not isinstance(body.type, Scalar | Vector) or body.type.kind == "bool":
-        low.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
-        return FAILURE
-    return fold(
-        low.graph, "add" if e.operator == "sum" else "mul", count, body, formal, low.notes.follow
-    )
-
-
 _LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {
     ast.Number: _number,
     ast.Color: _color,
@@ -356,7 +336,9 @@ _LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {
     ast.Binary: _binary,
     ast.Conditional: _conditional,
     ast.AtRate: _at_rate,
-    ast.Fold: _fold,
+    ast.Array: aggregates.array,
+    ast.Fold: folds.fold,
+    ast.Iterate: folds.iterate,
     ast.Call: calls.call,
     ast.With: calls.replaced,
 }

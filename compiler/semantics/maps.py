@@ -77,7 +77,7 @@ def resource(low: Lowering, definition: Definition, name: str, group: str) -> Re
     kind = kind_of(declared.type)
     default = kind.defaults[0] if member.default is None else member.default.text
     if member.default is not None and default not in kind.defaults:
-        _unknown_word(low, "texture default", member.default, kind.defaults)
+        unknown_word(low, "texture default", member.default, kind.defaults)
     state = _sampler_state(low, member, kind, declared.text)
     found = Resource(name, declared.type, group, default, tuple(sorted(state.items())))
     return ResourceInfo(found, member.doc, member.name.span)
@@ -89,17 +89,18 @@ def _sampler_state(low: Lowering, member: ast.Map, kind: Kind, type_: str) -> di
     known = {**COLORS.settings, **DEPTHS.settings}
     for key, value in member.state:
         if key.text not in known and kind.settings:
-            _unknown_word(low, "sampler setting", key, kind.settings)
+            unknown_word(low, "sampler setting", key, kind.settings)
         elif key.text not in kind.settings:
             low.report.add(rules.SETTING_WITHOUT_USE, key.span, name=key.text, type=type_)
         elif value.text not in kind.settings[key.text]:
-            _unknown_word(low, f"value for `{key.text}`", value, kind.settings[key.text])
+            unknown_word(low, f"value for `{key.text}`", value, kind.settings[key.text])
         else:
             state[key.text] = value.text
     return state
 
 
-def _unknown_word(low: Lowering, kind: str, name: ast.Name, known: Iterable[str]) -> None:
+def unknown_word(low: Lowering, kind: str, name: ast.Name, known: Iterable[str]) -> None:
+    """Report a word that is none of those which can stand in its place."""
     listed = ", ".join(f"`{word}`" for word in known)
     low.report.add(
         rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=f"one of {listed}"

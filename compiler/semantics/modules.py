@@ -22,7 +22,10 @@ from .overloads import WRITTEN_FAMILIES
 from .typenames import described
 from .unique import check_once
 
-Named = ast.Record | ast.Function | ast.Rig | ast.StructDeclaration | ast.Space | ast.Constant
+Named = (
+    ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
+    | ast.ExternBlock | ast.ExternMember | ast.Space | ast.Constant
+)  # fmt: skip
 
 
 @frozen(eq=False)
@@ -171,6 +174,9 @@ class Loader:
         if isinstance(declaration, ast.Function):
             self._check_function(declaration, others)
         module.declared[name.text] = (*others, Symbol(declaration, module))
+        if isinstance(declaration, ast.ExternBlock):
+            for member in declaration.members:
+                self._declare(module, member)
 
     def _check_function(self, function: ast.Function, others: tuple[Symbol, ...]) -> None:
         """What is wrong with a function's head, whatever its types stand for."""

@@ -1,4 +1,4 @@
-"""Overrides keep the type of what they override."""
+"""Overrides keep the type of what they override, and what a mixin needs has the type it says."""
 
 from __future__ import annotations
 
@@ -20,6 +20,11 @@ def check_overrides(low: Lowering, instance: Instance) -> None:
     """An heir may write a slot's type again but not change it; what does has no value."""
     for name, definitions in instance.record.definitions.items():
         if len(definitions) > 1 and not _keeps_type(low, definitions):
+            instance.values[name, OUTERMOST] = FAILURE
+    for required in instance.record.requirements:
+        name = required.member.name.text
+        had = instance.record.definitions[name]
+        if not _keeps_type(low, (required, *had)):
             instance.values[name, OUTERMOST] = FAILURE
 
 

@@ -10,14 +10,14 @@ from ...frozen import changed, frozen
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
-from ..ir.leaves import Attribute, Parameter
+from ..ir.leaves import Attribute, Parameter, Step
 from ..ir.node import Node
-from ..ir.types import INT, Array, Scalar, Struct, Texture, Type, Vector, scalar_kind
+from ..ir.types import INT, Array, Matrix, Scalar, Struct, Texture, Type, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
 from ..syntax import ast
 from ..trampoline import run
 from .declared import declared_type
-from .maps import resource
+from .maps import resource, unknown_word
 from .records import Definition, Record
 from .scope import Failure, Scope
 from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pass": "frame"}
 """The group of a parameter that names none, by what declares it."""
+
+STEPS = ("vertex", "instance")
+"""What an attribute can be declared ``per``; the first is the default."""
 
 
 @frozen
@@ -50,7 +53,7 @@ def leaves_of(
     for name, definition in _effective(record, without):
         member = definition.member
         if isinstance(member, ast.Param):
-            info = _parameter(low, definition, prefix + name)
+            info = parameter_of(low, definition, prefix + name)
             if info is not None:
                 parameters.append(info)
         elif isinstance(member, ast.Map):
@@ -59,9 +62,7 @@ def leaves_of(
             if texture is not None:
                 resources.append(texture)
         elif isinstance(member, ast.Attribute):
-            attribute = _attribute(low, definition, name)
-            if attribute is not None:
-                attributes.append(attribute)
+            attributes += _attribute(low, definition, name)
     return Leaves(tuple(parameters), tuple(resources), tuple(attributes))
 
 
@@ -74,14 +75,15 @@ def _effective(record: Record, without: frozenset[str]) -> Iterator[tuple[str, D
 def _group(low: Lowering, definition: Definition, named: ast.Name | None) -> str:
     if named is None:
         declaration = definition.owner.declaration
-        assert isinstance(declaration, ast.Record)
+        assert isinstance(declaration, ast.Record | ast.Mixin)
         return DEFAULT_GROUPS[declaration.kind]
     if named.text not in STANDARD_GROUPS and (hint := suggestion(named.text, STANDARD_GROUPS)):
         low.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
     return named.text
 
 
-def _parameter(low: Lowering, definition: Definition, name: str) -> ParameterInfo | None:
+def parameter_of(low: Lowering, definition: Definition, name: str) -> ParameterInfo | None:
+    """What a ``param`` declares, as a leaf called ``name``; ``None`` after reporting."""
     member = definition.member
     assert isinstance(member, ast.Param)
     module = definition.owner.module
@@ -172,18 +174,27 @@ def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:
     return tuple(lane / length for lane in lanes)
 
 
-def _attribute(low: Lowering, definition: Definition, name: str) -> AttributeInfo | None:
+def _attribute(low: Lowering, definition: Definition, name: str) -> list[AttributeInfo]:
+    """A vertex input; for a matrix one for each column, as no API has more than vectors."""
     member = definition.member
     assert isinstance(member, ast.Attribute)
     declared = declared_type(low, member.type, definition.owner.module)
     if declared is None:
-        return None
-    if not isinstance(declared.type, Scalar | Vector) or scalar_kind(declared.type) == "bool":
+        return []
+    type_, doc, span = declared.type, member.doc, member.name.span
+    if member.rate is not None and member.rate.text not in STEPS:
+        unknown_word(low, "step", member.rate, STEPS)
+    step: Step = "instance" if member.rate and member.rate.text == "instance" else "vertex"
+    if isinstance(type_, Matrix):
+        column = Vector("float", type_.size)
+        return [
+            AttributeInfo(Attribute(f"{name}.{i}", column, step), str(column), doc, span, name, i)
+            for i in range(type_.size)
+        ]
+    if not isinstance(type_, Scalar | Vector) or scalar_kind(type_) == "bool":
         low.report.add(rules.CANNOT_CROSS, member.type.span, type=declared.text)
-        return None
-    return AttributeInfo(
-        Attribute(name, declared.type), declared.text, member.doc, member.name.span
-    )
+        return []
+    return [AttributeInfo(Attribute(name, type_, step), declared.text, doc, span)]
 
 
 def as_array(name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,

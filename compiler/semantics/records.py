@@ -1,13 +1,19 @@
-"""Inheritance: a material, light or pass as the list of what each of its names is defined to be."""
+"""Inheritance: a material, light or pass as the list of what each of its names is defined to be.
+
+A record's ancestors form one chain, most derived first. ``material A : B + C + D`` is the chain
+``A, D, C, B, …``: mixins stand between the heir and its base, the last one written nearest to the
+heir. ``inherited.x`` is what the rest of the chain says.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from ...frozen import frozen
+from ...frozen import changed, frozen
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
+from ..diagnostics.source import Span
 from ..syntax import ast
 from .modules import Module, Symbol
 
@@ -48,6 +54,8 @@ class Record:
     """Most derived first."""
     definitions: dict[str, tuple[Definition, ...]] = field(default_factory=dict)
     """Of each name, most derived first; names in order of first declaration, ancestors first."""
+    requirements: list[Definition] = field(default_factory=list)
+    """What mixins ask for that the chain behind them has: slots with a type and no value."""
     targets: tuple[tuple[ast.Target, Symbol, int], ...] = ()
     """Of a pass: its targets, each with its record and level."""
     discards: tuple[tuple[ast.Discard, Symbol, int], ...] = ()
@@ -68,12 +76,14 @@ class Record:
         """Where ``name`` was first declared (the furthest ancestor)."""
         return self.definitions[name][-1]
 
-    def typed(self, name: str) -> ast.TypeName | None:
-        """The type that the nearest declaring level wrote for ``name``."""
-        for definition in self.definitions[name]:
-            if definition.member.type is not None:
-                return definition.member.type
-        return None
+    def typing(self, name: str) -> Definition | None:
+        """The definition with the type that holds for ``name``, if any says one.
+
+        The nearest of those that write a type, else a mixin that needs it.
+        """
+        needed = (d for d in self.requirements if d.member.name.text == name)
+        found = (d for d in (*self.definitions[name], *needed) if d.member.type is not None)
+        return next(found, None)
 
 
 class Records:
@@ -84,6 +94,10 @@ class Records:
         self._known: dict[Symbol, Record] = {}
         self._astray: set[Symbol] = set()
         """Records whose base is wrong, which has been reported."""
+        self._clashes: set[tuple[Symbol, Symbol, str]] = set()
+        """Mixins that both declare a name, which has been reported."""
+        self._twice: set[Span] = set()
+        """Where a mixin is written that is in already, which has been reported."""
 
     def of(self, symbol: Symbol) -> Record:
         """The record that a ``material``, ``light`` or ``pass`` declares."""
@@ -91,16 +105,34 @@ class Records:
             self._known[symbol] = self._flatten(symbol)
         return self._known[symbol]
 
+    def alone(self, mixin: Symbol) -> Record:
+        """A mixin in front of what every record of its kind extends.
+
+        What it needs beyond that, or builds on, is declared there without a value.
+        """
+        declaration = mixin.declaration
+        assert isinstance(declaration, ast.Mixin)
+        root = root_of(mixin.module, declaration.kind)
+        record = self._flattened(mixin, (mixin,) if root is None else (mixin, root))
+        for name, (own, *behind) in record.definitions.items():
+            if isinstance(own.member, ast.Slot) and own.member.type is not None and not behind:
+                assumed = changed(own.member, value=None)
+                record.definitions[name] = (own, Definition(assumed, mixin, len(record.chain)))
+        return record
+
     def _flatten(self, symbol: Symbol) -> Record:
-        chain = self._chain(symbol)
+        return self._flattened(symbol, self._chain(symbol))
+
+    def _flattened(self, symbol: Symbol, chain: tuple[Symbol, ...]) -> Record:
         record = Record(symbol, chain, baseless=not self._astray.isdisjoint(chain))
         targets: dict[str, tuple[ast.Target, Symbol, int]] = {}
         for level in reversed(range(len(chain))):
             owner = chain[level]
             declaration = owner.declaration
-            assert isinstance(declaration, ast.Record)
+            assert isinstance(declaration, ast.Record | ast.Mixin)
             seen: dict[str, ast.Name] = {}
-            self._check_blend(declaration)
+            if isinstance(declaration, ast.Record):
+                self._check_blend(declaration)
             for member in declaration.members:
                 if not self._in_place(declaration, member):
                     continue
@@ -114,7 +146,7 @@ class Records:
         record.targets = tuple(targets.values())
         return record
 
-    def _in_place(self, declaration: ast.Record, member: ast.Member) -> bool:
+    def _in_place(self, declaration: ast.Record | ast.Mixin, member: ast.Member) -> bool:
         """Whether a kind of member belongs into a kind of record."""
         word = _WORDS[type(member)]
         if word not in _MISPLACED[declaration.kind]:
@@ -144,19 +176,88 @@ class Records:
     def _define(self, record: Record, definition: Definition) -> None:
         name = definition.member.name.text
         inherited = record.definitions.get(name, ())
+        if isinstance(definition.owner.declaration, ast.Mixin) and inherited:
+            if is_abstract(definition.member):
+                record.requirements.append(definition)
+                return
+            if self._clashes_with(record, definition, inherited[-1]):
+                return
         record.definitions[name] = (definition, *inherited)
 
+    def _clashes_with(self, record: Record, later: Definition, first: Definition) -> bool:
+        """Two mixins that know nothing of each other must not mean different things by a name."""
+        if not isinstance(first.owner.declaration, ast.Mixin) or is_abstract(first.member):
+            return False
+        if _belong_together(later.member, first):
+            return False
+        name = later.member.name.text
+        if (first.owner, later.owner, name) in self._clashes:
+            return True
+        self._clashes.add((first.owner, later.owner, name))
+        self._report.add(
+            rules.MIXINS_CLASH, later.member.name.span,
+            name=name, first=first.owner.name, later=later.owner.name, record=record.name,
+            labels=[Label(first.member.name.span, f"declared by `{first.owner.name}` here")],
+            hint=f"rename one of them, or build on the other as `inherited.{name}`",
+        )  # fmt: skip
+        return True
+
     def _chain(self, symbol: Symbol) -> tuple[Symbol, ...]:
-        chain = [symbol]
-        while (base := self._base(chain[-1])) is not None:
-            if base in chain:
-                declaration = chain[-1].declaration
-                self._report_cycle([*chain[chain.index(base) :], base])
+        used: dict[Symbol, ast.Name] = {}
+        records, chain = [symbol], [symbol, *self._mixins(symbol, used)]
+        while (base := self._base(records[-1])) is not None:
+            if base in records:
+                declaration = records[-1].declaration
+                self._report_cycle([*records[records.index(base) :], base])
                 assert isinstance(declaration, ast.Record)
-                root = self._implied_base(chain[-1], declaration)
+                root = self._implied_base(records[-1], declaration)
                 return tuple(chain) if root is None else (*chain, root)
-            chain.append(base)
+            records.append(base)
+            chain += [base, *self._mixins(base, used)]
         return tuple(chain)
+
+    def _mixins(self, symbol: Symbol, used: dict[Symbol, ast.Name]) -> list[Symbol]:
+        """The mixins in a record's header, the last one first.
+
+        ``used`` are those of its heirs, to which they are added, each with where it is written.
+        """
+        declaration = symbol.declaration
+        assert isinstance(declaration, ast.Record)
+        found: list[Symbol] = []
+        for name in declaration.mixins:
+            mixin = self._mixin(symbol, declaration.kind, name)
+            if mixin is None:
+                self._astray.add(symbol)
+            elif mixin in used:
+                self._report_twice(used[mixin], name)
+            else:
+                used[mixin] = name
+                found.append(mixin)
+        return found[::-1]
+
+    def _report_twice(self, one: ast.Name, other: ast.Name) -> None:
+        """Once for each place, however many heirs share it."""
+        first, again = one, other
+        if one.span.source is other.span.source:
+            first, again = sorted((one, other), key=lambda name: name.span.start)
+        if again.span not in self._twice:
+            self._twice.add(again.span)
+            self._report.add(
+                rules.MIXIN_TWICE, again.span, name=again.text,
+                labels=[Label(first.span, "it is in already by this")],
+            )  # fmt: skip
+
+    def _mixin(self, symbol: Symbol, kind: str, name: ast.Name) -> Symbol | None:
+        found = symbol.module.find(name.text)
+        if not found:
+            self._report_unknown(symbol, "mixin", name)
+            return None
+        declaration = found[0].declaration
+        if isinstance(declaration, ast.Mixin) and declaration.kind == kind:
+            return found[0]
+        labels = [Label(declaration.name.span, "declared here")]
+        self._report.add(rules.NOT_A_MIXIN, name.span, name=name.text, kind=kind, labels=labels)
+        return None
 
     def _report_cycle(self, steps: list[Symbol]) -> None:
         """Each cycle once, from wherever it was entered."""
@@ -181,23 +282,72 @@ class Records:
     def _written_base(self, symbol: Symbol, kind: str, name: ast.Name) -> Symbol | None:
         found = symbol.module.find(name.text)
         if not found:
-            if name.text not in symbol.module.missing:
-                hint = symbol.module.hint(name.text, symbol.module.visible())
-                self._report.add(
-                    rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint
-                )
+            self._report_unknown(symbol, kind, name)
             return None
         base = found[0].declaration
+        if isinstance(base, ast.Mixin):
+            self._report_mixin_as_base(symbol, kind, name, base)
+            return None
         if isinstance(base, ast.Record) and base.kind == kind:
             return found[0]
         labels = [Label(base.name.span, "declared here")]
         self._report.add(rules.WRONG_BASE, name.span, kind=kind, name=name.text, labels=labels)
         return None
 
+    def _report_unknown(self, symbol: Symbol, kind: str, name: ast.Name) -> None:
+        if name.text not in symbol.module.missing:
+            hint = symbol.module.hint(name.text, symbol.module.visible())
+            self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
+
+    def _report_mixin_as_base(
+        self, symbol: Symbol, kind: str, name: ast.Name, mixin: ast.Mixin
+    ) -> None:
+        root = root_of(symbol.module, kind)
+        base = "Base" if root is None else root.name
+        self._report.add(
+            rules.MIXIN_AS_BASE, name.span, name=name.text, kind=kind,
+            labels=[Label(mixin.name.span, "declared here")],
+            hint=f"begin with a {kind}: `: {base} + {name.text}`",
+        )  # fmt: skip
+
     def _implied_base(self, symbol: Symbol, declaration: ast.Record) -> Symbol | None:
         """Every material (light, …) extends the prelude's only abstract one of its kind."""
-        root = sole(symbol.module.prelude or symbol.module, declaration.kind, abstract=True)
+        root = root_of(symbol.module, declaration.kind)
         return None if root is symbol else root
+
+
+def is_abstract(member: NamedMember) -> bool:
+    """Whether a member is a slot with a type and no value."""
+    return isinstance(member, ast.Slot) and member.value is None
+
+
+def _belong_together(later: NamedMember, first: Definition) -> bool:
+    """Whether a mixin's definition means to continue, or to share, what another one declares."""
+    if isinstance(later, ast.Slot) and later.value is not None:
+        return _builds_on_inherited(later.value, later.name.text)
+    # What a vertex brings along is the mesh's: both mean the same.
+    return isinstance(later, ast.Attribute) and isinstance(first.member, ast.Attribute)
+
+
+def _builds_on_inherited(expression: ast.Expression, name: str) -> bool:
+    """Whether ``inherited.name`` is written somewhere in an expression."""
+    waiting: list[object] = [expression]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, tuple):
+            waiting.extend(part)
+        elif isinstance(part, ast.Field) and part.name.text == name:
+            if isinstance(part.operand, ast.Reference) and part.operand.name == "inherited":
+                return True
+            waiting.append(part.operand)
+        elif isinstance(part, ast.Expression):
+            waiting.extend(getattr(part, field_) for field_ in type(part).__match_args__)
+    return False
+
+
+def root_of(module: Module, kind: str) -> Symbol | None:
+    """The prelude's only abstract record of a kind, which all others extend."""
+    return sole(module.prelude or module, kind, abstract=True)
 
 
 def records_of(module: Module, kind: str, *, abstract: bool) -> list[Symbol]:

@@ -72,11 +72,11 @@ def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
     return low.records.of(found[0])
 
 
-def light_entry(low: Lowering, light: Symbol) -> RigEntry | None:
+def light_entry(low: Lowering, light: Record) -> RigEntry | None:
     """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
-    name = light.declaration.name
+    name = light.symbol.declaration.name
     written = ast.RigEntry(name.span, "", name, name, None, at_most=False, overrides=())
-    entry = _entry(low, light, written, low.records.of(light))
+    entry = _entry(low, light.symbol, written, light)
     return None if entry is None else entry[0]
 
 

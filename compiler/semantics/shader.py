@@ -7,7 +7,7 @@ from typing import Any
 
 from ...frozen import frozen
 from ..diagnostics.source import Span
-from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.leaves import Attribute, HostPlace, Parameter, Resource
 from ..ir.node import Graph, Node
 
 Lanes = float | int | bool | tuple["Lanes", ...]
@@ -30,6 +30,29 @@ class ParameterInfo:
 
 
 @frozen
+class ExternMemberInfo:
+    """A member of a block that the host owns."""
+
+    name: str
+    """In the text, too."""
+    offset: int
+    """In bytes."""
+    info: ParameterInfo
+
+
+@frozen
+class ExternInfo:
+    """A block that the host owns."""
+
+    place: HostPlace
+    group: str
+    doc: str
+    span: Span
+    members: tuple[ExternMemberInfo, ...]
+    """By offset."""
+
+
+@frozen
 class ResourceInfo:
     """A declared texture."""
 
@@ -40,12 +63,15 @@ class ResourceInfo:
 
 @frozen
 class AttributeInfo:
-    """A declared vertex input."""
+    """A declared vertex input, or one column of a declared matrix."""
 
     attribute: Attribute
     declared_type: str
     doc: str
     span: Span
+    matrix: str = ""
+    """The declared matrix that this is a column of."""
+    column: int = 0
 
 
 @frozen
@@ -104,7 +130,10 @@ class Shader:
     graph: Graph
     notes: Notes
     parameters: tuple[ParameterInfo, ...]
-    """All declared parameters in declaration order, used or not: they fix the blocks' layout."""
+    """All declared parameters in declaration order, used or not: they fix the blocks' layout.
+
+    Those of the host's own blocks come last.
+    """
     resources: tuple[ResourceInfo, ...]
     attributes: tuple[AttributeInfo, ...]
     clip_position: Node
@@ -112,3 +141,5 @@ class Shader:
     targets: tuple[TargetInfo, ...]
     """Values in the fragment domain."""
     discard: Node | None
+    externs: tuple[ExternInfo, ...] = ()
+    """The host's own blocks."""

@@ -12,11 +12,14 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.source import Span
 from ..ir import build
-from ..ir.leaves import InterpolationMode
+from ..ir.leaves import Attribute, InterpolationMode
 from ..ir.node import Graph, Node, reachable
 from ..ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
 from .shader import Notes
+
+VERTEX_INPUTS = ("vertex_index", "instance_index")
+"""What the pipeline supplies to the vertex stage: numbers of the vertex and of the instance."""
 
 
 class Stages:
@@ -28,10 +31,14 @@ class Stages:
         self._notes = notes
         self._vertex: dict[int, Node] = {}
         self._varies: dict[int, bool] = {}
+        self._varies_within: dict[int, bool] = {}
 
     def attribute(self, leaf: Node) -> Node:
-        """A vertex input as the fragment stage sees it."""
-        return self._crossing(leaf)
+        """A vertex input as the fragment stage sees it; a matrix crosses column by column."""
+        if leaf.op != "matrix":
+            return self._crossing(leaf)
+        columns = tuple(self._crossing(column) for column in leaf.operands)
+        return self._graph.node("matrix", leaf.type, columns)
 
     def interpolated(self, node: Node, span: Span) -> Node | Failure:
         """``@vertex node``; the node itself where it is the same at every vertex."""
@@ -78,7 +85,8 @@ class Stages:
         kind = scalar_kind(inner.type)
         if kind == "bool":
             return self._bool_crossing(inner)
-        mode: InterpolationMode = "perspective" if kind == "float" else "flat"
+        smooth = kind == "float" and self._varying(inner, within_instance=True)
+        mode: InterpolationMode = "perspective" if smooth else "flat"
         return self._graph.node("interpolate", inner.type, (inner,), mode)
 
     def _bool_crossing(self, inner: Node) -> Node:
@@ -92,18 +100,27 @@ class Stages:
             lanes.append(self._graph.node("call", with_width("bool", 1), (crossed, zero), "ne"))
         return build.vector(self._graph, tuple(lanes))
 
-    def _varying(self, root: Node) -> bool:
-        """Whether a vertex-domain value depends on the vertex at all."""
+    def _varying(self, root: Node, *, within_instance: bool = False) -> bool:
+        """Whether a vertex-domain value depends on the vertex, or just on the instance."""
+        known = self._varies_within if within_instance else self._varies
         for node in reachable((root,)):
-            if node.id not in self._varies:
-                self._varies[node.id] = node.op in ("attribute", "input") or any(
-                    self._varies[operand.id] for operand in node.operands
-                )
-        return self._varies[root.id]
+            if node.id not in known:
+                own = node.op in ("attribute", "input")
+                if own and within_instance:
+                    own = not _of_instance(node)
+                known[node.id] = own or any(known[operand.id] for operand in node.operands)
+        return known[root.id]
+
+
+def _of_instance(leaf: Node) -> bool:
+    """Whether an input is the same at all vertices of an instance."""
+    if isinstance(leaf.data, Attribute):
+        return leaf.data.step == "instance"
+    return leaf.data == "instance_index"
 
 
 def _fragment_only(node: Node) -> bool:
     """Whether a value exists in the fragment stage alone."""
     if node.op == "call":
         return BUILTINS[str(node.data)].uniform_control_flow
-    return node.op == "input"
+    return node.op == "input" and node.data not in VERTEX_INPUTS

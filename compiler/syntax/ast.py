@@ -133,20 +133,53 @@ class AtRate:
 
 
 @frozen(eq=False)
-class Fold:
-    """``sum i in a..b : e`` over ``a <= i < b``."""
+class Array:
+    """``[a, b, c]``."""
 
     span: Span
-    operator: Literal["sum", "product"]
+    elements: tuple[Expression, ...]
+
+
+@frozen(eq=False)
+class Turns:
+    """``i in a..b up to n``: the turns of a loop, ``a <= i < b``, and how many there can be."""
+
     variable: Name
+    """Empty where the turns have no number: ``up to n``."""
     start: Expression
     end: Expression
+    most: Expression | None
+
+
+FoldWord = Literal["sum", "product", "min", "max", "any", "all"]
+
+
+@frozen(eq=False)
+class Fold:
+    """``sum i in a..b : e``, with ``from x`` where it has a value to begin with."""
+
+    span: Span
+    operator: FoldWord
+    turns: Turns
+    initial: Expression | None
+    body: Expression
+
+
+@frozen(eq=False)
+class Iterate:
+    """``iterate x from e up to n while c : next``."""
+
+    span: Span
+    state: Name
+    initial: Expression
+    turns: Turns
+    condition: Expression | None
     body: Expression
 
 
 Expression = (
     Number | Color | Boolean | Reference | Unary | Binary | Conditional | Call | Field | Index
-    | With | AtRate | Fold
+    | With | AtRate | Array | Fold | Iterate
 )  # fmt: skip
 
 
@@ -200,6 +233,8 @@ class Attribute:
     doc: str
     name: Name
     type: TypeName
+    rate: Name | None = None
+    """The ``instance`` of ``per instance``."""
 
 
 @frozen(eq=False)
@@ -265,6 +300,20 @@ class Record:
     base: Name | None
     blend: Name | None
     """Default blending of a pass's targets."""
+    members: tuple[Member, ...]
+    mixins: tuple[Name, ...] = ()
+    """``: Base + First + Second``, in the order written."""
+
+
+@frozen(eq=False)
+class Mixin:
+    """``mixin Flicker for light { … }``: members for records that already have a base."""
+
+    span: Span
+    doc: str
+    kind: Literal["material", "light", "pass"]
+    """Of the records that it is for."""
+    name: Name
     members: tuple[Member, ...]
 
 
@@ -349,6 +398,32 @@ class StructDeclaration:
 
 
 @frozen(eq=False)
+class ExternMember:
+    """``time : float at 76``: a member of a block that the host owns, at its offset in bytes."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    offset: Number
+    default: Expression | None
+
+
+@frozen(eq=False)
+class ExternBlock:
+    """``extern block PerFrame per frame at group 0, binding 3 { … }``."""
+
+    span: Span
+    doc: str
+    name: Name
+    group: Name | None
+    """How often the host changes it; ``frame`` if nothing is written."""
+    bind_group: Number
+    binding: Number
+    members: tuple[ExternMember, ...]
+
+
+@frozen(eq=False)
 class Space:
     """``space bench``: a coordinate space of the user's own."""
 
@@ -368,7 +443,9 @@ class Constant:
     value: Expression
 
 
-Declaration = Import | Record | Function | Rig | StructDeclaration | Space | Constant
+Declaration = (
+    Import | Record | Mixin | Function | Rig | StructDeclaration | ExternBlock | Space | Constant
+)  # fmt: skip
 
 
 @frozen(eq=False)

@@ -73,12 +73,25 @@ class Builder:
         abstract: Token | None,
         kind: Literal["material", "light", "pass"],
         name: Name,
-        base: Name | None,
+        bases: tuple[Name, ...],
         blend: Name | None,
         *members: ast.Member,
     ) -> ast.Record:
-        doc = self._doc(span)
-        return ast.Record(span, doc, kind, name, abstract is not None, base, blend, members)
+        base = bases[0] if bases else None
+        doc, mixins = self._doc(span), bases[1:]
+        return ast.Record(span, doc, kind, name, abstract is not None, base, blend, members, mixins)
+
+    def bases(self, _: Span, base: Name | None, *mixins: Name) -> tuple[Name, ...]:
+        return () if base is None else (base, *mixins)
+
+    def mixin(
+        self,
+        span: Span,
+        name: Name,
+        kind: Literal["material", "light", "pass"] | None,
+        *members: ast.Member,
+    ) -> ast.Mixin:
+        return ast.Mixin(span, self._doc(span), kind or "material", name, members)
 
     def kind(self, _: Span, word: Token) -> str:
         return word.text
@@ -108,8 +121,10 @@ class Builder:
     def setting(self, _: Span, name: Name, value: Name) -> tuple[Name, Name]:
         return name, value
 
-    def attribute(self, span: Span, name: Name, kind: ast.TypeName) -> ast.Attribute:
-        return ast.Attribute(span, self._doc(span), name, kind)
+    def attribute(
+        self, span: Span, name: Name, kind: ast.TypeName, rate: Name | None
+    ) -> ast.Attribute:
+        return ast.Attribute(span, self._doc(span), name, kind, rate)
 
     def typed_slot(
         self, span: Span, name: Name, kind: ast.TypeName, value: Expression | None
@@ -204,6 +219,27 @@ class Builder:
     def field(self, span: Span, name: Name, kind: ast.TypeName) -> ast.StructMember:
         return ast.StructMember(span, self._doc(span), name, kind)
 
+    def extern(
+        self,
+        span: Span,
+        name: Name,
+        group: Name | None,
+        bind_group: ast.Number,
+        binding: ast.Number,
+        *members: ast.ExternMember,
+    ) -> ast.ExternBlock:
+        return ast.ExternBlock(span, self._doc(span), name, group, bind_group, binding, members)
+
+    def extern_member(
+        self,
+        span: Span,
+        name: Name,
+        kind: ast.TypeName,
+        offset: ast.Number,
+        default: Expression | None,
+    ) -> ast.ExternMember:
+        return ast.ExternMember(span, self._doc(span), name, kind, offset, default)
+
     # --- types ---
 
     def type(
@@ -222,10 +258,41 @@ class Builder:
         return ast.Conditional(span, condition, then, otherwise)
 
     def fold(
-        self, span: Span, operator: Token, variable: Name, over: Range, body: Expression
+        self,
+        span: Span,
+        operator: ast.FoldWord,
+        variable: Name,
+        over: Range,
+        most: Expression | None,
+        initial: Expression | None,
+        body: Expression,
     ) -> ast.Fold:
-        word = cast(Literal["sum", "product"], operator.text)
-        return ast.Fold(span, word, variable, *over, body)
+        return ast.Fold(span, operator, ast.Turns(variable, *over, most), initial, body)
+
+    def folding(self, _: Span, word: Token) -> str:
+        return word.text
+
+    def up_to(self, _: Span, most: Expression) -> Expression:
+        return most
+
+    def iterate(
+        self,
+        span: Span,
+        state: Name,
+        initial: Expression,
+        turns: ast.Turns,
+        condition: Expression | None,
+        body: Expression,
+    ) -> ast.Iterate:
+        return ast.Iterate(span, state, initial, turns, condition, body)
+
+    def at_most_turns(self, span: Span, most: Expression) -> ast.Turns:
+        return ast.Turns(Name("", span), ast.Number(span, "0", "int"), most, None)
+
+    def counted_turns(
+        self, _: Span, variable: Name, over: Range, most: Expression | None
+    ) -> ast.Turns:
+        return ast.Turns(variable, *over, most)
 
     def range(self, _: Span, start: Expression, end: Expression) -> Range:
         return start, end
@@ -271,6 +338,9 @@ class Builder:
         if len(digits) == 3:
             digits = "".join(digit * 2 for digit in digits)
         return ast.Color(span, tuple(bytes.fromhex(digits)))
+
+    def array(self, span: Span, *elements: Expression) -> ast.Array:
+        return ast.Array(span, elements)
 
     def boolean(self, span: Span, word: Token) -> ast.Boolean:
         return ast.Boolean(span, word.text == "true")

@@ -12,11 +12,16 @@ from .tokens import RESERVED, Token
 NESTING_LIMIT = 200
 
 _DECLARATION_WORDS = frozenset(
-    ("abstract", "fn", "import", "light", "material", "pass", "rig", "space", "struct", "term")
-)
+    (
+        "abstract", "extern", "fn", "import", "light", "material", "mixin", "pass", "rig", "space",
+        "struct", "term",
+    )
+)  # fmt: skip
+_TWO_WORDS = frozenset(("abstract", "extern"))
+"""What another word of the declaration's own follows before its name."""
 _MEMBER_WORDS = frozenset(("attribute", "discard", "map", "param", "target"))
-_AWAITS_NAME = frozenset(("blend", "in", "per"))
-_HEADER_ENDS = frozenset((":", "{", "(", "<", "blend"))
+_AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
+_HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 _CLOSERS = frozenset(_CLOSED_BY.values())
 _CAN_END = frozenset(
@@ -99,7 +104,7 @@ class Outline:
         word = self.tokens[index].text
         if word not in _DECLARATION_WORDS or self._kind(index + 1) in ("=", ":"):
             return 0
-        length = 3 if word == "abstract" else 2
+        length = 3 if word in _TWO_WORDS else 2
         if not self._open and self._may_follow(index):
             return length
         complete = (

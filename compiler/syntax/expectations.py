@@ -6,12 +6,13 @@ from .tables import END
 from .tokens import Token
 
 _EXPRESSION = {
-    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "@", "not", "if", "sum", "product",
+    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "@", "not", "if", "sum", "product", "min",
+    "max", "any", "all", "iterate", "[",
 }  # fmt: skip
 _MEMBER = {"NAME", "param", "map", "attribute", "target", "discard"}
 _DECLARATION = {
-    "NAME", "import", "abstract", "material", "light", "pass", "fn", "term", "rig", "struct",
-    "space", "burnish",
+    "NAME", "import", "abstract", "material", "light", "pass", "mixin", "fn", "term", "rig",
+    "struct", "extern", "space", "burnish",
 }  # fmt: skip
 _OPERATORS = {
     "+", "-", "*", "/", "mod", "==", "!=", "<", "<=", ">", ">=", "and", "or", "(", "[", ".", "with",

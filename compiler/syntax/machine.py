@@ -46,9 +46,9 @@ class Machine:
 
     def feed(self, symbol: str, token: Token) -> bool:
         """Shift ``token`` as ``symbol``; False where the grammar has no place for it."""
-        states = self._states
+        states, actions = self._states, self._actions
         while True:
-            action = self._actions[states[-1]].get(symbol)
+            action = actions[states[-1]].get(symbol)
             if action is None:
                 return False
             if action >= 0:
@@ -57,9 +57,30 @@ class Machine:
                 self._starts.append(token.start)
                 self._ends.append(token.end)
                 return True
-            self._reduce(self._tables.productions[~action])
+            production = self._tables.productions[~action]
+            if production.collapses and production.length == 1:
+                states[-1] = self._collapsed(states[-2], states[-1], symbol)
+                continue
+            self._reduce(production)
             if symbol == END and states[-1] == self._tables.accept:
                 return True
+
+    def _collapsed(self, below: int, state: int, symbol: str) -> int:
+        """The state after all reductions in a row that only rename the newest part.
+
+        A name alone is a primary, a product, a sum, …: with one level of precedence for each of
+        them these chains are most of all reductions, so each is followed once and kept.
+        """
+        known = self._tables.collapsed
+        key = (below, state, symbol)
+        if key not in known:
+            while (action := self._actions[state].get(symbol, 0)) < 0:
+                production = self._tables.productions[~action]
+                if production.length != 1 or not production.collapses:
+                    break
+                state = self._tables.gotos[below][production.origin]
+            known[key] = state
+        return known[key]
 
     def unwind(self, origins: Sequence[str]) -> bool:
         """Drop what is unfinished, down to where one of ``origins`` may begin; False if nowhere."""
@@ -97,9 +118,6 @@ class Machine:
         """Replace the newest parts by what they make together."""
         origin, length, method, plan, collapses = production
         states, values = self._states, self._values
-        if length == 1 and collapses:
-            states[-1] = self._tables.gotos[states[-2]][origin]
-            return
         parts: list[object] = []
         end = start = self._ends[-1] if self._ends else 0
         if length:

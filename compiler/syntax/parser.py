@@ -17,9 +17,10 @@ from .machine import Machine
 from .tables import END, load_tables
 from .tokens import Token
 
-_BODY_PARTS = ("slot", "entry", "field")
+_BODY_PARTS = ("slot", "entry", "field", "extern_member")
 _FILE_PARTS = ("record",)
-_FOLDS = ("sum", "product")
+_FOLDS = {**dict.fromkeys(("sum", "product", "min", "max", "any", "all"), "in"), "iterate": "from"}
+"""Words that begin a fold, and what follows the name behind them; else they are names."""
 
 
 def parse(source: Source, report: Report) -> ast.File:
@@ -81,8 +82,9 @@ class _Parser:
     def _names_something(self, index: int) -> bool:
         """Whether the tokens after a word show it to be a name."""
         following = self._tokens[index + 1 : index + 3]
-        if self._tokens[index].text in _FOLDS:
-            return [token.kind for token in following[:1]] != ["NAME"] or following[-1].text != "in"
+        second = _FOLDS.get(self._tokens[index].text)
+        if second is not None:
+            return [t.kind for t in following[:1]] != ["NAME"] or following[-1].text != second
         return bool(following) and following[0].kind in ("=", ":")
 
     def _next_start(self, begin: int, chunk: Chunk) -> int:

@@ -46,6 +46,8 @@ class Tables(NamedTuple):
     """Words and punctuation, which stand for themselves as symbols."""
     patterns: dict[str, str]
     """Regular expressions of the other symbols."""
+    collapsed: dict[tuple[int, int, str], int]
+    """What the machine has found of chains of reductions that change nothing but the state."""
 
 
 @cache
@@ -56,7 +58,7 @@ def load_tables() -> Tables:
         "grammar", (_FORMAT, grammar), lambda: _compute(grammar)
     )
     made = [Production(*production) for production in productions]
-    return Tables(actions, gotos, made, start, accept, frozenset(literals), patterns)
+    return Tables(actions, gotos, made, start, accept, frozenset(literals), patterns, {})
 
 
 def _compute(grammar: str) -> tuple[Any, ...]:

@@ -55,9 +55,9 @@ def _whole_quotient(x: Fact, y: Fact) -> Fact:
 
 def _remainder(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y = facts
-    exact = Fact(min(y.lo, 0.0), max(y.hi, 0.0))
     if x.kind != "float":
-        return exact.as_kind(x.kind)
+        return Fact(min(y.lo + 1, 0.0), max(y.hi - 1, 0.0)).as_kind(x.kind)
+    exact = Fact(min(y.lo, 0.0), max(y.hi, 0.0))
     # In float32 the floored quotient may be one off, and its product with y is rounded.
     return around(exact, (x.most + y.most) * 2.0**-20)
 

@@ -7,7 +7,6 @@ all to Vulkan's binding 0.
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from itertools import count
 
@@ -40,7 +39,11 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     blocks: dict[str, Slot] = {}
     textures: dict[str, Slot] = {}
     samplers: dict[str, Slot] = {}
-    numbers: defaultdict[int, Iterator[int]] = defaultdict(count)
+    hosts = {block.name: block.host for block in program.blocks if block.host is not None}
+    for name, place in hosts.items():
+        blocks[name] = Slot(place.group, place.binding)
+    taken = frozenset(blocks.values())
+    numbers = {set_: _free(set_, taken) for set_ in {*profile.sets.values(), profile.default_set}}
     for group in _groups(program):
         set_ = profile.sets.get(group, profile.default_set)
         for block in _blocks_of(program, group):
@@ -56,12 +59,17 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     return Bindings(blocks, textures, samplers)
 
 
+def _free(set_: int, taken: frozenset[Slot]) -> Iterator[int]:
+    """The numbers within a set that the host's own blocks leave."""
+    return (number for number in count() if Slot(set_, number) not in taken)
+
+
 def _groups(program: Program) -> list[str]:
     owners: list[Block | Resource] = [*program.blocks, *program.resources]
     return list(dict.fromkeys(owner.group for owner in owners))
 
 
 def _blocks_of(program: Program, group: str) -> list[Block]:
-    """The group's plain block, then the derived one."""
-    found = [block for block in program.blocks if block.group == group]
+    """The group's plain block, then the derived one; not the host's own."""
+    found = [block for block in program.blocks if block.group == group and block.host is None]
     return sorted(found, key=lambda block: block.derived)

@@ -103,6 +103,7 @@ class Forms:
     """
 
     let: str = "{typed} = {value};"
+    constant_array: str = "const {typed} = {value};"
     variable: str = "{typed};"
     variable_set: str = "{typed} = {value};"
     loop: str = "for ({index_typed} = {zero}; {index} < {count}; {index}++) {{"
@@ -117,6 +118,8 @@ class Forms:
     matrix_by_rows: bool = False
     """Whether a matrix of constants lists its lanes row by row."""
     column: str = "{matrix}[{position}]"
+    array: str = "{type}({elements})"
+    """An array from its elements."""
     member: str = "{name}"
     """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
     texture: str = "{texture}"
@@ -197,6 +200,8 @@ class Profile:
     """Where a user's own groups go."""
     varyings: int = 16
     """Vectors that cross between the stages: what every device of the profile has at least."""
+    attributes: int = 16
+    """Locations of vertex inputs; likewise."""
     textures: int = 16
     """Textures with their samplers that one stage reads; likewise."""
     block_bytes: int = 16384

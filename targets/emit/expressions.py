@@ -22,6 +22,7 @@ from .literals import literal
 from .natives import Natives, Operand
 from .precedence import Binding, Text, choice
 
+_ASSIGNING = {"add": "+=", "mul": "*="}
 DEEPEST = 200
 """Expressions nested deeper are refused by naga; the scheduler stays far below."""
 
@@ -38,7 +39,9 @@ class Expressions:
         self.bound: dict[int, str] = {}
         """Names of bound nodes, by id."""
         self.formals: dict[Formal, str] = {}
-        """Names of the parameters and loop indices in scope."""
+        """Names of the parameters, loop indices and states in scope."""
+        self.states: dict[tuple[int, str], str] = {}
+        """Names of what loops with several states leave, by the loop's id and the member."""
         self._forms = context.target.forms
         self._literals = context.target.literals
         self._types = context.types
@@ -58,6 +61,7 @@ class Expressions:
             "vector": self._vector,
             "splat": self._splat,
             "matrix": self._matrix,
+            "array": self._array,
             "swizzle": self._swizzle,
             "index": self._index,
             "member": self._member,
@@ -82,6 +86,15 @@ class Expressions:
         text = self._printers[node.op](node)
         self._depth -= 1
         return text
+
+    def accumulated(self, operator: str, name: str, value: Node) -> str:
+        """The statement by which a turn of a fold adds its value to a variable."""
+        if operator in _ASSIGNING:
+            return f"{name} {_ASSIGNING[operator]} {self.text(value)};"
+        # The value comes first: what may leave its second operand out shall not leave that out.
+        operands = self.operand(value), Text(name, Binding.NAME)
+        combined = self._natives.combined(operator, value.type, operands)
+        return f"{name} = {combined.text};"
 
     def _arguments(self, nodes: tuple[Node, ...]) -> str:
         return ", ".join(map(self.text, nodes))
@@ -132,6 +145,10 @@ class Expressions:
         columns = self._arguments(node.operands)
         return Text(self._forms.matrix.format(type=type_, columns=columns))
 
+    def _array(self, node: Node) -> Text:
+        type_, elements = self._types.type(node.type), self._arguments(node.operands)
+        return Text(self._forms.array.format(type=type_, elements=elements))
+
     def _swizzle(self, node: Node) -> Text:
         assert isinstance(node.data, tuple)
         (source,) = node.operands
@@ -151,6 +168,8 @@ class Expressions:
     def _member(self, node: Node) -> Text:
         (owner,) = node.operands
         assert isinstance(owner.type, Struct) and isinstance(node.data, str)
+        if owner.op == "iterate":
+            return Text(self.states[owner.id, node.data], Binding.NAME)
         name = self._names.member(owner.type.name, node.data)
         return Text(f"{self.operand(owner).within(Binding.POSTFIX)}.{name}")
 

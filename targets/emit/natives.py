@@ -68,11 +68,14 @@ class Natives:
         spelled = spelling_of(node.data, [operand.type for operand in node.operands], self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
-        if len(operands) == 2 and spelled in INFIX:
-            return infix(spelled, *operands)
-        if len(operands) == 1 and spelled in PREFIX:
-            return prefix(spelled, operands[0])
-        return Text(f"{spelled}({', '.join(operand.text for operand in operands)})")
+        return _written(spelled, operands)
+
+    def combined(self, name: str, type_: Type, operands: Sequence[Text]) -> Text:
+        """Builtin ``name`` of operands that are all of one plain type, which is the result's."""
+        spelled = spelling_of(name, [type_] * len(operands), self._table)
+        if "{" in spelled:
+            return Text(spelled.format(*map(Operand, operands), type=self._spell_type(type_)))
+        return _written(spelled, operands)
 
     def _widened(self, node: Node, operands: Sequence[Text]) -> list[Text]:
         """The operands, scalars among them as vectors where the result is one."""
@@ -92,3 +95,12 @@ class Natives:
                 sampler="".join(map(self._leaves.sampler, textures)),
             )
         )
+
+
+def _written(spelled: str, operands: Sequence[Text]) -> Text:
+    """A symbol between or before its operands, or a call."""
+    if len(operands) == 2 and spelled in INFIX:
+        return infix(spelled, *operands)
+    if len(operands) == 1 and spelled in PREFIX:
+        return prefix(spelled, operands[0])
+    return Text(f"{spelled}({', '.join(operand.text for operand in operands)})")

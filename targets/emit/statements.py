@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TypeAlias
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Branch, Let, Loop, Region, Statement
+from ...compiler.ir.program import Branch, Iterate, Let, Loop, Region
 from ...compiler.ir.types import UINT, Scalar, ScalarKind
 from .comments import comment_lines
 from .context import Context
 from .expressions import Expressions
 from .literals import literal
 from .namer import Namer
+from .precedence import Binding
 
 INDENT = "    "
 
@@ -71,14 +73,24 @@ class Statements:
                     yield from self._branch(statement)
                 case Loop():
                     yield from self._loop(statement)
+                case Iterate():
+                    yield from self._iterate(statement)
 
     def _let(self, let: Let) -> Lines:
         yield from comment_lines(let.doc, "//")
         value = self._expressions.expression(let.node).text
-        name = self._bind(let)
+        name = self._namer.declare(let.name)
+        self._expressions.bound[let.node.id] = name
         typed = self._types.declare(name, let.node.type)
-        text = self._forms.let.format(name=name, typed=typed, value=value)
+        text = self._form(let.node).format(name=name, typed=typed, value=value)
         yield Traced(text, let.node.id)
+
+    def _form(self, node: Node) -> str:
+        """How a value that stays as it is gets its name."""
+        if node.op != "array":
+            return self._forms.let
+        constant = all(element.op == "constant" for element in node.operands)
+        return self._forms.constant_array if constant else self._forms.variable_set
 
     def _branch(self, branch: Branch) -> Lines:
         condition, then, otherwise = branch.node.operands
@@ -92,10 +104,10 @@ class Statements:
         else:
             yield self._forms.variable.format(name=name, typed=typed)
         yield f"if ({test}) {{"
-        yield self._block(branch.then, name, "=", then)
+        yield self._block(branch.then, name, then)
         if not short:
             yield "} else {"
-            yield self._block(branch.otherwise, name, "=", otherwise)
+            yield self._block(branch.otherwise, name, otherwise)
         yield "}"
         self._expressions.bound[branch.node.id] = name
 
@@ -103,27 +115,86 @@ class Statements:
         count = self._count(loop)
         start = self._expressions.text(loop.start)
         name = self._namer.declare(loop.name)
-        yield self._forms.variable_set.format(
-            name=name, typed=self._types.declare(name, loop.node.type), value=start
-        )
+        yield self._variable(name, loop.node, start)
+        yield self._opened(loop, count)
+        yield self._turn(loop, name)
+        yield "}"
+        self._namer.leave()
+        self._expressions.bound[loop.node.id] = name
+
+    def _variable(self, name: str, node: Node, value: str) -> str:
+        typed = self._types.declare(name, node.type)
+        return self._forms.variable_set.format(name=name, typed=typed, value=value)
+
+    def _opened(self, loop: Loop | Iterate, count: str, going: Node | None = None) -> str:
+        """A loop's first line; what is declared from now on is inside of it.
+
+        A condition stands there if nothing has to be computed for it before: loops with one way
+        out are what drivers know best.
+        """
         # Declared out here, since C-like languages once kept a loop's variable for what follows.
         index = self._namer.declare(loop.index.name)
         self._namer.enter()
+        self._expressions.formals[loop.index] = index
         kind = loop.count.type.kind if isinstance(loop.count.type, Scalar) else "int"
-        yield self._forms.loop.format(
+        if going is not None:
+            count += f" && {self._expressions.operand(going).within(Binding.AND)}"
+        return self._forms.loop.format(
             index=index,
             index_typed=self._types.declare(index, loop.count.type),
             zero=literal(0, kind, self._literals),
             count=count,
         )
-        self._expressions.formals[loop.index] = index
-        sign = "+=" if loop.operator == "add" else "*="
-        yield self._block(loop.body, name, sign, loop.value)
+
+    def _turn(self, loop: Loop, name: str) -> Lines:
+        with self._inside():
+            yield from self._region(loop.body)
+            combined = self._expressions.accumulated(loop.operator, name, loop.value)
+            yield Traced(combined, loop.value.id)
+
+    def _iterate(self, loop: Iterate) -> Lines:
+        """States as variables; a loop that a condition in its middle leaves."""
+        expressions = self._expressions
+        count = self._count(loop)
+        starts = [expressions.text(state.start) for state in loop.states]
+        names = [self._namer.declare(state.name) for state in loop.states]
+        for state, name, start in zip(loop.states, names, starts, strict=True):
+            yield self._variable(name, state.start, start)
+            expressions.formals[state.formal] = name
+        if not loop.head.statements and loop.going.op != "constant":
+            yield self._opened(loop, count, loop.going)
+        else:
+            yield self._opened(loop, count)
+        yield self._step(loop, names)
         yield "}"
         self._namer.leave()
-        self._expressions.bound[loop.node.id] = name
+        if len(names) == 1:
+            expressions.bound[loop.node.id] = names[0]
+        for position, name in zip(loop.positions, names, strict=True):
+            expressions.states[loop.node.id, str(position)] = name
 
-    def _count(self, loop: Loop) -> str:
+    def _step(self, loop: Iterate, names: list[str]) -> Lines:
+        """One turn: whether to stop, and what the states become."""
+        expressions = self._expressions
+        with self._inside():
+            yield from self._region(loop.head)
+            if loop.head.statements:
+                going = expressions.operand(loop.going).within(Binding.POSTFIX)
+                yield f"if (!{going}) {{ break; }}"
+            yield from self._region(loop.body)
+            kept: list[tuple[str, str]] = []
+            for state, name in zip(loop.states, names, strict=True):
+                value = expressions.text(state.next)
+                if state.kept:
+                    waiting = self._namer.declare(f"{name}_next")
+                    yield self._variable(waiting, state.next, value)
+                    kept.append((name, waiting))
+                else:
+                    yield Traced(f"{name} = {value};", state.next.id)
+            for name, waiting in kept:
+                yield f"{name} = {waiting};"
+
+    def _count(self, loop: Loop | Iterate) -> str:
         """How often to turn: never more than the bound, whatever the host has set."""
         kind: ScalarKind = "uint" if loop.count.type == UINT else "int"
         bound = literal(loop.bound, kind, self._literals)
@@ -131,18 +202,19 @@ class Statements:
             return literal(min(loop.count.data, loop.bound), kind, self._literals)
         return f"min({self._expressions.text(loop.count)}, {bound})"
 
-    def _block(self, region: Region, name: str, sign: str, value: Node) -> Lines:
+    def _block(self, region: Region, name: str, value: Node) -> Lines:
         """A nested region that ends in giving ``value`` to the variable ``name``."""
+        with self._inside():
+            yield from self._region(region)
+            yield Traced(f"{name} = {self._expressions.text(value)};", value.id)
+
+    @contextmanager
+    def _inside(self) -> Iterator[None]:
+        """A nested block: what is bound in it is known no longer behind it."""
         bound = self._expressions.bound
         outer = len(bound)
         self._namer.enter()
-        yield from self._region(region)
-        yield Traced(f"{name} {sign} {self._expressions.text(value)};", value.id)
+        yield
         self._namer.leave()
         while len(bound) > outer:
             bound.popitem()
-
-    def _bind(self, statement: Statement) -> str:
-        name = self._namer.declare(statement.name)
-        self._expressions.bound[statement.node.id] = name
-        return name

@@ -38,6 +38,8 @@ FORMS = Forms(
     splat_constant=False,
     matrix="transpose({type}({columns}))",
     matrix_by_rows=True,
+    array="{{{elements}}}",
+    constant_array="static const {typed} = {value};",
     column="transpose({matrix})[{position}]",
     input="input.{name}",
 )
@@ -137,13 +139,14 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     """The semantic by which a host or the next stage finds a field.
 
     An attribute has its own name in capitals, with trailing digits as the index: ``texcoord1`` is
-    ``TEXCOORD1``. System values cannot be attributes, so that prefix is kept apart.
+    ``TEXCOORD1``, and a matrix's column ``bend.1`` is ``BEND_COLUMN1``. System values cannot be
+    attributes, so that prefix is kept apart.
     """
     if role == "varying":
         return f"TEXCOORD{location}"
     if role == "target":
         return f"SV_Target{location}"
-    word = name.upper()
+    word = name.upper().replace(".", "_COLUMN")
     return f"ATTRIBUTE_{word}" if re.match("SV_", word) else word
 
 

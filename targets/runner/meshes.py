@@ -7,7 +7,8 @@ outside), y up, with triangles counter-clockwise as seen from outside.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +16,20 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-CHANNELS = {"position": 3, "normal": 3, "uv": 2, "tangent": 4, "color": 4}
+CHANNELS = {
+    "position": 3, "normal": 3, "uv": 2, "tangent": 4, "color": 4, "uv2": 2, "joints": 4,
+    "weights": 4,
+}  # fmt: skip
 """What a mesh may have at each vertex, and its lanes.
 
 ``uv`` has v down. ``tangent`` points along u; its w is the sign with which
-``cross(normal, tangent)`` points up, against v. ``color`` is linear, alpha last.
+``cross(normal, tangent)`` points up, against v. ``color`` is linear, alpha last. ``uv2`` is a
+second unwrapping. ``joints`` are numbers of bones, and ``weights`` how much each of them moves the
+vertex; they add up to 1.
 """
+
+BONES = 4
+"""How many bones move the meshes here, each a slice of their height, the lowest one first."""
 
 
 class MeshError(ValueError):
@@ -31,10 +40,13 @@ class MeshError(ValueError):
 class Mesh:
     """Triangles with something at each vertex."""
 
-    channels: Mapping[str, Floats]
+    channels: Mapping[str, NDArray[Any]]
     """By channel (see ``CHANNELS``) or by the name of a vertex input: (vertices, lanes)."""
     triangles: Indices
     """Vertex numbers, (triangles, 3); the first of a triangle is its provoking vertex."""
+    instances: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    """By the name of a vertex input that each instance has: (instances, lanes)."""
+    instance_count: int = 1
 
     def __post_init__(self) -> None:
         if "position" not in self.channels:
@@ -72,7 +84,7 @@ def farthest_first(mesh: Mesh, eye: Sequence[float]) -> Mesh:
     """
     middles = mesh.channels["position"][mesh.triangles].mean(axis=1)
     distances = np.linalg.norm(middles - np.asarray(eye), axis=1)
-    return Mesh(mesh.channels, mesh.triangles[np.argsort(-distances, kind="stable")])
+    return replace(mesh, triangles=mesh.triangles[np.argsort(-distances, kind="stable")])
 
 
 def sphere(around: int = 64, down: int = 32) -> Mesh:
@@ -163,9 +175,26 @@ def _made(
         "uv": np.stack([u, v], 1),
         "tangent": np.concatenate([tangent, upwards], 1),
         "color": color,
+        "uv2": np.stack([0.5 + 0.45 * position[:, 0], 0.5 - 0.45 * position[:, 1]], 1),
     }
-    rounded = {name: values.astype(np.float32).astype(float) for name, values in channels.items()}
-    return Mesh(rounded, _not_degenerate(triangles, position))
+    channels["weights"], joints = _skin(position)
+    rounded: dict[str, NDArray[Any]] = {
+        name: values.astype(np.float32).astype(float) for name, values in channels.items()
+    }
+    return Mesh({**rounded, "joints": joints}, _not_degenerate(triangles, position))
+
+
+def _skin(position: Floats) -> tuple[Floats, Indices]:
+    """Weights and bones of each vertex: the two bones whose middles lie around its height."""
+    height = np.clip((position[:, 1] + 1) / 2, 0, 1) * (BONES - 1)
+    lower = np.minimum(np.floor(height), BONES - 2).astype(np.int64)
+    # In steps that floats hold exactly, so that the weights add up to 1.
+    share = np.round((height - lower) * 64) / 64
+    none = np.zeros(len(position))
+    return (
+        np.stack([1 - share, share, none, none], 1),
+        np.stack([lower, lower + 1, 0 * lower, 0 * lower], 1),
+    )
 
 
 def _not_degenerate(triangles: Indices, position: Floats) -> Indices:

@@ -99,7 +99,7 @@ def target_format(row: Mapping[str, Any], *, exact: bool) -> TargetFormat:
 
 def _input(row: Mapping[str, Any], backend: Mapping[str, Any]) -> Input:
     identifier = backend["vertex_inputs"][row["name"]]["identifier"]
-    return Input(identifier, row["location"], VERTEX_FORMATS[row["representation"]])
+    return Input(identifier, row["location"], VERTEX_FORMATS[row["representation"]], row["step"])
 
 
 def _place(row: Mapping[str, Any]) -> Place:

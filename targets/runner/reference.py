@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from ...compiler.ir.node import reachable
-from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
+from ...compiler.reference.picture import Expected, RasterRules, Texels, draw
 from ...compiler.semantics.shader import Shader
 from .drivers.wire import to_json
 from .shots import Shot
@@ -33,7 +33,7 @@ def expected(
         shader,
         instance.values(),
         {name: Texels(tuple(texture.linear())) for name, texture in instance.textures().items()},
-        Geometry(shot.attributes, shot.triangles),
+        shot.geometry(),
         rules,
         shot.clear,
         progress,

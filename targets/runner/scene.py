@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .instances.instance import Instance
-from .meshes import Mesh, MeshError
+from .meshes import BONES, Mesh, MeshError
 
 Matrix = NDArray[np.float64]
 """Rows and columns as in mathematics: ``m[row, column]``."""
@@ -28,6 +28,9 @@ Vector = tuple[float, float, float]
 
 _NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
 _GOLDEN_ANGLE = math.pi * (3 - math.sqrt(5))
+INSTANCES = 4
+"""How many instances are drawn of what tells them apart."""
+
 _LIGHT_TINTS = ((1.0, 0.95, 0.85), (0.55, 0.75, 1.0), (1.0, 0.6, 0.45), (0.6, 1.0, 0.7))
 
 
@@ -55,11 +58,12 @@ class Scene:
             "world_to_clip": _columns(self.world_to_clip(aspect)),
             "eye": self.eye,
             "object_to_world": _columns(np.array(self.object_to_world)),
+            "pose": pose(),
         }
-        declared = {row["name"] for row in instance.reflection["parameters"]}
-        for name, role in names["parameters"].items():
-            if name in declared:
-                instance.set(name, given[role])
+        for row in instance.reflection["parameters"]:
+            role = names["parameters"].get(row["name"]) or names["types"].get(row["type"])
+            if role is not None:
+                instance.set(row["name"], given[role])
         self._place_lights(instance, names["lights"])
 
     def world_to_clip(self, aspect: float) -> Matrix:
@@ -109,44 +113,89 @@ class Scene:
 
 @cache
 def scene_names() -> Mapping[str, Mapping[str, str]]:
-    """What the library's names stand for: tables ``attributes``, ``parameters``, ``lights``."""
+    """What the library's names stand for, as tables of the scene's own words."""
     return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
 
 
 def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[Any]]:
     """For each vertex input that the shader reads, the mesh's values, (vertices, lanes).
 
-    A channel is found by what ``stdlib/scene.toml`` says of the input's name, or by that name.
-    Raises ``MeshError`` for what the mesh does not have.
+    For one that each instance has, (instances, lanes). A channel is found by what
+    ``stdlib/scene.toml`` says of the input's name, or by that name. Raises ``MeshError`` for what
+    the mesh does not have.
     """
     roles = scene_names()["attributes"]
     found = {}
     for row in reflection["vertex_inputs"]:
+        held = mesh.instances if row["step"] == "instance" else mesh.channels
         channel = roles.get(row["name"], row["name"])
-        values = mesh.channels.get(row["name"], mesh.channels.get(channel))
+        values = held.get(row["name"], held.get(channel))
         if values is None:
             raise MeshError(
                 f"{reflection['material']} reads the vertex input `{row['name']}` "
-                f"({row['type']}), which the mesh does not have: it has {', '.join(mesh.channels)}"
+                f"({row['type']}), which the mesh does not have for each {row['step']}: "
+                f"it has {', '.join(held) or 'nothing'}"
             )
         found[row["name"]] = _with_lanes(row, values)
     return found
 
 
-def with_inputs(reflection: Mapping[str, Any], mesh: Mesh) -> Mesh:
-    """``mesh`` with a smooth pattern for each vertex input of the shader that it does not have."""
+def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INSTANCES) -> Mesh:
+    """``mesh`` with a smooth pattern for each vertex input of the shader that it does not have.
+
+    It is there ``instances`` times if the shader tells instances apart and the mesh does not say.
+    """
     roles = scene_names()["attributes"]
     position = mesh.channels["position"]
-    channels = dict(mesh.channels)
+    channels, count = dict(mesh.channels), mesh.instance_count
+    of_instances = dict(mesh.instances)
+    if is_instanced(reflection) and not of_instances:
+        count = instances
     for row in reflection["vertex_inputs"]:
         name = row["name"]
+        if row["step"] == "instance":
+            of_instances.setdefault(name, _of_instances(row, count))
+            continue
         channel = channels.get(name, channels.get(roles.get(name, name)))
         fits = channel is not None and (channel.dtype.kind == "f") == (
             row["representation"][0] not in "iu"
         )
         if not fits:
             channels[name] = _pattern(row, position)
-    return Mesh(channels, mesh.triangles)
+    return Mesh(channels, mesh.triangles, of_instances, count)
+
+
+def is_instanced(reflection: Mapping[str, Any]) -> bool:
+    """Whether a shader tells instances apart."""
+    rows = reflection["vertex_inputs"]
+    return "instance_index" in reflection["pipeline_inputs"]["vertex"] or any(
+        row["step"] == "instance" for row in rows
+    )
+
+
+def _of_instances(row: Mapping[str, Any], count: int) -> NDArray[Any]:
+    """What ``count`` instances have for an input: their places, or a pattern of their own."""
+    column = row["column"]
+    if column is not None and scene_names()["instances"].get(column["of"]) == "placement":
+        return placements(count)[:, :, column["index"]]
+    return _pattern(row, _places(count))
+
+
+def placements(count: int) -> NDArray[np.float64]:
+    """Transforms that put ``count`` small copies beside each other: (count, row, column)."""
+    transforms = np.zeros((count, 4, 4))
+    transforms[:, (0, 1, 2), (0, 1, 2)] = 0.5
+    transforms[:, :3, 3] = _places(count)
+    transforms[:, 3, 3] = 1
+    return transforms.astype(np.float32).astype(float)
+
+
+def _places(count: int) -> NDArray[np.float64]:
+    """Points around the origin, seen apart from each other; each has a depth of its own."""
+    turns = _GOLDEN_ANGLE * np.arange(count)
+    ring = 0.75 * np.sqrt((np.arange(count) + 0.5) / count)
+    depth = np.linspace(-0.4, 0.4, count) if count > 1 else np.zeros(1)
+    return np.stack([ring * np.cos(turns), ring * np.sin(turns), depth], 1)
 
 
 def _pattern(row: Mapping[str, Any], position: NDArray[np.float64]) -> NDArray[Any]:
@@ -182,6 +231,26 @@ def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
             filler[:, -1] = 1
         values = np.concatenate([values, filler], 1)
     return values[:, :lanes]
+
+
+def pose() -> tuple[tuple[tuple[float, ...], ...], ...]:
+    """A transform for each of 64 bones: the meshes here bow, each bone more than the last one.
+
+    Every bone turns around the origin of its own slice of the mesh; see ``meshes.BONES``.
+    """
+    return tuple(_columns(_bent(min(number, BONES - 1))) for number in range(64))
+
+
+def _bent(number: int) -> Matrix:
+    """A turn around z for each bone from the lowest up, each in the turned frame of those below."""
+    bent: Matrix = np.eye(4)
+    for below in range(number):
+        angle, height = math.radians(14), 2 * below / (BONES - 1) - 1
+        turn = np.eye(4)
+        turn[:2, :2] = [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]]
+        turn[:2, 3] = [math.sin(angle) * height, (1 - math.cos(angle)) * height]
+        bent = bent @ turn
+    return bent
 
 
 def _members(instance: Instance, light: Mapping[str, Any]) -> Iterator[str]:

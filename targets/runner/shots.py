@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.reference.picture import Geometry
+from ...compiler.reference.picture import Geometry, instanced
 from .drivers.draw import Draw
 from .instances.instance import Instance
 from .meshes import Indices, Mesh
@@ -27,11 +27,22 @@ class Shot:
     width: int
     height: int
     attributes: Mapping[str, NDArray[Any]]
-    """By vertex input: (vertices, lanes), numbers that their 32-bit formats hold exactly."""
+    """By vertex input: (vertices or instances, lanes), numbers that their 32-bit formats hold
+    exactly."""
     triangles: Indices
     instance: Instance
     clear: tuple[Color, ...]
     """For each render target."""
+    instance_count: int = 1
+
+    def geometry(self) -> Geometry:
+        """The shot's triangles, of all instances, as the reference takes them."""
+        per_vertex, per_instance = self._stepping("vertex"), self._stepping("instance")
+        return instanced(per_vertex, per_instance, self.triangles, self.instance_count)
+
+    def _stepping(self, step: str) -> dict[str, NDArray[Any]]:
+        rows = self.instance.reflection["vertex_inputs"]
+        return {row["name"]: self.attributes[row["name"]] for row in rows if row["step"] == step}
 
     def draw(self) -> Draw:
         """The shot as bytes, in the order of the reflection's inputs, blocks and textures."""
@@ -40,7 +51,7 @@ class Shot:
         return Draw(
             width=self.width,
             height=self.height,
-            vertex_count=Geometry(self.attributes, self.triangles).vertex_count,
+            vertex_count=Geometry(self._stepping("vertex"), self.triangles).vertex_count,
             vertices=tuple(
                 _bytes(row["representation"], self.attributes[row["name"]])
                 for row in reflection["vertex_inputs"]
@@ -51,6 +62,7 @@ class Shot:
                 textures[row["name"]].image() for row in reflection["textures"] if row["stages"]
             ),
             clear=self.clear,
+            instance_count=self.instance_count,
         )
 
 
@@ -65,9 +77,8 @@ def take(
     scene.apply(instance, width / height)
     reflection = instance.reflection
     data = vertex_data(reflection, mesh)
-    return Shot(
-        width, height, data, mesh.triangles, instance, (clear,) * len(reflection["targets"])
-    )
+    cleared = (clear,) * len(reflection["targets"])
+    return Shot(width, height, data, mesh.triangles, instance, cleared, mesh.instance_count)
 
 
 def _bytes(representation: str, values: NDArray[Any]) -> bytes:

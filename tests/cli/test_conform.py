@@ -50,6 +50,15 @@ def test_agreement() -> None:
     assert count == "2 agree"
 
 
+def test_without_hoisting() -> None:
+    """The shaders compute by themselves what a host would have, and draw the same."""
+    Path("m.burnish").write_text(
+        "material Up { param tilt : angle = 20deg  color = 0.5 + 0.5 * cos(tilt) * normal }\n"
+    )
+    result = invoke("conform", "m.burnish", "--routes", "lavapipe:glsl", "--no-hoist")
+    assert (result.exit_code, result.stderr) == (0, "")
+
+
 def test_rigs_and_passes() -> None:
     """All that the file declares, or those that are named."""
     Path("m.burnish").write_text(

@@ -240,3 +240,17 @@ def test_routes_side_by_side(tmp_path: Path) -> None:
 def test_one_route(route: str, tmp_path: Path) -> None:
     reference = draw(UP, tmp_path, size=32).astype(int)
     assert np.abs(draw(UP, tmp_path, "--on", route, size=32) - reference).max() <= 1
+
+
+def test_instances(tmp_path: Path) -> None:
+    """As many as are asked for, each in a place of its own; and one of what has no instances."""
+    text = (
+        "import std.instancing.{Instanced}\n"
+        "material Stones : Surface + Instanced { color = vec3(1)  view_projection = look }\n"
+        "look = mat4(vec4(1, 0, 0, 0), vec4(0, 1, 0, 0), vec4(0, 0, 0.4, 0), vec4(0, 0, 0.5, 1))\n"
+    )
+    covered = [
+        int((draw(text, tmp_path, "--instances", count, "--background", "#000", size=64) > 0).sum())
+        for count in (1, 2, 3)
+    ]
+    assert covered[0] < covered[1] < covered[2]

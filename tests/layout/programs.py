@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.ir.build import constant
-from burnish.compiler.ir.leaves import Parameter
+from burnish.compiler.ir.leaves import HostPlace, Parameter
 from burnish.compiler.ir.node import Graph, Node
-from burnish.compiler.ir.program import Field, Program, Region, Stage
-from burnish.compiler.ir.types import VEC4
-from burnish.compiler.layout import layout_blocks
+from burnish.compiler.ir.program import Block, Field, Program, Region, Stage
+from burnish.compiler.ir.types import VEC4, Type
+from burnish.compiler.layout import alignment, byte_size, layout_blocks, stored_type
+from burnish.compiler.semantics.shader import ExternInfo, ExternMemberInfo, ParameterInfo
+
+NOWHERE = Span(Source("host.burnish", ""), 0, 0)
 
 SHOWN = Parameter("shown", VEC4, "material")
 """The parameter that the shader reads, so that no compiler drops the block."""
@@ -23,7 +27,29 @@ def program_of(
     It puts out ``value``, a vec4 of ``graph``, or ``SHOWN``.
     """
     graph = graph or Graph()
-    blocks = layout_blocks([*parameters, SHOWN])
+    shown = value or graph.node("parameter", VEC4, (), SHOWN)
+    return _showing(graph, layout_blocks([*parameters, SHOWN]), shown)
+
+
+def extern_program_of(declared: Sequence[tuple[Type, int]]) -> Program:
+    """A program that reads a block of the host's: types, each behind a gap of so many bytes."""
+    place = HostPlace("Host", 1, 2)
+    members: list[ExternMemberInfo] = []
+    end = 0
+    for number, (type_, gap) in enumerate((*declared, (VEC4, 0))):
+        stored = stored_type(type_)
+        offset = -(-(end + gap) // alignment(stored)) * alignment(stored)
+        parameter = Parameter(f"Host.m{number}", type_, "frame", host=place)
+        info = ParameterInfo(parameter, str(type_), None, None, "", NOWHERE)
+        members.append(ExternMemberInfo(f"m{number}", offset, info))
+        end = offset + byte_size(stored)
+    extern = ExternInfo(place, "frame", "", NOWHERE, tuple(members))
+    graph = Graph()
+    shown = graph.node("parameter", VEC4, (), members[-1].info.parameter)
+    return _showing(graph, layout_blocks((), externs=(extern,)), shown)
+
+
+def _showing(graph: Graph, blocks: tuple[Block, ...], shown: Node) -> Program:
     nothing = Region(())
     vertex = Stage(
         name="vertex",
@@ -46,7 +72,7 @@ def program_of(
         functions=(),
         region=nothing,
         position=None,
-        results=(value or graph.node("parameter", VEC4, (), SHOWN),),
+        results=(shown,),
         discard=None,
     )
     return Program("Sample", "", vertex, fragment, blocks, (), ())

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import pytest
 from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from burnish.compiler.ir.build import constant, index, splat, swizzle
 from burnish.compiler.ir.build import member as member_of
@@ -45,8 +46,8 @@ from burnish.targets.toolchain import (
     block_offsets_spirv,
 )
 
-from .declarations import ELEMENTS, parameters
-from .programs import program_of
+from .declarations import ELEMENTS, parameters, types
+from .programs import extern_program_of, program_of
 
 Offsets = dict[str, int]
 
@@ -247,3 +248,29 @@ def test_uses_of_a_matrix_are_accepted(toolchain: Toolchain) -> None:
 @given(parameters)
 def test_compilers_agree_on_random_blocks(toolchain: Toolchain, random: list[Parameter]) -> None:
     check(toolchain, program_of(random))
+
+
+def has_one_layout(type_: Type) -> bool:
+    """Whether a host's own block can hold it: elements of arrays lie 16 bytes apart everywhere."""
+    element = type_.element if isinstance(type_, Array) else None
+    return not isinstance(element, Scalar) and element not in (VEC2, Vector("bool", 2))
+
+
+extern_members = st.lists(
+    st.tuples(types.filter(has_one_layout), st.integers(0, 20).map(lambda lanes: 4 * lanes)),
+    min_size=1,
+    max_size=6,
+)
+
+
+@settings(
+    max_examples=10,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
+)
+@given(extern_members)
+def test_compilers_find_a_hosts_members_where_it_puts_them(
+    toolchain: Toolchain, members: list[tuple[Type, int]]
+) -> None:
+    check(toolchain, extern_program_of(members))

@@ -35,6 +35,8 @@ class Variable:
     type: Type
     textured: bool = False
     """Whether its value depends on a texture read, which may not happen everywhere."""
+    turning: bool = False
+    """Whether it changes from turn to turn of a loop, and so cannot cross."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +56,7 @@ class Scope:
 
     def at_vertex(self) -> Scope:
         """What may stand under ``@vertex``."""
-        plain = tuple(v for v in self.variables if not v.textured)
+        plain = tuple(v for v in self.variables if not (v.textured or v.turning))
         return Scope(plain, self.functions)
 
 
@@ -99,7 +101,12 @@ class Writer:
         if any(result == type_ for _, _, result in scope.functions):
             ways.append(self._function)
         if type_ in (FLOAT, INT, *VECTORS):
-            ways.append(self._fold)
+            ways += [self._fold, self._open_fold]
+        if type_ == BOOL:
+            ways.append(self._any)
+        if type_ in (FLOAT, VEC3):
+            ways.append(self._member)
+        ways += [self._element, self._iterate]
         if type_ in (FLOAT, *VECTORS):
             ways.append(self._swizzled)
         if type_ == VEC3 and scope.terms:
@@ -189,7 +196,7 @@ class Writer:
         return f"{name}({', '.join(texts)})"
 
     def _fold(self, type_: Type, scope: Scope, fuel: int) -> str:
-        index = f"i{sum(v.text.startswith('i') for v in scope.variables)}"
+        index = self._fresh("i", scope)
         end = self.draw(st.integers(0, 5))
         start = self.draw(st.sampled_from([0, 0, 1, -1]))
         word = self.draw(st.sampled_from(["sum", "product"]))
@@ -197,6 +204,62 @@ class Writer:
         if type_ == INT:
             body = f"{index} + {body}"  # a literal by itself would be a float
         return f"({word} {index} in {start}..{end} : {body})"
+
+    def _open_fold(self, type_: Type, scope: Scope, fuel: int) -> str:
+        """A fold whose count is known at run time."""
+        index = self._fresh("i", scope)
+        end = f"clamp({self._leaf(INT, scope)}, 0, {self.draw(st.integers(0, 5))})"
+        if self.draw(st.booleans()):
+            end = f"{self._leaf(INT, scope)} up to {self.draw(st.integers(0, 5))}"
+        word = self.draw(st.sampled_from(["sum", "product", "min", "max"]))
+        first = f" from {self.expression(type_, scope, fuel // 4)}"
+        body = self.expression(type_, scope.within(Variable(index, INT, turning=True)), fuel // 2)
+        if type_ == INT:
+            body = f"{index} + {body}"
+        return f"({word} {index} in 0..{end}{first} : {body})"
+
+    def _any(self, _type: Type, scope: Scope, fuel: int) -> str:
+        index = self._fresh("i", scope)
+        word = self.draw(st.sampled_from(["any", "all"]))
+        inner = scope.within(Variable(index, INT, turning=True))
+        body = self.expression(BOOL, inner, fuel // 2)
+        return f"({word} {index} in 0..{self.draw(st.integers(0, 4))} : {body})"
+
+    def _iterate(self, type_: Type, scope: Scope, fuel: int) -> str:
+        """A state, by itself or as a member beside another one."""
+        state, index = self._fresh("x", scope), self._fresh("i", scope)
+        first = self.expression(type_, scope, fuel // 4)
+        if type_ in (INT, FLOAT, BOOL):
+            first = f"{type_}({first})"  # a literal by itself could be something else
+        variable = Variable(state, type_, turning=True)
+        inner = scope.within(variable, Variable(index, INT, turning=True))
+        condition = self.expression(BOOL, inner, fuel // 4)
+        going = f" while {condition}" if self.draw(st.booleans()) else ""
+        turns = f"for {index} in 0..{self.draw(st.integers(0, 4))}"
+        body = self.expression(type_, inner, fuel // 2)
+        return f"(iterate {state} from {first} {turns}{going} : {body})"
+
+    def _element(self, type_: Type, scope: Scope, fuel: int) -> str:
+        count = self.draw(st.integers(1, 3))
+        elements = [self.expression(type_, scope, fuel // count) for _ in range(count)]
+        if type_ in (INT, FLOAT, UINT):
+            elements = [f"{type_}({element})" for element in elements]
+        return f"[{', '.join(elements)}][({self.expression(INT, scope, 0)}) mod {count}]"
+
+    def _member(self, type_: Type, scope: Scope, fuel: int) -> str:
+        """A member of one of two structures."""
+        condition = self.expression(BOOL, scope, fuel // 4)
+        made = [
+            f"Pair({self.expression(FLOAT, scope, fuel // 4)}, "
+            f"{self.expression(VEC3, scope, fuel // 4)})"
+            for _ in range(2)
+        ]
+        member = "number" if type_ == FLOAT else "vector"
+        return f"(if {condition} then {made[0]} else {made[1]}).{member}"
+
+    def _fresh(self, letter: str, scope: Scope) -> str:
+        """A name for a variable of a loop that no loop around has."""
+        return f"{letter}{sum(v.text.startswith(letter) for v in scope.variables)}"
 
     def _term(self, _type: Type, scope: Scope, fuel: int) -> str:
         name = self.draw(st.sampled_from(scope.terms))
@@ -240,7 +303,12 @@ def programs(draw: st.DrawFn) -> str:
     scope = Scope(functions=tuple(row for row, _ in functions))
     parameters = tuple(_parameters(draw))
     shaded = replace(scope, variables=(*SURFACE, *(variable for variable, _ in parameters)))
-    lines = ["import std.lights", "import std.terms", *(text for _, text in functions)]
+    lines = [
+        "import std.lights",
+        "import std.terms",
+        "struct Pair { number : float, vector : vec3 }",
+    ]
+    lines += [text for _, text in functions]
     lines.append(_light(writer, scope))
     lines.append(_term(writer, scope))
     lines += ["material Random {", "    param p_power : float in 1..64 = 8.0"]

@@ -35,6 +35,8 @@ def test_a_named_value_keeps_its_name() -> None:
         (("frame", "material"), "material"),
         (("frame", "draw"), "draw"),
         (("frame", "frame"), "frame"),
+        (("frame", "cascade"), "cascade"),
+        (("cascade", "cascade"), "cascade"),
     ],
 )
 def test_the_finest_group_owns_the_value(groups: tuple[str, str], owner: str) -> None:
@@ -45,12 +47,15 @@ def test_the_finest_group_owns_the_value(groups: tuple[str, str], owner: str) ->
     assert derived(text) == {"both": owner}
 
 
-def test_incomparable_groups_meet_in_the_shader() -> None:
+@pytest.mark.parametrize(
+    "groups", [("draw", "material"), ("rig", "view"), ("cascade", "draw"), ("cascade", "tile")]
+)
+def test_incomparable_groups_meet_in_the_shader(groups: tuple[str, str]) -> None:
     text = (
-        "param a : float per material  param b : float per draw "
+        f"param a : float per {groups[0]}  param b : float per {groups[1]} "
         "both = sin(a) * cos(b)  color = vec3(uv.x * both)"
     )
-    assert sorted(derived(text).values()) == ["draw", "material"]
+    assert sorted(derived(text).values()) == sorted(groups)
 
 
 def test_only_the_largest_value_is_derived() -> None:

@@ -9,7 +9,7 @@ from burnish.compiler.ir.node import Folding, Formal, Graph, reachable
 from burnish.compiler.ir.types import FLOAT
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference.evaluate import evaluate
-from burnish.compiler.semantics.folds import fold
+from burnish.compiler.semantics.folds import folded
 from burnish.targets.toolchain import Job, Toolchain
 
 from .kit import ops, shader, shaders
@@ -58,7 +58,7 @@ def test_deeply_nested_folds_are_evaluated_without_recursion() -> None:
     graph = Graph()
     body = graph.node("constant", FLOAT, (), 1.0)
     for _ in range(2000):
-        body = fold(graph, "add", 1, body, Formal("i"), lambda _old, _new: None)
+        body = folded(graph, "add", 1, body, Formal("i"), lambda _old, _new: None)
     assert evaluate(body) == (1.0,)
 
 

@@ -1,13 +1,17 @@
-"""Where a scene puts lights, and how meshes are ordered for blending."""
+"""Where a scene puts lights, how meshes are ordered for blending, and what instances have."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import pytest
 
 import burnish
-from burnish.targets.runner.meshes import MESHES, farthest_first, mesh
-from burnish.targets.runner.scene import Scene
+from burnish.targets.runner.meshes import BONES, MESHES, Mesh, MeshError, farthest_first, mesh
+from burnish.targets.runner.scene import Scene, placements, pose, vertex_data, with_inputs
+from burnish.targets.runner.shots import take
 
 LAMPS = """
 import std.lights.{Directional, Point}
@@ -39,3 +43,56 @@ def test_farthest_first(name: str) -> None:
     distances = np.linalg.norm(middles - eye, axis=1)
     assert (np.diff(distances) <= 1e-12).all()
     assert sorted(map(tuple, before.triangles)) == sorted(map(tuple, after.triangles))
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_bones_share_each_vertex(name: str) -> None:
+    channels = mesh(name).channels
+    assert (channels["weights"].sum(axis=1) == 1).all()
+    assert 0 <= channels["joints"].min() <= channels["joints"].max() < BONES
+    assert not np.isclose(pose()[BONES - 1], np.eye(4)).all()
+
+
+CROWD = """
+import std.instancing.{Instanced}
+material Crowd : Surface + Instanced {
+    attribute shade : float per instance
+    color = vec3(shade)
+}
+"""
+
+
+def test_instances_get_places_of_their_own() -> None:
+    (material,) = burnish.compile(CROWD).materials
+    shot = take(material.instance(), _crowd(material.reflection, 5), Scene(), (8, 8))
+    assert shot.instance_count == 5
+    columns = [shot.attributes[f"instance_transform.{i}"] for i in range(4)]
+    assert np.allclose(np.stack(columns, axis=2), placements(5))
+    geometry = shot.geometry()
+    vertices = len(mesh("cube"))
+    assert geometry.vertex_count == 5 * vertices
+    assert len(geometry.triangles) == 5 * len(mesh("cube").triangles)
+    assert list(geometry.inputs()["instance_index"][::vertices]) == [0, 1, 2, 3, 4]
+    assert geometry.inputs()["vertex_index"].max() == vertices - 1
+    draw = shot.draw()
+    assert (draw.instance_count, draw.vertex_count) == (5, vertices)
+
+
+def test_what_instances_have_can_be_given() -> None:
+    (material,) = burnish.compile(CROWD).materials
+    plain = mesh("plane")
+    columns = {f"instance_transform.{i}": placements(2)[:, :, i] for i in range(4)}
+    given = {**columns, "shade": np.array([[0.25], [0.5]])}
+    whole = Mesh(plain.channels, plain.triangles, given, 2)
+    assert vertex_data(material.reflection, whole)["shade"].tolist() == [[0.25], [0.5]]
+    assert with_inputs(material.reflection, whole).instance_count == 2
+
+
+def test_a_mesh_without_instances_is_refused() -> None:
+    (material,) = burnish.compile(CROWD).materials
+    with pytest.raises(MeshError, match="does not have for each instance: it has nothing"):
+        take(material.instance(), mesh("plane"), Scene(), (8, 8))
+
+
+def _crowd(reflection: Mapping[str, Any], count: int) -> Mesh:
+    return with_inputs(reflection, mesh("cube"), count)

@@ -24,7 +24,6 @@ RULES = {name.lower(): rule for name, rule in vars(rules).items() if isinstance(
 SECTIONS = ("B02", "B03", "B04", "B05", "B06", "B07")
 NOT_OF_A_SOURCE = {
     "no_clip_position": "the library's `Surface` has one",
-    "implicit_in_loop": "tests/semantics/test_uniformity.py",
     "unsupported": "about an option of the command line, in tests/cli",
     "rejected": "what a downstream compiler says, in tests/toolchain",
     "doubted": "what a downstream compiler says, in tests/toolchain",

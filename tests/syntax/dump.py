@@ -58,6 +58,17 @@ def show(node: ast.Expression) -> str:  # noqa: PLR0912
             return f"({show(operand)} with {{{slots}}})"
         case ast.AtRate(rate=rate, operand=operand):
             return f"(@{rate.text} {show(operand)})"
-        case ast.Fold(operator=operator, variable=name, start=start, end=end, body=body):
-            over = f"{show(start)}..{show(end)}"
-            return f"({operator} {name.text} in {over} : {show(body)})"
+        case ast.Array(elements=elements):
+            return f"[{', '.join(map(show, elements))}]"
+        case ast.Fold(operator=operator, turns=turns, initial=initial, body=body):
+            first = "" if initial is None else f" from {show(initial)}"
+            return f"({operator} {_turns(turns)}{first} : {show(body)})"
+        case ast.Iterate(state=state, initial=initial, turns=turns, condition=c, body=body):
+            going_on = "" if c is None else f" while {show(c)}"
+            over = f"for {_turns(turns)}" if turns.variable.text else f"up to {show(turns.end)}"
+            return f"(iterate {state.text} from {show(initial)} {over}{going_on} : {show(body)})"
+
+
+def _turns(turns: ast.Turns) -> str:
+    most = "" if turns.most is None else f" up to {show(turns.most)}"
+    return f"{turns.variable.text} in {show(turns.start)}..{show(turns.end)}{most}"

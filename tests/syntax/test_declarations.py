@@ -6,7 +6,7 @@ import pytest
 
 from burnish.compiler.syntax import ast
 
-from .dump import parsed, show
+from .dump import messages, parsed, show
 
 
 def members(body: str) -> tuple[ast.Member, ...]:
@@ -43,6 +43,60 @@ def test_imports() -> None:
         (("std", "terms"), False, None),
         (("a/wood.burnish",), True, ("Wood",)),
     ]
+
+
+def test_mixins() -> None:
+    text = "mixin A {} mixin B for light { x = 1 } material C : D + A + E { mixin = 1  for = 2 }"
+    first, second, record = parsed(text).declarations
+    assert isinstance(first, ast.Mixin) and isinstance(second, ast.Mixin)
+    assert isinstance(record, ast.Record)
+    assert (first.kind, second.kind) == ("material", "light")
+    assert [name.text for name in record.mixins] == ["A", "E"]
+    assert record.base is not None and record.base.text == "D"
+    assert [m.name.text for m in record.members if isinstance(m, ast.Slot)] == ["mixin", "for"]
+
+
+def test_vertex_inputs() -> None:
+    body = "attribute a : vec2  attribute b : mat4 per instance  attribute per : uint  c = 1"
+    rates = [m.rate and m.rate.text for m in members(body) if isinstance(m, ast.Attribute)]
+    assert rates == [None, "instance", None]
+
+
+def test_blocks_of_the_hosts() -> None:
+    text = """
+    /// Once a frame
+    extern block PerFrame per frame at group 0, binding 3 {
+        viewProj : transform<world, clip> at 0      /// World to clip
+        at       : float[2] at 64 = 1
+    }
+    extern block Bare at group 1, binding 0 {}
+    extern = 1
+    """
+    block, bare, constant = parsed(text).declarations
+    assert isinstance(block, ast.ExternBlock) and isinstance(bare, ast.ExternBlock)
+    assert isinstance(constant, ast.Constant)
+    assert block.group is not None and block.group.text == "frame"
+    assert (block.doc, block.bind_group.text, block.binding.text) == ("Once a frame", "0", "3")
+    described = [(m.name.text, m.offset.text, m.default is None, m.doc) for m in block.members]
+    assert described == [("viewProj", "0", True, "World to clip"), ("at", "64", False, "")]
+    assert (bare.group, bare.members) == (None, ())
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("mixin A : B {}", "expected `for` or `{`, found `:`"),
+        ("material M : A + {}", "expected a name, found `{`"),
+        ("extern block B { x : float at 0 }", "expected `at` or `per`, found `{`"),
+        ("extern block B at group 0 { x : float at 0 }", "expected `,`, found `{`"),
+        (
+            "extern block B at group 0, binding 0 { x : float  y : float at 4 }",
+            "expected `at`, found `y`",
+        ),
+    ],
+)
+def test_one_mistake_in_a_header_is_told_once(text: str, message: str) -> None:
+    assert messages(text) == [message]
 
 
 def test_records() -> None:

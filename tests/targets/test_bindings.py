@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import pytest
 
+import burnish
 from burnish.targets.emit.bindings import Slot, assign_bindings
 
 from .kit import PROFILES, Selected
@@ -36,3 +40,30 @@ def test_separate_samplers(selected: Selected) -> None:
 def test_combined_samplers(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
     assert bindings.textures == bindings.samplers == {"albedo": Slot(2, 1)}
+
+
+@pytest.mark.parametrize("selected", SEPARATE, ids=str)
+def test_groups_of_the_users_share_a_set(selected: Selected) -> None:
+    """WebGPU guarantees four sets, and no number in one is used twice."""
+    text = """
+    material M {
+        param split : float per cascade = 1
+        param row   : float per tile = 2
+        map shadows : texture2d per cascade
+        color = vec3(split * row * uv.x) * sin(split) * cos(row) + shadows(uv).rgb
+    }
+    """
+    name = f"{selected.target.name}:{selected.profile.name}"
+    (compiled,) = burnish.compile(text, (name,))
+    (backend,) = compiled.reflection["backends"].values()
+    blocks = {name: (row["group"], row["binding"]) for name, row in backend["blocks"].items()}
+    assert {name for name, (group, _) in blocks.items() if group == 2} == {
+        "Cascade", "CascadeDerived", "Tile", "TileDerived",
+    }  # fmt: skip
+    every = [*blocks.values(), *_places(backend["textures"]), *_places(backend["samplers"])]
+    assert len(set(every)) == len(every)
+    assert {group for group, _ in every} <= {0, 1, 2, 3}
+
+
+def _places(rows: Mapping[str, Any]) -> list[tuple[int, int]]:
+    return [(row["group"], row["binding"]) for row in rows.values()]

@@ -4,6 +4,6 @@ Needs NumPy, so nothing on the way of a compile imports it.
 """
 
 from .drawing import draw
-from .scene import Expected, Geometry, RasterRules, Texels
+from .scene import Expected, Geometry, RasterRules, Texels, instanced
 
-__all__ = ["Expected", "Geometry", "RasterRules", "Texels", "draw"]
+__all__ = ["Expected", "Geometry", "RasterRules", "Texels", "draw", "instanced"]

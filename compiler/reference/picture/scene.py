@@ -24,12 +24,35 @@ class Geometry:
     """By attribute name, (vertices, lanes): float64, or int64 for integers."""
     triangles: Ints
     """(triangles, 3) numbers of vertices, in the order of drawing; the first one is provoking."""
+    instance_count: int = 1
+    """How many times over there are the same vertices, one instance after the other."""
 
     @property
     def vertex_count(self) -> int:
         """How many vertices there are; without any attribute, as many as the triangles name."""
         counts = [len(values) for values in self.attributes.values()]
         return counts[0] if counts else int(self.triangles.max(initial=-1)) + 1
+
+    def inputs(self) -> Mapping[str, Ints]:
+        """What the pipeline supplies at each vertex, by name."""
+        numbers = np.arange(self.vertex_count)
+        each = max(self.vertex_count // self.instance_count, 1)
+        return {"vertex_index": numbers % each, "instance_index": numbers // each}
+
+
+def instanced(
+    per_vertex: Mapping[str, NDArray[Any]],
+    per_instance: Mapping[str, NDArray[Any]],
+    triangles: Ints,
+    instance_count: int,
+) -> Geometry:
+    """All instances of a mesh as one geometry, in the order in which they are drawn."""
+    alone = Geometry(per_vertex, triangles).vertex_count
+    attributes = {name: np.tile(values, (instance_count, 1)) for name, values in per_vertex.items()}
+    for name, values in per_instance.items():
+        attributes[name] = np.repeat(values, alone, axis=0)
+    offsets = np.arange(instance_count)[:, None, None] * alone
+    return Geometry(attributes, (triangles + offsets).reshape(-1, 3), instance_count)
 
 
 @dataclass(frozen=True, slots=True)

@@ -87,12 +87,14 @@ class Stages:
         margins = Margins((count,))
         readers = {resource: VertexReader(image, count) for resource, image in self._images.items()}
 
+        inputs = geometry.inputs()
+
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
                 return _attribute(geometry, node.data)
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
-            return self._parameter(node)
+            return (inputs[str(node.data)],) if node.op == "input" else self._parameter(node)
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)

@@ -71,6 +71,8 @@ def lane_count(format: str) -> int:
 
 
 def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
+    if draw.instance_count < 1:
+        raise DriverError(f"{draw.instance_count} instances are none")
     if draw.width < 1 or draw.height < 1:
         raise DriverError(f"a picture of {draw.width} x {draw.height} pixels has none")
     _same_number("vertex buffers", draw.vertices, pipeline.inputs)
@@ -78,7 +80,8 @@ def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
     _same_number("textures", draw.textures, pipeline.textures)
     _same_number("clear colours", draw.clear, pipeline.targets)
     for vertex_input, data in zip(pipeline.inputs, draw.vertices, strict=True):
-        size = 4 * lane_count(vertex_input.format) * draw.vertex_count
+        steps = {"vertex": draw.vertex_count, "instance": draw.instance_count}
+        size = 4 * lane_count(vertex_input.format) * steps[vertex_input.step]
         _same_size(f"vertex attribute {vertex_input.identifier!r}", data, size)
     for block, data in zip(pipeline.blocks, draw.blocks, strict=True):
         _same_size(f"uniform block {block.place.identifier!r}", data, block.size)

@@ -21,6 +21,9 @@ VertexFormat = Literal[
 ]  # fmt: skip
 """WebGPU's names: kind of a lane and number of lanes, tightly packed."""
 
+Step = Literal["vertex", "instance"]
+"""How often an attribute goes on to its next value."""
+
 TextureFormat = Literal[
     "rgba8unorm", "rgba8unorm-srgb", "rgba32float", "depth32float",
     "r8uint", "rgba8uint", "r32uint", "rgba32uint", "r32sint", "rgba32sint",
@@ -88,12 +91,13 @@ class Code:
 
 @dataclass(frozen=True, slots=True)
 class VertexInput:
-    """A vertex attribute of the pipeline; each has a buffer of its own."""
+    """A vertex attribute of the pipeline; each is given by itself."""
 
     identifier: str
     """Its name in the text."""
     location: int
     format: VertexFormat
+    step: Step = "vertex"
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,13 +195,14 @@ class Draw:
     height: int
     vertex_count: int
     vertices: tuple[bytes, ...]
-    """One buffer for each of ``Pipeline.inputs``."""
+    """For each of ``Pipeline.inputs`` the values of all vertices, or of all instances."""
     indices: bytes
     """uint32, three for each triangle; their first is the provoking vertex."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     clear: tuple[tuple[float, float, float, float], ...]
     """One colour for each target."""
+    instance_count: int = 1
 
 
 @dataclass(frozen=True, slots=True)

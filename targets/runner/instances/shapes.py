@@ -57,6 +57,7 @@ class Elements:
     count: int
     stride: int
     """Bytes from element to element."""
+    default: Any = None
     counter: str | None = None
     """The parameter that says how many elements are in use; ``None`` where all are."""
     doc: str = ""
@@ -68,6 +69,7 @@ class Members:
 
     type: str
     members: tuple[Member, ...]
+    default: Any = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,8 +89,9 @@ def shape_of(row: Mapping[str, Any]) -> Shape:
     layout, type_ = row["layout"], row.get("type", row["representation"])
     if "count" not in layout:
         return _one(row, type_)
-    one = _one(row, type_.rpartition("[")[0])
-    return Elements(type_, one, layout["count"], layout["stride"], row.get("count"), row["doc"])
+    one = _one({**row, "default": None}, type_.rpartition("[")[0])
+    count, stride = layout["count"], layout["stride"]
+    return Elements(type_, one, count, stride, row.get("default"), row.get("count"), row["doc"])
 
 
 def _one(row: Mapping[str, Any], type_: str) -> Numbers | Members:
@@ -96,7 +99,7 @@ def _one(row: Mapping[str, Any], type_: str) -> Numbers | Members:
     layout, members = row["layout"], row.get("members")
     if members:
         parts = (Member(each["name"], each["offset"], shape_of(each)) for each in members)
-        return Members(type_, tuple(parts))
+        return Members(type_, tuple(parts), row.get("default"))
     range_ = row.get("range")
     return Numbers(
         type=type_,

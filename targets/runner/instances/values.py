@@ -40,17 +40,19 @@ class UnknownParameterError(ParameterError):
     """A name that no parameter has."""
 
 
-def initial(shape: Shape) -> Value:
-    """The value before a host sets one: what has a default has that."""
+def initial(shape: Shape, default: Any = None) -> Value:
+    """The value before a host sets one: what has a default has that, or its part of ``default``."""
+    default = shape.default if default is None else default
     match shape:
-        case Numbers(default=None):
-            return None
-        case Numbers(default=default):
-            return accepted(shape, default, None, "default")
+        case Numbers():
+            return None if default is None else accepted(shape, default, None, "default")
         case Elements(element=element, count=count):
-            return (initial(element),) * count
+            given = default or (None,) * count
+            return tuple(initial(element, each) for each in given)
         case Members(members=members):
-            return tuple(initial(member.shape) for member in members)
+            given = default or (None,) * len(members)
+            pairs = zip(members, given, strict=True)
+            return tuple(initial(member.shape, each) for member, each in pairs)
 
 
 def changed(shape: Shape, old: Value, path: tuple[int, ...], given: object, name: str) -> Value:

@@ -42,7 +42,7 @@ function drawMesh(gl, program, job, draw) {
   const attributes = job.inputs.map((slot, at) => feed(gl, program, slot, draw.vertices[at]));
   const indices = firstVertexLast(new Uint32Array(bytes(draw.indices).buffer));
   const mesh = makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, indices);
-  gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0);
+  gl.drawElementsInstanced(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0, draw.instance_count);
   gl.bindVertexArray(null);
   gl.deleteVertexArray(array);
   [...blocks, ...attributes, mesh].forEach((buffer) => gl.deleteBuffer(buffer));
@@ -58,12 +58,13 @@ function makeBuffer(gl, kind, data) {
 }
 
 /** A buffer with a vertex attribute's values, from which the attribute is read. */
-function feed(gl, program, { identifier, format }, data) {
+function feed(gl, program, { identifier, format, step }, data) {
   const buffer = makeBuffer(gl, gl.ARRAY_BUFFER, bytes(data));
   const location = gl.getAttribLocation(program, identifier);
   if (location < 0) return buffer; // not used, so left out by the linker
   const [kind, lanes = "1"] = format.split("x");
   gl.enableVertexAttribArray(location);
+  gl.vertexAttribDivisor(location, step === "instance" ? 1 : 0);
   if (kind === "float32") {
     gl.vertexAttribPointer(location, Number(lanes), gl.FLOAT, false, 0, 0);
   } else {

@@ -1,7 +1,7 @@
 // One draw of a job: its resources, the render pass, and the way back.
 
 import { base64, bytes } from "./answers.mjs";
-import { groups } from "./webgpu_pipeline.mjs";
+import { groups, vertexBuffers } from "./webgpu_pipeline.mjs";
 import { makeSampler, makeTexture, viewOf } from "./webgpu_textures.mjs";
 
 const ROW_ALIGNMENT = 256;
@@ -23,7 +23,7 @@ export async function drawPicture(device, job, { pipeline, layouts }, draw) {
     const pass = encoder.beginRenderPass(passDescriptor(screen, depth, draw.clear));
     pass.setPipeline(pipeline);
     bindGroups(device, job, layouts, draw, keep).forEach((group, at) => pass.setBindGroup(at, group));
-    drawMesh(device, pass, draw, keep);
+    drawMesh(device, pass, job, draw, keep);
     pass.end();
     const copies = screen.map((target) => keep(copyBack(device, encoder, target)));
     device.queue.submit([encoder.finish()]);
@@ -62,12 +62,28 @@ function passDescriptor(screen, depth, clear) {
   };
 }
 
-function drawMesh(device, pass, draw, keep) {
+function drawMesh(device, pass, job, draw, keep) {
   const buffer = (data, usage) => keep(makeBuffer(device, bytes(data), usage));
-  draw.vertices.forEach((data, at) => pass.setVertexBuffer(at, buffer(data, GPUBufferUsage.VERTEX)));
+  vertexBuffers(job.inputs).forEach((layout, at) => {
+    const data = interleaved(layout, draw.vertices);
+    pass.setVertexBuffer(at, keep(makeBuffer(device, data, GPUBufferUsage.VERTEX)));
+  });
   const indices = buffer(draw.indices, GPUBufferUsage.INDEX);
   pass.setIndexBuffer(indices, "uint32");
-  pass.drawIndexed(indices.size / 4);
+  pass.drawIndexed(indices.size / 4, draw.instance_count);
+}
+
+/** The attributes of one buffer, value after value. */
+function interleaved({ arrayStride, members }, vertices) {
+  const parts = members.map(({ input, size, offset }) => ({ data: bytes(vertices[input]), size, offset }));
+  const count = parts[0].data.length / parts[0].size;
+  const whole = new Uint8Array(count * arrayStride);
+  for (const { data, size, offset } of parts) {
+    for (let at = 0; at < count; at++) {
+      whole.set(data.subarray(at * size, (at + 1) * size), at * arrayStride + offset);
+    }
+  }
+  return whole;
 }
 
 function makeBuffer(device, data, usage) {

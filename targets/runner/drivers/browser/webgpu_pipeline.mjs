@@ -31,9 +31,14 @@ export async function makePipeline(device, job) {
     vertex: {
       module: vertex,
       entryPoint: job.vertex.entry,
-      buffers: job.inputs.map(({ location, format }) => ({
-        arrayStride: 4 * Number(format.split("x")[1] ?? 1),
-        attributes: [{ format, offset: 0, shaderLocation: location }],
+      buffers: vertexBuffers(job.inputs).map(({ arrayStride, stepMode, members }) => ({
+        arrayStride,
+        stepMode,
+        attributes: members.map(({ format, offset, location }) => ({
+          format,
+          offset,
+          shaderLocation: location,
+        })),
       })),
     },
     fragment: {
@@ -45,6 +50,24 @@ export async function makePipeline(device, job) {
     depthStencil: { format: "depth32float", depthWriteEnabled: true, depthCompare: "less" },
   });
   return { pipeline, layouts };
+}
+
+/** One buffer for what each vertex has and one for what each instance has.
+ *
+ * WebGPU guarantees 16 attributes, but only 8 buffers.
+ */
+export function vertexBuffers(inputs) {
+  return ["vertex", "instance"].flatMap((stepMode) => {
+    let arrayStride = 0;
+    const members = [];
+    inputs.forEach(({ format, location, step }, input) => {
+      if (step !== stepMode) return;
+      const size = 4 * Number(format.split("x")[1] ?? 1);
+      members.push({ input, format, location, size, offset: arrayStride });
+      arrayStride += size;
+    });
+    return members.length ? [{ arrayStride, stepMode, members }] : [];
+  });
 }
 
 /** A module; whatever the compiler says of its text is an error. */

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 
 import moderngl
 
-from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline
+from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Step
 from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, link
 from .screen import Screen
 from .textures import bound_texture
+
+RATES: Mapping[Step, str] = {"vertex": "/v", "instance": "/i"}
+"""How moderngl's layouts end."""
 
 
 class Renderer:
@@ -93,7 +96,11 @@ def _render(
     for number, block in enumerate(blocks):
         block.bind_to_uniform_block(number)
     attributes = [
-        (context.buffer(data), attribute_layout(slot.format), slot.identifier)
+        (
+            context.buffer(data),
+            f"{attribute_layout(slot.format)}{RATES[slot.step]}",
+            slot.identifier,
+        )
         for slot, data in zip(pipeline.inputs, draw.vertices, strict=True)
         if program.get(slot.identifier, None) is not None
     ]
@@ -102,4 +109,4 @@ def _render(
     with ExitStack() as textures:
         for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
             textures.enter_context(bound_texture(functions, slot, image, unit))
-        array.render()
+        array.render(instances=draw.instance_count)

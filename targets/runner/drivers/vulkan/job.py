@@ -85,7 +85,7 @@ class _Painter:
             vk.vkCmdBindVertexBuffers(commands, 0, len(vertices), vertices, offsets)
         indices = self._buffer(draw.indices).handle
         vk.vkCmdBindIndexBuffer(commands, indices, 0, vk.VK_INDEX_TYPE_UINT32)
-        vk.vkCmdDrawIndexed(commands, len(draw.indices) // INDEX_SIZE, 1, 0, 0, 0)
+        vk.vkCmdDrawIndexed(commands, len(draw.indices) // INDEX_SIZE, draw.instance_count, 0, 0, 0)
 
     def _canvas(self, *size: int) -> Canvas:
         width, height = size

@@ -9,7 +9,7 @@ from typing import Any, Literal
 import vulkan as vk
 
 from ..checks import lane_count
-from ..draw import Blend, Code, Cull, Pipeline, VertexInput
+from ..draw import Blend, Code, Cull, Pipeline, Step, VertexInput
 from .device import Gpu
 from .formats import VERTICES
 
@@ -39,6 +39,11 @@ ALL_LANES = (
     | vk.VK_COLOR_COMPONENT_A_BIT
 )
 
+
+RATES: dict[Step, int] = {
+    "vertex": vk.VK_VERTEX_INPUT_RATE_VERTEX,
+    "instance": vk.VK_VERTEX_INPUT_RATE_INSTANCE,
+}
 
 FRONT: dict[Literal["ccw", "cw"], int] = {
     "ccw": vk.VK_FRONT_FACE_COUNTER_CLOCKWISE,
@@ -117,9 +122,7 @@ def _stage(modules: ExitStack, gpu: Gpu, stage: int, code: Code) -> Any:
 
 def _vertex_inputs(inputs: Sequence[VertexInput]) -> Any:
     bindings = [
-        vk.VkVertexInputBindingDescription(
-            binding, 4 * lane_count(each.format), vk.VK_VERTEX_INPUT_RATE_VERTEX
-        )
+        vk.VkVertexInputBindingDescription(binding, 4 * lane_count(each.format), RATES[each.step])
         for binding, each in enumerate(inputs)
     ]
     attributes = [

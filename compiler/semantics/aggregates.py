@@ -1,0 +1,87 @@
+"""Structures and arrays made from their parts: ``Layer(#fff, 0.5)``, ``[a, b, c]``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..diagnostics import rules
+from ..diagnostics.diagnostic import Label
+from ..ir.node import Node
+from ..ir.types import Array, Texture, Type
+from ..syntax import ast
+from ..trampoline import Step
+from .coerce import coerce
+from .declared import struct_of
+from .modules import Symbol
+from .scope import FAILURE, Failure, Scope, Value
+
+if TYPE_CHECKING:
+    from .lower import Lowering
+
+LONGEST = 4096
+"""Elements of an array."""
+
+
+def structure(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call) -> Value:
+    """A structure from its members, in the order of their declaration."""
+    type_ = struct_of(low, symbol)
+    if type_ is None:
+        return FAILURE
+    if len(arguments) != len(type_.members):
+        low.report.add(
+            rules.MEMBER_COUNT, e.span, name=symbol.name, found=len(arguments),
+            members=", ".join(f"{name}: {inner}" for name, inner in type_.members),
+            labels=[Label(symbol.declaration.name.span, "declared here")],
+        )  # fmt: skip
+        return FAILURE
+    parts: list[Node] = []
+    failed = False
+    for (name, inner), given, written in zip(type_.members, arguments, e.arguments, strict=True):
+        part = low.fit(given, inner, f"{inner} for `{name}`", written.span)
+        if isinstance(part, Failure):
+            failed = True
+        else:
+            parts.append(part)
+    return FAILURE if failed else low.graph.node("struct", type_, tuple(parts))
+
+
+def array(low: Lowering, e: ast.Array, scope: Scope) -> Step[Value]:
+    """``[a, b, c]``: elements of one type, to which constants among them adapt."""
+    elements: list[Node] = []
+    failed = False
+    for written in e.elements:
+        element = yield low.node(written, scope)
+        failed = failed or isinstance(element, Failure)
+        elements.append(element)
+    if failed:
+        return FAILURE
+    if len(elements) > LONGEST:
+        low.report.add(rules.BAD_COUNT, e.span, count=len(elements))
+        return FAILURE
+    for element, written in zip(elements, e.elements, strict=True):
+        if isinstance(element.type, Texture):
+            low.report.add(
+                rules.WRONG_TYPE, written.span, expected="a value", found=element.type,
+                hint="textures cannot be elements: gather what is read of them",
+            )  # fmt: skip
+            return FAILURE
+    types: dict[Type, None] = dict.fromkeys(element.type for element in elements)
+    for type_ in types:
+        fitted = [coerce(low.graph, element, type_) for element in elements]
+        if all(fitted):
+            parts = tuple(part for part in fitted if part is not None)
+            return low.graph.node("array", Array(type_, len(parts)), parts)
+    _report_odd(low, e, elements)
+    return FAILURE
+
+
+def _report_odd(low: Lowering, e: ast.Array, elements: list[Node]) -> None:
+    """Say which element is not like the first."""
+    first = elements[0]
+    for element, written in zip(elements, e.elements, strict=True):
+        if coerce(low.graph, element, first.type) is None:
+            low.report.add(
+                rules.ELEMENTS_DIFFER, written.span, first=first.type, found=element.type,
+                labels=[Label(e.elements[0].span, f"this is `{first.type}`")],
+            )  # fmt: skip
+            return
