@@ -29,10 +29,9 @@ def _names() -> tuple[str, ...]:
 NAMES = _names()
 """``operations: Limits``: a file, and one of its passes."""
 
-LACKING = {
-    name: ("glsl:es300", "glsl:gl330")
-    for name in ("gathered: Colors", "gathered: Depths", "gathered: Levels")
-}
+LACKING = dict.fromkeys(
+    ("gathered: Colors", "gathered: Depths", "gathered: Levels"), ("glsl:es300", "glsl:gl330")
+)
 """What some profiles cannot do."""
 
 
