@@ -30,9 +30,14 @@ NAMES = _names()
 """``operations: Limits``: a file, and one of its passes."""
 
 LACKING = dict.fromkeys(
-    ("gathered: Colors", "gathered: Depths", "gathered: Levels"), ("glsl:es300", "glsl:gl330")
+    ("gathered: Colors", "gathered: Depths", "gathered: Levels", "gathered: Varying"),
+    ("glsl:es300", "glsl:gl330"),
 )
 """What some profiles cannot do."""
+
+DEFECTS = {"gathered: Varying": "lavapipe"}
+"""What a driver gets wrong: Mesa 22.3.6 takes the size of one pixel's level for that of all, so that
+loads are kept within the wrong one."""
 
 
 def compiled(name: str, *profiles: str) -> CompiledMaterial:
