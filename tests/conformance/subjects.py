@@ -36,7 +36,7 @@ LACKING = dict.fromkeys(
 """What some profiles cannot do."""
 
 DEFECTS = {"gathered: Varying": "lavapipe"}
-"""What a driver gets wrong: Mesa 22.3.6 takes the size of one pixel's level for that of all, so that
+"""What a driver gets wrong: Mesa 22.3.6 takes one pixel's size of a level for that of all, so
 loads are kept within the wrong one."""
 
 
