@@ -56,22 +56,22 @@ def sample_textures(instance: Instance, seed: int) -> None:
 
 def _sampled_texture(row: Mapping[str, Any], chance: random.Random, turn: int) -> Texture:
     dimension, sample = row["dimension"], row["sample"]
-    size = ((16, 16) if dimension == "cube" else ((32, 32), (24, 20), (17, 31))[turn % 3])
+    size = (16, 16) if dimension == "cube" else ((32, 32), (24, 20), (17, 31))[turn % 3]
     count = {"2d": 1, "cube": 6, "2d_array": 3, "3d": 12}[dimension]
     if sample in ("int", "uint"):
-        array = _numbers_of(chance, (count, size[1], size[0], 4), sample)
-    elif dimension == "3d":
+        numbers = _numbers_of(chance, (count, size[1], size[0], 4), sample)
+        flat = numbers[0] if dimension == "2d" else numbers
+        return Texture.of_array(flat, dimension=dimension, sample=sample)
+    if dimension == "3d":
         array = _volume(chance, (count, size[1], size[0]))
     else:
         array = np.stack([_waves(chance, size) for _ in range(count)])
     if row["default"] == "flat_normal":
         array = np.array([0.5, 0.5, 0.9, 0.5]) + (array - 0.5) * [0.5, 0.5, 0.2, 1.0]
+    texels = array[0] if dimension == "2d" else array
     if sample == "depth":
-        array = array[..., :1].clip(0, 1)
-    elif sample == "float":
-        array = np.rint(array * 255).astype(np.uint8)
-    flat = array[0] if dimension == "2d" else array
-    return Texture.of_array(flat, dimension=dimension, sample=sample)
+        return Texture.of_array(texels[..., :1].clip(0, 1), dimension=dimension, sample="depth")
+    return Texture.of_array(np.rint(texels * 255).astype(np.uint8), dimension=dimension)
 
 
 def _set_by_scene(reflection: Mapping[str, Any]) -> set[str]:

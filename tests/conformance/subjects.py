@@ -29,11 +29,15 @@ def _names() -> tuple[str, ...]:
 NAMES = _names()
 """``operations: Limits``: a file, and one of its passes."""
 
-LACKING = {
-    name: ("glsl:es300", "glsl:gl330")
-    for name in ("gathered: Colors", "gathered: Depths", "gathered: Levels")
-}
+LACKING = dict.fromkeys(
+    ("gathered: Colors", "gathered: Depths", "gathered: Levels", "gathered: Varying"),
+    ("glsl:es300", "glsl:gl330"),
+)
 """What some profiles cannot do."""
+
+DEFECTS = {"gathered: Varying": "lavapipe"}
+"""What a driver gets wrong: Mesa 22.3.6 takes one pixel's size of a level for that of all, so
+loads are kept within the wrong one."""
 
 
 def compiled(name: str, *profiles: str) -> CompiledMaterial:

@@ -25,7 +25,12 @@ class Read:
     """A texture that is read at single places."""
 
     def __init__(
-        self, dimension: Dimension, sample: Sample, *levels: Any, ways: Variants = EXACT, **state: str
+        self,
+        dimension: Dimension,
+        sample: Sample,
+        *levels: Any,
+        ways: Variants = EXACT,
+        **state: str,
     ) -> None:
         whole = tuple(sorted({**DEFAULTS, **state}.items()))
         resource = Resource("t", Texture(dimension, sample), "material", "white", whole)
@@ -53,8 +58,8 @@ def _lanes(operand: Any) -> Any:
 
 def numbered(*shape: int) -> Any:
     """Texels whose first lane counts them, and whose others are that and 1000, 2000, 3000."""
-    count = np.arange(np.prod(shape)).reshape(*shape, 1)
-    return (count + [0, 1000, 2000, 3000]).astype(float)
+    lanes = np.array([0.0, 1000.0, 2000.0, 3000.0])
+    return np.arange(np.prod(shape)).reshape(*shape, 1) + lanes
 
 
 # --- layers and volumes --------------------------------------------------------------------------
@@ -99,7 +104,7 @@ def test_faces(direction: tuple[float, ...], face: int, across: float, down: flo
     """Right and down from the middle of a face, -1 to 1."""
     found = met([np.array(lane, dtype=float) for lane in direction])
     assert int(found.face) == face
-    assert (2 * found.across - 1, 2 * found.down - 1) == (across, down)
+    assert (2 * float(found.across) - 1, 2 * float(found.down) - 1) == (across, down)
 
 
 def direction_of(face: int, across: float, down: float) -> tuple[float, ...]:
@@ -141,8 +146,8 @@ def _across(place: tuple[int, int], face: int, size: int) -> tuple[tuple[int, in
 
 
 @settings(deadline=None)
-@given(st.floats(-1, 1), st.floats(-0.9, 0.9), st.integers(0, 5), st.integers(0, 1))
-def test_a_filtered_cube_has_no_seams(shift: float, along: float, face: int, side: int) -> None:
+@given(st.floats(-0.9, 0.9), st.integers(0, 5), st.integers(0, 1))
+def test_a_filtered_cube_has_no_seams(along: float, face: int, side: int) -> None:
     """Just before and just behind an edge it is nearly the same."""
     sky = Read("cube", "float", numbered(6, 4, 4), filter="linear")
     edge = (1.0, along) if side else (along, 1.0)
@@ -193,7 +198,12 @@ def test_a_sampler_without_levels_stays_on_the_first() -> None:
 
 @pytest.mark.parametrize(
     ("across", "down", "level"),
-    [((0.25, 0), (0, 0.125), 1), ((0, 0.125), (0.5, 0), 2), ((0.3, 0.4), (0, 0), 2), ((0, 0), (0, 0), 0)],
+    [
+        ((0.25, 0), (0, 0.125), 1),
+        ((0, 0.125), (0.5, 0), 2),
+        ((0.3, 0.4), (0, 0), 2),
+        ((0, 0), (0, 0), 0),
+    ],
 )
 def test_a_level_by_gradients(across: Any, down: Any, level: float) -> None:
     flat = Read("2d", "float", *steps(), mip="linear")

@@ -149,9 +149,7 @@ def _vulkan_pipeline(slots: Sequence[TextureSlot], read: str) -> Pipeline:
     return replace(vulkan_kit.painted_pipeline(), fragment=fragment, textures=tuple(slots))
 
 
-def _textual_pipeline(
-    api: str, slots: Sequence[TextureSlot], glsl: str, wgsl: str
-) -> Pipeline:
+def _textual_pipeline(api: str, slots: Sequence[TextureSlot], glsl: str, wgsl: str) -> Pipeline:
     lines = [] if api == "webgpu" else [textual_kit.GLSL_HEADS[api], "in vec4 color;"]
     for slot in slots:
         _, sampler, texture = _names(slot)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -70,8 +72,8 @@ DIRECTIONS = ("1, -y, -x", "-1, -y, x", "x, 1, y", "x, -1, -y", "x, -y, 1", "-x,
 @pytest.mark.parametrize("face", range(6))
 def test_faces_of_a_cube(driver: str, face: int) -> None:
     image = picture_of("cube", "rgba32float", faces(2))
-    direction = DIRECTIONS[face].replace("x", "(2.0 * at.x - 1.0)")
-    direction = direction.replace("y", "(2.0 * at.y - 1.0)").replace("at.(2.0 * at.y - 1.0)", "at.y")
+    places = {"x": "(2.0 * at.x - 1.0)", "y": "(2.0 * at.y - 1.0)"}
+    direction = re.sub("[xy]", lambda found: places[found[0]], DIRECTIONS[face])
     shown = read(
         driver, slot_for(image), image,
         f"texture(image, vec3({direction}))", f"textureSample(image, reader, vec3f({direction}))",

@@ -345,9 +345,7 @@ def test_a_text_says_whether_colours_are_srgb(tmp_path: Path) -> None:
 
 
 def test_pictures_for_each_layer(tmp_path: Path) -> None:
-    paths = [
-        saved(tmp_path / f"{n}.png", Image.new("RGB", (2, 2), (n, 20, 30))) for n in range(6)
-    ]
+    paths = [saved(tmp_path / f"{n}.png", Image.new("RGB", (2, 2), (n, 20, 30))) for n in range(6)]
     listed = ", ".join(map(str, paths))
     cube = Texture.parse(listed, dimension="cube")
     assert cube == Texture.load(paths, dimension="cube")
@@ -372,9 +370,7 @@ def test_pictures_of_depths_and_integers(tmp_path: Path) -> None:
 
 
 def test_lists_of_files_that_do_not_fit(tmp_path: Path) -> None:
-    small, large = (
-        saved(tmp_path / f"{n}.png", Image.new("RGB", (n, n))) for n in (1, 2)
-    )
+    small, large = (saved(tmp_path / f"{n}.png", Image.new("RGB", (n, n))) for n in (1, 2))
     for text, about, message in [
         (f"{small},{small}", {"dimension": "cube"},
          "a cube takes six pictures, +x, -x, +y, -y, +z, -z; there are 2"),

@@ -48,8 +48,9 @@ def by_changes(
     level = _level(image, where.change(across), where.change(down), ways)
     if not (ways.surface == 2).any():
         return level
-    given = ([lane / where.out / 2 for lane in lanes] for lanes in (across, down))
-    return np.where((ways.surface == 2)[:, None, None, None], _level(image, *given, ways), level)
+    right, below = ([lane / where.out / 2 for lane in lanes] for lanes in (across, down))
+    raw = _level(image, right, below, ways)
+    return np.where((ways.surface == 2)[:, None, None, None], raw, level)
 
 
 def _differences(coordinate: Sequence[Floats], ways: Variants) -> tuple[list[Floats], list[Floats]]:
@@ -96,6 +97,7 @@ def _length(lanes: Sequence[Floats], order: Floats) -> Floats:
     sizes = np.abs(np.stack(np.broadcast_arrays(*lanes)))
     order = order[:, None, None, None]
     euclidean = np.sqrt((sizes * sizes).sum(axis=0))
-    return np.where(
+    length: Floats = np.where(
         order == 2, euclidean, np.where(order == 1, sizes.sum(axis=0), sizes.max(axis=0))
     )
+    return length

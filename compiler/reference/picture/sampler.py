@@ -94,8 +94,8 @@ class Reader:
         if self._image.only is not None:
             return self._image.only
         place = self._place(where)
-        changes = [[_whole(_tame(lane)) for lane in lanes] for lanes in (across, down)]
-        level = levels.by_changes(self._image, place.coordinate, *changes, self._ways)
+        right, below = ([_whole(_tame(lane)) for lane in lanes] for lanes in (across, down))
+        level = levels.by_changes(self._image, place.coordinate, right, below, self._ways)
         return self._filtered(place, level)
 
     def _gather(self, *operands: Lanes) -> Lanes:

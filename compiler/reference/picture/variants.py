@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -73,40 +74,53 @@ def variants(
     Bits are ``None`` where they do not matter; ``volumes`` and ``cubes`` say what is read;
     with ``gradients`` the device does not project those that a program gives for a cube.
     """
-    found = [EXACT]
-
-    def add(kind: int, **changes: float) -> None:
-        new = {name: np.array([value]) for name, value in changes.items()}
-        found.append(replace(EXACT, kind=np.array([kind]), **new))
-
+    changes: list[_Change] = []
     if subtexel_bits is not None:
-        for step in (-(2.0**-subtexel_bits), 2.0**-subtexel_bits):
-            add(1, across=step)
-            add(2, down=step)
-            if volumes:
-                add(11, inward=step)
-        for corner in range(3 if cubes else 0):
-            add(12, corner=corner)
+        changes += _of_filters(2.0**-subtexel_bits, volumes=volumes, cubes=cubes)
     if mip_bits is not None:
-        for row, column in ((0, 0), (0, 1), (1, 0), (1, 1)):
-            add(3, row=row, column=column)
-            if cubes:
-                add(3, row=row, column=column, surface=1)
-                add(3, row=row, column=column, surface=1, order=1.0)
-        if cubes and gradients:
-            # Far enough off for the levels between to differ from both ends.
-            for level in (-0.5, 0.0, 0.5):
-                add(3, surface=2, level=level)
-                add(3, surface=2, level=level, order=1.0)
-        add(4, level=-(2.0**-mip_bits), order=np.inf)
-        add(4, level=2.0**-mip_bits, order=1.0)
+        changes += _of_levels(2.0**-mip_bits, cubes=cubes, gradients=gradients)
     if varying_bits is not None:
-        add(5, nudge=2.0**-varying_bits)
-        add(6, nudge=2.0**-varying_bits, checkered=1)
+        changes += [(5, {"nudge": 2.0**-varying_bits})]
+        changes += [(6, {"nudge": 2.0**-varying_bits, "checkered": 1})]
     if rounding_bits is not None:
-        add(7, rounding=2.0**-rounding_bits)
+        changes += [(7, {"rounding": 2.0**-rounding_bits})]
     if functions:
-        for kind, period in ((8, 1 << 30), (9, 1), (10, 2)):
-            add(kind, period=period)
+        changes += [(kind, {"period": period}) for kind, period in _PERIODS]
+    found = [EXACT, *(_changed(kind, how) for kind, how in changes)]
     names = [field.name for field in fields(Variants)]
     return Variants(*(np.concatenate([getattr(one, name) for one in found]) for name in names))
+
+
+_Change = tuple[int, Mapping[str, float]]
+"""A kind, and what is not exact."""
+
+_PERIODS = ((8, 1 << 30), (9, 1), (10, 2))
+
+
+def _of_filters(step: float, *, volumes: bool, cubes: bool) -> Iterator[_Change]:
+    for off in (-step, step):
+        yield 1, {"across": off}
+        yield 2, {"down": off}
+        if volumes:
+            yield 11, {"inward": off}
+    for corner in range(3 if cubes else 0):
+        yield 12, {"corner": corner}
+
+
+def _of_levels(step: float, *, cubes: bool, gradients: bool) -> Iterator[_Change]:
+    for row, column in ((0, 0), (0, 1), (1, 0), (1, 1)):
+        yield 3, {"row": row, "column": column}
+        if cubes:
+            yield 3, {"row": row, "column": column, "surface": 1}
+            yield 3, {"row": row, "column": column, "surface": 1, "order": 1.0}
+    # Far enough off for the levels between to differ from both ends.
+    for level in (-0.5, 0.0, 0.5) if cubes and gradients else ():
+        yield 3, {"surface": 2, "level": level}
+        yield 3, {"surface": 2, "level": level, "order": 1.0}
+    yield 4, {"level": -step, "order": np.inf}
+    yield 4, {"level": step, "order": 1.0}
+
+
+def _changed(kind: int, how: Mapping[str, float]) -> Variants:
+    new = {name: np.array([value]) for name, value in how.items()}
+    return replace(EXACT, kind=np.array([kind]), **new)

@@ -49,13 +49,13 @@ def encoded(lanes: Linear, format: TextureFormat) -> Texels:
 
 def stored_levels(
     format: TextureFormat, levels: Sequence[bytes], size: Callable[[int], tuple[int, int, int]]
-) -> list[NDArray[np.float64 | np.int64]]:
+) -> list[NDArray[np.float64] | NDArray[np.int64]]:
     """Each level as a shader reads it: of depths one lane, else four, 0, 0, 1 where there are not.
 
     ``size`` is a level's depth, height and width.
     """
     texel = TEXELS[format]
-    found: list[NDArray[np.float64 | np.int64]] = []
+    found: list[NDArray[np.float64] | NDArray[np.int64]] = []
     for number, data in enumerate(levels):
         texels = np.frombuffer(data, texel.kind).reshape(*size(number), texel.lanes)
         if texel.sample == "float":

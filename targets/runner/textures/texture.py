@@ -166,11 +166,9 @@ class Texture:
 
     def image(self) -> Image:
         """The texture as drivers take it."""
-        return Image(
-            self.format, self.width, self.height, self.levels, self.dimension, self.depth
-        )
+        return Image(self.format, self.width, self.height, self.levels, self.dimension, self.depth)
 
-    def linear(self) -> list[NDArray[np.float64 | np.int64]]:
+    def linear(self) -> list[NDArray[np.float64] | NDArray[np.int64]]:
         """Each level as a shader reads it, exactly: (height, width, 4), or (height, width, 1).
 
         The latter of depths. Of other dimensions than ``2d`` with the layers first.
@@ -206,7 +204,9 @@ def default_texture(name: str, dimension: Dimension = "2d", sample: Kind = "floa
     return _texel(np.zeros(4, np.uint8 if sample == "uint" else np.int32), dimension, sample)
 
 
-def _texel(lanes: NDArray[Any], dimension: Dimension, sample: Kind, *, srgb: bool = False) -> Texture:
+def _texel(
+    lanes: NDArray[Any], dimension: Dimension, sample: Kind, *, srgb: bool = False
+) -> Texture:
     """A texture of one texel, or of one on each face."""
     import numpy as np
 

@@ -98,7 +98,7 @@ def _backwards(texture: Texture) -> Image:
     whole = image(texture)
     sizes = (level_size(whole, number)[2] for number in range(len(whole.levels)))
     turned = (
-        b"".join(np.split(np.frombuffer(level, "u1"), depth)[::-1])
+        b"".join(part.tobytes() for part in np.split(np.frombuffer(level, "u1"), depth)[::-1])
         for level, depth in zip(whole.levels, sizes, strict=True)
     )
     return replace(whole, levels=tuple(turned))

@@ -14,9 +14,7 @@ KINDS = {"float32": "f", "sint32": "i", "uint32": "u"}
 """From the kind of a ``VertexFormat`` to moderngl's letter."""
 
 
-def link(
-    context: moderngl.Context, functions: Functions, pipeline: Pipeline
-) -> moderngl.Program:
+def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) -> moderngl.Program:
     """Compiles and links, and gives every block and texture a binding: its number in the pipeline.
 
     Raises ``DriverError`` with the driver's log, and where the text and the pipeline disagree.

@@ -111,7 +111,9 @@ def _state(slot: TextureSlot, levels: int) -> dict[int, int]:
         GL_TEXTURE_MAX_LEVEL: levels - 1,
         GL_TEXTURE_MIN_FILTER: MINIFY[minify],
         GL_TEXTURE_MAG_FILTER: MAGNIFY[minify[0]],
-        **dict.fromkeys((GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R), WRAPS[slot.wrap]),
+        **dict.fromkeys(
+            (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R), WRAPS[slot.wrap]
+        ),
     }
     if slot.compare is not None:
         state[GL_TEXTURE_COMPARE_MODE] = GL_COMPARE_REF_TO_TEXTURE
