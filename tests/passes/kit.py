@@ -184,6 +184,12 @@ class Smooth:
         if name.startswith("texture_"):
             sizes = {"texture_size": (16,) * self.type.extents, "texture_layers": (3,)}
             return sizes.get(name, (5,))
+        if name == "load":
+            last = [self.type.extents * (15,), *((2,),) * self.type.layered, (4,)]
+            operands = tuple(
+                tuple(self.xp.maximum(self.xp.minimum(lane, m), 0) for lane, m in pairs)
+                for pairs in map(zip, operands, last)
+            )
         place: Any = 0.0
         for number, lane in enumerate(lane for operand in operands for lane in operand):
             place = place + (-1.0) ** number * (2.0 + number) * lane
