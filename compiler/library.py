@@ -15,6 +15,7 @@ from .syntax.parser import parse
 
 FOLDER = Path(__file__).parent.parent / "stdlib"
 MEANING = "meaning.burnish"
+CONVERSIONS = "spaces.burnish"
 
 
 def parse_library(source: Source, report: Report) -> ast.File:
@@ -45,6 +46,28 @@ def _tree_shape() -> str:
 
 
 @lru_cache(maxsize=1)
+def conversions() -> Module:
+    """The module of what leads from one space to another."""
+    file, path = _internal(CONVERSIONS)
+    module = Module(file, path)
+    for declaration in file.declarations:
+        assert not isinstance(declaration, ast.Import)
+        name = declaration.name.text
+        others = module.declared.get(name, ())
+        module.declared[name] = (*others, Symbol(declaration, module))
+    return module
+
+
+def _internal(name: str) -> tuple[ast.File, Path]:
+    """A library file that no other file can import."""
+    path = FOLDER / name
+    report = Report()
+    file = parse_library(Source(name, path.read_text(encoding="utf-8")), report)
+    assert not report.failed, report.diagnostics
+    return file, path
+
+
+@lru_cache(maxsize=1)
 def expansions() -> tuple[Module, dict[str, tuple[Symbol, ...]]]:
     """The module of the builtins' expansions, and its functions by the builtin they stand for.
 
@@ -52,11 +75,7 @@ def expansions() -> tuple[Module, dict[str, tuple[Symbol, ...]]]:
     """
     from ..stdlib.builtins import BUILTINS
 
-    path = FOLDER / MEANING
-    source = Source(MEANING, path.read_text(encoding="utf-8"))
-    report = Report()
-    file = parse_library(source, report)
-    assert not report.failed, report.diagnostics
+    file, path = _internal(MEANING)
     module = Module(file, path)
     found: dict[str, tuple[Symbol, ...]] = {}
     expanding = {row.expansion for row in BUILTINS.values()}

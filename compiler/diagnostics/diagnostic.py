@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal
 
-from ...frozen import frozen
+from ...frozen import changed, frozen
 from .source import Span
 
 Severity = Literal["error", "warning", "note"]
@@ -76,6 +76,17 @@ class Report:
         """Take over diagnostics collected elsewhere."""
         for other in others:
             self._found.setdefault((other.rule.code, other.message, other.span), other)
+
+    @property
+    def count(self) -> int:
+        """How many findings there are by now."""
+        return len(self._found)
+
+    def explain(self, since: int, label: Label) -> None:
+        """Add a place to all that was found after the first ``since`` findings."""
+        for key in list(self._found)[since:]:
+            found = self._found[key]
+            self._found[key] = changed(found, labels=(*found.labels, label))
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:

@@ -311,6 +311,62 @@ NO_RANGE = _error(
     "Only numbers, and vectors of numbers lane by lane, are bounded by `in a..b`.",
 )
 
+WRONG_MEANING = _error(
+    "B0320",
+    "expected {expected}, found {found}",
+    "What a value means is part of its type: a point is no vector, a colour no direction, and a "
+    "value in one space none in another. `x in space` converts, `(x as type)` gives another "
+    "meaning to the same numbers, and `vec3(x)` takes them as bare numbers, which fit everywhere.",
+)
+MIXED_SPACES = _error(
+    "B0321",
+    "`{operator}` of values in two spaces: {left} and {right}",
+    "Coordinates of two spaces are measured from different origins along different axes. Bring "
+    "both into one space first: `x in space`.",
+)
+MIXED_MEANINGS = _error(
+    "B0322",
+    "`{operator}` means nothing between {left} and {right}",
+    "Points differ by vectors, and vectors move points; a sum of two points depends on where the "
+    "origin lies. Colours, angles and geometry do not mix. Calls such as `vec3(x)` or `float(x)` "
+    "take a value as bare numbers.",
+)
+NOT_OF_A_POINT = _error(
+    "B0323",
+    "`{operator}` cannot be taken of a {left}",
+    "A point is a place: it has a distance to another point, but no length, and from it to another "
+    "leads a direction, but it has none itself.",
+)
+NOT_UNIT = _error(
+    "B0324",
+    "expected {expected}, found {found}, which may not have length one",
+    "A `direction` or `normal` that is declared has length one, and formulas rely on that. The "
+    "compiler has to see it: from `normalize`, from another direction, from the numbers "
+    "themselves. Interpolation loses it, since the mean of two directions is shorter.",
+)
+BARE_ANGLE = _error(
+    "B0325",
+    "`{text}` is no angle: it lacks a unit",
+    "Angles are written with their unit, `20deg` or `0.35rad`. Only zero needs none.",
+)
+IN_NO_SPACE = _error(
+    "B0326",
+    "{found} is in no space, so there is nothing to convert",
+    "`x in space` takes points, vectors, directions and normals, whose type says where they are.",
+)
+NO_CONVERSION = _error(
+    "B0327",
+    "nothing leads from {found} into `{space}`",
+    "Values are converted by the slots that are declared as `transform<A, B>` or `frame<A, B>` in "
+    "the record, its surface or the pass. Points need transforms; clip space is for points only, "
+    "and nothing leads back out of it.",
+)
+UNTOLD_PARAMETER = _error(
+    "B0328",
+    "no argument of `{function}` tells what `{name}` is",
+    "A type parameter stands for something about the arguments, so the type of at least one of "
+    "them has to name it.",
+)
 TEXTURE_LACKS_READ = _error(
     "B0350",
     "a `{type}` has no {read}",

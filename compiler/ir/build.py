@@ -70,6 +70,8 @@ def swizzle(graph: Graph, operand: Node, lanes: tuple[int, ...]) -> Node:
 
 def index(graph: Graph, operand: Node, position: Node) -> Node:
     """Element of an array, column of a matrix or lane of a vector."""
+    if operand.op == "array" and position.op == "constant" and isinstance(position.data, int):
+        return operand.operands[position.data]
     match operand.type:
         case Array(element=element):
             type_: Type = element
@@ -85,8 +87,10 @@ def index(graph: Graph, operand: Node, position: Node) -> Node:
 
 
 def member(graph: Graph, operand: Node, name: str) -> Node:
-    """Member of a struct."""
+    """Member of a struct; of one that was made here, what it got."""
     assert isinstance(operand.type, Struct)
+    if operand.op == "struct":
+        return operand.operands[[member for member, _ in operand.type.members].index(name)]
     return graph.node("member", operand.type.member(name), (operand,), name)
 
 

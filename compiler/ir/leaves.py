@@ -8,6 +8,7 @@ from typing import Literal
 
 from ...frozen import frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
+from .meaning import Meaning
 from .types import BOOL, UINT, VEC4, Type
 
 InterpolationMode = Literal["perspective", "flat"]
@@ -40,6 +41,7 @@ class Parameter:
     member_facts: tuple[tuple[str, Fact], ...] = ()
     derived: bool = False
     """Computed on the host side from other parameters and kept in the group's derived block."""
+    meaning: Meaning | None = None
     host: HostPlace | None = None
     """The host's own block that holds it, instead of the group's."""
 
@@ -63,6 +65,7 @@ class Attribute:
     name: str
     type: Type
     step: Step = "vertex"
+    meaning: Meaning | None = None
 
 
 PIPELINE_TYPES: Mapping[str, Type] = {

@@ -28,6 +28,7 @@ Op = Literal[
     "struct",  # one operand for each member
     "array",  # the elements
     "swizzle",  # data: tuple of lane numbers
+    "as",  # data: Meaning, or None for bare numbers; the operand itself. Gone after semantics
     "index",  # (aggregate, integer)
     "member",  # data: member name of a struct
     "select",  # (condition, then, otherwise); data: "branch" where both must not be computed
@@ -195,6 +196,13 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, froz
         if theirs and theirs is not variables:
             variables = variables | theirs if variables else theirs
     return free, variables
+
+
+def bare(node: Node) -> Node:
+    """The value under what was said of its meaning."""
+    while node.op == "as":
+        (node,) = node.operands
+    return node
 
 
 def reachable(roots: Iterable[Node]) -> list[Node]:

@@ -11,10 +11,10 @@ from collections.abc import Iterable
 
 from ..ir import build
 from ..ir.node import Graph, Node
-from ..ir.types import INT, Array, Matrix, Struct
+from ..ir.rewrite import rewrite
+from ..ir.types import INT, Array, Matrix
 from ..semantics.shader import Notes
 from ..trampoline import Step, run
-from .rewrite import rewrite
 
 NESTED_MATRICES = 8
 """Matrices are chosen by branches; of choices inside of more choices, each column by itself."""
@@ -51,9 +51,6 @@ class _Dissolving:
         return self._members[key]
 
     def _new_member(self, source: Node, name: str) -> Step[Node]:
-        assert isinstance(source.type, Struct)
-        if source.op == "struct":
-            return source.operands[[member for member, _ in source.type.members].index(name)]
         if source.op == "select":
             condition, then, otherwise = source.operands
             first = yield self._member(then, name)
@@ -76,10 +73,6 @@ class _Dissolving:
         return self._elements[key]
 
     def _new_element(self, source: Node, position: Node) -> Step[Node]:
-        if source.op == "array":
-            if position.op == "constant" and isinstance(position.data, int):
-                return source.operands[position.data]
-            return build.index(self._graph, source, position)
         if source.op == "select":
             condition, then, otherwise = source.operands
             first = yield self._element(then, position)
@@ -135,7 +128,9 @@ class _Dissolving:
             position = build.constant(self._graph, INT, i)
             then, otherwise = (build.index(self._graph, side, position) for side in sides)
             columns.append(self._chosen(condition, then, otherwise))
-        return build.matrix(self._graph, tuple(columns))
+        parted = build.matrix(self._graph, tuple(columns))
+        self._nesting[parted.id] = depth
+        return parted
 
 
 def _in_made_array(source: Node) -> bool:

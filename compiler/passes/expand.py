@@ -12,8 +12,9 @@ from ..diagnostics.source import Span
 from ..ir.node import Formal, Node, Op, reachable
 from ..ir.types import Scalar, Type, Vector
 from ..library import expansions
-from ..semantics.calls import accepts, apply_body
+from ..semantics.calls import apply_body, best
 from ..semantics.lower import Lowering
+from ..semantics.meanings import erased
 from ..semantics.modules import Named
 from ..semantics.records import Records
 from ..semantics.scope import Failure
@@ -72,13 +73,13 @@ def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
     arguments = tuple(
         low.graph.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
     )
-    for symbol in functions[BUILTINS[name].expansion]:
-        if accepts(low, symbol, arguments):
-            source = symbol.module.file.source
-            value = run(apply_body(low, symbol, arguments, Span(source, 0, 0)))
-            assert not isinstance(value, Failure), report.diagnostics
-            return _template(symbol.declaration, arguments, value, low.notes.roles)
-    return None
+    symbol = best(low, list(functions[BUILTINS[name].expansion]), arguments)
+    if symbol is None:
+        return None
+    value = run(apply_body(low, symbol, arguments, Span(symbol.module.file.source, 0, 0)))
+    assert not isinstance(value, Failure), report.diagnostics
+    (value,) = erased(low.graph, (value,), low.notes.follow)
+    return _template(symbol.declaration, arguments, value, low.notes.roles)
 
 
 def _template(

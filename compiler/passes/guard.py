@@ -14,11 +14,11 @@ from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
 from ..ir.node import Formal, Formals, Graph, Node, Op
+from ..ir.ranges import Ranges
 from ..ir.types import Scalar, Texture, Type, Vector, with_width
 from ..semantics.shader import Notes
 from .expand import Template, template
 from .paths import Paths
-from .ranges import Ranges
 from .simplify import Simplifier
 
 BRANCH = "branch"

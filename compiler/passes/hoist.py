@@ -12,12 +12,12 @@ from collections.abc import Iterable
 from ...frozen import frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, reachable
+from ..ir.ranges import Ranges
+from ..ir.rewrite import rewrite
 from ..ir.types import Matrix, Scalar, Vector
 from ..semantics.shader import Notes
 from .cost import cost_of
 from .naming import Naming
-from .ranges import Ranges
-from .rewrite import rewrite
 
 COMMON_GROUP = "frame"
 """Every other group is updated at least as often, so it may go with any of them."""

@@ -6,9 +6,9 @@ from collections import Counter
 from collections.abc import Iterable
 
 from ..ir.node import Graph, Node, reachable
+from ..ir.rewrite import rewrite
 from ..semantics.shader import Notes
 from .cost import cost
-from .rewrite import rewrite
 from .simplify import Simplifier, substitute_through
 
 TRIVIAL = 4

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..ir.node import Formal, Formals, Graph, Node, formals_of
+from ..ir.rewrite import rewrite
 from ..semantics.shader import Notes
 from .naming import Naming
-from .rewrite import rewrite
 from .schedule import operands_of, visible
 
 GLOBALS = frozenset({"constant", "parameter", "resource"})

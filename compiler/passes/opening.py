@@ -23,9 +23,9 @@ from ..ir.node import (
     bodies_of,
     reachable,
 )
+from ..ir.rewrite import rewrite
 from ..ir.types import INT, Array, Struct, Type
 from ..semantics.shader import Notes
-from .rewrite import rewrite
 
 
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:

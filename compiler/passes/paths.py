@@ -13,9 +13,9 @@ from collections.abc import Iterable, Iterator
 from ...frozen import frozen
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
 from ..ir.node import Node, reachable
+from ..ir.ranges import Ranges
 from ..ir.types import Scalar
 from .arithmetic import OPPOSITES
-from .ranges import Ranges
 from .uniformity import needing_uniform_flow
 
 FARTHEST = 16

@@ -9,6 +9,8 @@ from ..ir import build
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Graph, Node
 from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying, texture_reads
+from ..ir.ranges import Ranges
+from ..ir.rewrite import rewrite
 from ..layout import STANDARD_GROUPS, layout_blocks
 from ..semantics.shader import Notes, Shader
 from .checkpoint import passed
@@ -21,9 +23,7 @@ from .lift import lift
 from .naming import Naming
 from .opening import open_binders
 from .paths import Paths
-from .ranges import Ranges
 from .rates import move_to_vertices
-from .rewrite import rewrite
 from .schedule import Scheduler, called_functions, visible
 from .separate import separate
 from .simplify import Simplifier

@@ -102,7 +102,7 @@ class Scheduler:
                 head = _Block(home, node, frozenset(formals_of(node)), home.depth + 1)
                 tail = head if node.op == "fold" else _Block(head, None, depth=head.depth + 1)
                 self._loops[node.id] = head, tail
-            elif node.id in branching and (home.depth < DEEPEST or node.data == BRANCH):
+            elif node.id in branching and (home.depth < DEEPEST or _has_to_branch(node)):
                 self._sides[node.id] = (
                     _Block(home, node, depth=home.depth + 1),
                     _Block(home, node, depth=home.depth + 1),
@@ -159,12 +159,7 @@ class Scheduler:
         return {
             node.id
             for node in self._order
-            if node.op == "select"
-            and (
-                node.data is not None
-                or isinstance(node.type, Matrix)
-                or self._dear_side(node, users)
-            )
+            if node.op == "select" and (_has_to_branch(node) or self._dear_side(node, users))
         }
 
     def _dear_side(self, select: Node, users: dict[int, set[tuple[int, int]]]) -> bool:
@@ -315,6 +310,11 @@ def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
 
 def _reads_texture(node: Node) -> bool:
     return bool(node.operands) and isinstance(node.operands[0].type, Texture)
+
+
+def _has_to_branch(select: Node) -> bool:
+    """One side is safe only behind the condition, or no language has a `?:` for the type."""
+    return select.data == BRANCH or isinstance(select.type, Matrix)
 
 
 def is_access(node: Node) -> bool:

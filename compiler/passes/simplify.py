@@ -13,15 +13,15 @@ from ...stdlib.builtins import BUILTINS
 from ..ir import build
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
-from ..ir.types import INT, Scalar, Struct, Type, Vector, scalar_kind, width
+from ..ir.ranges import Ranges
+from ..ir.rewrite import rewrite
+from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.evaluate import evaluate
 from ..reference.namespace import Lanes
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
 from .cost import cost_of
-from .ranges import Ranges
-from .rewrite import rewrite
 
 LARGEST_FLOAT = 3.4028234663852886e38
 UNROLLED = 2
@@ -188,11 +188,8 @@ def _index(s: Simplifier, type_: Type, operands: tuple[Node, ...], _data: Hashab
     return source.operands[position.data] if source.op in ("matrix", "array") else None
 
 
-def _member(_s: Simplifier, _type: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
-    (source,) = operands
-    if source.op != "struct" or not isinstance(source.type, Struct):
-        return None
-    return source.operands[[name for name, _ in source.type.members].index(str(data))]
+def _member(s: Simplifier, _type: Type, operands: tuple[Node, ...], data: Hashable) -> Node:
+    return build.member(s.graph, operands[0], str(data))
 
 
 def _select(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:

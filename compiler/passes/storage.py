@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterable, Mapping
 from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node
+from ..ir.rewrite import rewrite
 from ..ir.types import (
     BOOL,
     INT,
@@ -29,7 +30,6 @@ from ..ir.types import (
     width,
 )
 from ..layout import elements_in_row, stored_type
-from .rewrite import rewrite
 
 _MADE = frozenset({"array", "struct", "iterate"})
 """What is put together in the shader, out of plain values; all other aggregates are stored."""

@@ -116,6 +116,11 @@ def _interpolate(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
     return operands[0]
 
 
+def _ascribed(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
+    """Semantics evaluates constants while meanings are still noted in the graph."""
+    return operands[0]
+
+
 _STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "constant": _constant,
     "call": _call,
@@ -130,5 +135,6 @@ _STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "member": _member,
     "select": _select,
     "interpolate": _interpolate,
+    "as": _ascribed,
 }
 """A ``native`` is only used where the hardware agrees with the builtin's meaning."""

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..ir.node import Node
 from ..ir.types import Array, Texture, Type
 from ..syntax import ast
 from ..trampoline import Step
+from . import mixing
 from .coerce import coerce
 from .declared import struct_of
 from .modules import Symbol
@@ -24,25 +26,27 @@ LONGEST = 4096
 
 def structure(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call) -> Value:
     """A structure from its members, in the order of their declaration."""
-    type_ = struct_of(low, symbol)
-    if type_ is None:
+    declared = struct_of(low, symbol)
+    if declared is None:
         return FAILURE
-    if len(arguments) != len(type_.members):
+    members = declared.members
+    if len(arguments) != len(members):
         low.report.add(
             rules.MEMBER_COUNT, e.span, name=symbol.name, found=len(arguments),
-            members=", ".join(f"{name}: {inner}" for name, inner in type_.members),
+            members=", ".join(f"{name}: {member.text}" for name, member in members),
             labels=[Label(symbol.declaration.name.span, "declared here")],
         )  # fmt: skip
         return FAILURE
     parts: list[Node] = []
     failed = False
-    for (name, inner), given, written in zip(type_.members, arguments, e.arguments, strict=True):
-        part = low.fit(given, inner, f"{inner} for `{name}`", written.span)
+    for (name, member), given, written in zip(members, arguments, e.arguments, strict=True):
+        wanted = changed(member, text=f"{member.text} for `{name}`")
+        part = low.as_declared(given, wanted, written)
         if isinstance(part, Failure):
             failed = True
         else:
             parts.append(part)
-    return FAILURE if failed else low.graph.node("struct", type_, tuple(parts))
+    return FAILURE if failed else low.graph.node("struct", declared.type, tuple(parts))
 
 
 def array(low: Lowering, e: ast.Array, scope: Scope) -> Step[Value]:
@@ -70,7 +74,8 @@ def array(low: Lowering, e: ast.Array, scope: Scope) -> Step[Value]:
         fitted = [coerce(low.graph, element, type_) for element in elements]
         if all(fitted):
             parts = tuple(part for part in fitted if part is not None)
-            return low.graph.node("array", Array(type_, len(parts)), parts)
+            whole = low.graph.node("array", Array(type_, len(parts)), parts)
+            return mixing.checked(low, whole, "[…]", e.span, e.elements, scope)
     _report_odd(low, e, elements)
     return FAILURE
 

@@ -9,16 +9,17 @@ from ...stdlib.builtins import BUILTINS
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
-from ..ir.node import Node
-from ..ir.types import Array, Struct, Texture, scalar_kind
+from ..ir.node import Node, bare
+from ..ir.types import VEC3, Array, Struct, Texture, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
-from . import lights, lookup, overloads, textures
+from . import fitting, lights, lookup, overloads, textures
 from .aggregates import structure
 from .coerce import coerce
 from .construct import construct, is_constructor
-from .declared import declared_type
-from .functions import bind_type_parameters, entered, fit_result
+from .declared import declared_type, numbers_of
+from .functions import bound, entered, fit_result
+from .generics import shown, untold
 from .modules import Symbol
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
@@ -86,7 +87,7 @@ def _named(
     if structures and isinstance(structures[0].declaration, ast.StructDeclaration):
         return FAILURE if failed else structure(low, structures[0], arguments, e)
     if _is_built_in(name):
-        return FAILURE if failed else _built_in(low, name, arguments, e)
+        return FAILURE if failed else _built_in(low, name, arguments, e, scope)
     surface = scope.surface
     if surface is not None and _is_map(surface.record.definitions.get(name)):
         texture = yield lookup.slot(low, surface, name, callee.span)
@@ -107,12 +108,14 @@ def _is_built_in(name: str) -> bool:
     return callable_row or name == "unguarded" or is_constructor(name)
 
 
-def _built_in(low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call) -> Value:
+def _built_in(
+    low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+) -> Value:
     if name == "unguarded":
         return _unguarded(low, arguments, e)
     if is_constructor(name):
         return construct(low, name, arguments, e)
-    return low.builtin(name, arguments, e.span, name)
+    return low.builtin(name, arguments, e.span, name, e.arguments, scope)
 
 
 ELSEWHERE = {
@@ -152,11 +155,12 @@ def _not_callable(low: Lowering, name: str, span: Span, scope: Scope) -> None:
 
 def _unguarded(low: Lowering, arguments: tuple[Node, ...], e: ast.Call) -> Value:
     """``unguarded(f(x))``: the outermost operation as the hardware does it."""
-    if len(arguments) != 1 or arguments[0].op != "call":
+    if len(arguments) != 1 or bare(arguments[0]).op != "call":
         low.report.add(rules.UNGUARDED, e.span)
         return FAILURE
-    (node,) = arguments
-    return low.graph.node("native", node.type, node.operands, node.data)
+    node = bare(arguments[0])
+    native = low.graph.node("native", node.type, node.operands, node.data)
+    return low.meanings.ascribed(native, low.meanings.of(arguments[0]))
 
 
 def listed(operands: tuple[Node, ...]) -> str:
@@ -181,7 +185,7 @@ def no_signature(
         low.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
-            hint=_parts(operands) or _mixed_numbers(operands),
+            hint=_parts(operands) or _mixed_numbers(operands) or _bare_moved(low, operands),
         )  # fmt: skip
         return FAILURE
     hint = f"candidates: {overloads.signatures(row)}"
@@ -206,6 +210,15 @@ def _mixed_numbers(operands: tuple[Node, ...]) -> str:
     return "convert the integer with `float(…)`" if mixed else ""
 
 
+def _bare_moved(low: Lowering, operands: tuple[Node, ...]) -> str:
+    """How to mend ``transform * vec3``, which may be meant for a point or a vector."""
+    by = low.meanings.of(operands[0])
+    if by is None or by.kind != "transform" or operands[-1].type != VEC3:
+        return ""
+    space = by.spaces[0]
+    return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
+
+
 # --- functions and terms -------------------------------------------------------------------------
 
 
@@ -216,10 +229,10 @@ def _function(
     e: ast.Call,
     scope: Scope,
 ) -> Step[Value]:
-    for symbol in overloaded:
-        if len(overloaded) == 1 or accepts(low, symbol, arguments):
-            result: Value = yield _apply(low, symbol, arguments, e, scope)
-            return result
+    symbol = overloaded[0] if len(overloaded) == 1 else best(low, overloaded, arguments)
+    if symbol is not None:
+        result: Value = yield _apply(low, symbol, arguments, e, scope)
+        return result
     low.report.add(
         rules.NO_OVERLOAD, e.span, name=overloaded[0].name, arguments=listed(arguments),
         labels=[Label(s.declaration.name.span, "a candidate") for s in overloaded],
@@ -227,20 +240,43 @@ def _function(
     return FAILURE
 
 
-def accepts(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...]) -> bool:
-    """Whether an overload takes these arguments; reports nothing."""
+def best(low: Lowering, overloaded: list[Symbol], arguments: tuple[Node, ...]) -> Symbol | None:
+    """The overload that takes the arguments most nearly as they are.
+
+    What need not adapt comes before what must, concrete types before type parameters, and then the
+    order of the file decides.
+    """
+    ranked: list[tuple[bool, bool, int]] = []
+    for number, symbol in enumerate(overloaded):
+        adapts = accepts(low, symbol, arguments)
+        function = symbol.declaration
+        assert isinstance(function, ast.Function)
+        if adapts is not None:
+            ranked.append((adapts, bool(function.type_parameters), number))
+    return overloaded[min(ranked)[2]] if ranked else None
+
+
+def accepts(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...]) -> bool | None:
+    """Whether an overload takes these arguments only if one adapts; ``None`` if not at all.
+
+    Reports nothing.
+    """
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     if len(function.arguments) != len(arguments):
-        return False
-    variables = bind_type_parameters(function, arguments)
+        return None
+    variables = bound(low, function, arguments)
     if variables is None:
-        return False
+        return None
+    adapts = False
     for formal, argument in zip(function.arguments, arguments, strict=True):
         wanted = declared_type(low, formal.type, symbol.module, variables)
-        if wanted is None or coerce(low.graph, argument, wanted.type) is None:
-            return False
-    return True
+        generic = formal.type.name.text in variables
+        fits = None if wanted is None else fitting.adapts(low, argument, wanted, broadcast=generic)
+        if fits is None:
+            return None
+        adapts = adapts or fits
+    return adapts
 
 
 def _apply(
@@ -248,7 +284,7 @@ def _apply(
 ) -> Step[Value]:
     function = symbol.declaration
     assert isinstance(function, ast.Function)
-    fitted = _fit_arguments(low, symbol, arguments, e)
+    fitted = _fit_arguments(low, symbol, arguments, e, scope)
     if fitted is None:
         return FAILURE
     if function.per is not None:
@@ -263,7 +299,7 @@ def _apply(
 
 
 def _fit_arguments(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
 ) -> tuple[Node, ...] | None:
     function = symbol.declaration
     assert isinstance(function, ast.Function)
@@ -274,7 +310,9 @@ def _fit_arguments(
             labels=[Label(function.name.span, "declared here")],
         )  # fmt: skip
         return None
-    variables = bind_type_parameters(function, arguments)
+    variables = bound(low, function, arguments)
+    if variables is None and untold(function):  # Which has been reported.
+        return None
     if variables is None:
         low.report.add(
             rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments),
@@ -288,7 +326,7 @@ def _fit_arguments(
             return None
         generic = formal.type.name.text in variables
         broadcast = coerce(low.graph, argument, wanted.type, broadcast=generic)
-        node = broadcast or low.fit(argument, wanted.type, wanted.text, written.span)
+        node = low.as_declared(broadcast or argument, wanted, written, scope)
         if isinstance(node, Failure):
             return None
         fitted.append(node)
@@ -314,13 +352,36 @@ def apply_body(
         formal.name.text: argument
         for formal, argument in zip(function.arguments, arguments, strict=True)
     }
-    scope = Scope(symbol.module, surface=surface, locals=locals_)
+    variables = bound(low, function, arguments) or {}
+    values = {**numbers_of(low, variables), **locals_}
+    scope = Scope(symbol.module, surface=surface, locals=values, variables=variables)
+    before = low.report.count
     result: Node | Failure = yield low.node(function.body, scope)
     result = fit_result(low, symbol, result, arguments)
+    if variables:
+        label = Label(span, f"in `{shown(symbol.name, variables)}`, called here")
+        low.report.explain(before, label)
     low.active.pop(symbol)
     low.applied[key] = result
     if isinstance(result, Node) and result.operands:
         low.notes.roles.setdefault(result.id, symbol.name)
+    return result
+
+
+def called(
+    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span
+) -> Step[Node | Failure]:
+    """A library function's value for arguments that it is known to take."""
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    variables = bound(low, function, arguments)
+    assert variables is not None
+    fitted = []
+    for formal, argument in zip(function.arguments, arguments, strict=True):
+        declared = declared_type(low, formal.type, symbol.module, variables)
+        assert declared is not None
+        fitted.append(low.meanings.ascribed(argument, declared.meaning))
+    result: Node | Failure = yield apply_body(low, symbol, tuple(fitted), span)
     return result
 
 
@@ -352,7 +413,7 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
         if typing is not None and typing.member.type is not None and isinstance(node, Node):
             wanted = declared_type(low, typing.member.type, typing.owner.module)
             if wanted is not None:
-                node = low.fit(node, wanted.type, wanted.text, expression.span)
+                node = low.as_declared(node, wanted, expression, scope)
         given[name.text] = Replacement(value=node)
     term = e.operand.callee if isinstance(e.operand, ast.Call) else None
     if not isinstance(e.operand, ast.Call) or not _names_term(term, scope):

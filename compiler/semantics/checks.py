@@ -13,6 +13,7 @@ from ..trampoline import run
 from . import lookup
 from .calls import apply_body
 from .declared import declared_type, struct_of
+from .fitting import assumed
 from .instances import instance_of
 from .lights import light_instance, per_light
 from .modules import Module, Symbol
@@ -137,7 +138,7 @@ def _check_function(
         return
     types = [declared_type(low, argument.type, symbol.module) for argument in function.arguments]
     arguments: tuple[Node, ...] = tuple(
-        low.graph.node("formal", type_.type, (), Formal(argument.name.text))
+        assumed(low, low.graph.node("formal", type_.type, (), Formal(argument.name.text)), type_)
         for type_, argument in zip(types, function.arguments, strict=True)
         if type_ is not None
     )

@@ -7,7 +7,7 @@ else converts without being asked to.
 from __future__ import annotations
 
 from ..ir.build import constant, splat
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, bare
 from ..ir.types import Array, Scalar, Type, Vector, scalar_kind, width
 
 
@@ -18,6 +18,7 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
     """
     if node.type == wanted:
         return node
+    node = bare(node)
     kind = scalar_kind(wanted)
     if isinstance(wanted, Array):
         return _elements(graph, node, wanted)
@@ -70,6 +71,7 @@ def _choices(root: Node) -> list[Node]:
 
 def is_constant(node: Node) -> bool:
     """Whether a value is written in the program: a literal, one with a sign, or a choice."""
+    node = bare(node)
     if node.op == "select":
         sides = (side for choice in _choices(node) for side in choice.operands[1:])
         return all(side.op == "select" or _is_literal(side) for side in sides)
@@ -77,8 +79,9 @@ def is_constant(node: Node) -> bool:
 
 
 def _is_literal(node: Node) -> bool:
+    node = bare(node)
     while node.op == "call" and node.data == "neg":
-        node = node.operands[0]
+        node = bare(node.operands[0])
     return node.op == "constant"
 
 

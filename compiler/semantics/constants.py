@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from ...stdlib.builtins.facts import SMALLEST_NORMAL
+from math import hypot
+
+from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNIT_SLACK
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir.build import parts_of
-from ..ir.node import Node, reachable
+from ..ir.node import Node, bare, reachable
 from ..ir.types import Scalar, Type
 from ..reference.evaluate import NotConstantError, evaluate
 from ..reference.namespace import Lanes
@@ -16,6 +18,7 @@ from .shader import Lanes as Value
 
 _OPERATIONS = frozenset(
     {
+        "as",
         "constant",
         "call",
         "vector",
@@ -73,9 +76,16 @@ class ConstantValues:
         lanes = evaluate(node)
         return any(not isinstance(v, tuple) and abs(v) < SMALLEST_NORMAL for v in lanes)
 
+    def is_unit(self, node: Node) -> bool:
+        """Whether a node is a constant vector of length one, up to rounding."""
+        if not self._small_constant(node):
+            return False
+        lanes = [float(v) for v in evaluate(node) if not isinstance(v, tuple)]
+        return abs(hypot(*lanes) - 1.0) < UNIT_SLACK
+
     def _small_constant(self, node: Node) -> bool:
         """Whether a node is plainly made of constants; only its near surroundings are looked at."""
-        if node.op == "constant":
+        if bare(node).op == "constant":
             return True
         if any(op.op not in _OPERATIONS for op in (node, *node.operands)):
             return False

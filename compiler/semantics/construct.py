@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
 from ..ir import build
+from ..ir.meaning import MAPS, Meaning
 from ..ir.node import Node
 from ..ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ..syntax import ast
@@ -43,7 +44,18 @@ def construct(low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call
             rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=_hint(name, type_)
         )
         return FAILURE
-    return result
+    if isinstance(result, Failure):
+        return FAILURE
+    return low.meanings.ascribed(result, _meaning(low, name, arguments))
+
+
+def _meaning(low: Lowering, name: str, arguments: tuple[Node, ...]) -> Meaning | None:
+    """What a type call makes of its numbers; the types of geometry name no space here."""
+    named = NAMED[name]
+    source = low.meanings.of(arguments[0]) if len(arguments) == 1 else None
+    if name == "mat3" and source is not None and source.kind in MAPS:
+        return Meaning("frame", source.spaces)
+    return Meaning(named.meaning) if named.meaning is not None and not named.spaces else None
 
 
 def _hint(name: str, type_: Type) -> str:

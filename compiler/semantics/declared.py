@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from ...frozen import EMPTY
 from ..diagnostics import rules
-from ..ir.types import INT, Struct, Texture, Type
+from ..ir import build
+from ..ir.types import INT, Struct, Texture
 from ..syntax import ast
 from ..trampoline import run
 from .modules import Module, Symbol
-from .scope import Failure, Scope
-from .typenames import Declared, array_of
+from .scope import Failure, Scope, Value
+from .typenames import Declared, Variables, array_of, structure
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -21,7 +22,7 @@ def declared_type(
     low: Lowering,
     written: ast.TypeName,
     module: Module,
-    variables: Mapping[str, Type] | None = None,
+    variables: Variables = EMPTY,
 ) -> Declared | None:
     """The written type as seen from ``module``, or ``None`` after reporting."""
     symbols = module.find(written.name.text)
@@ -39,13 +40,25 @@ def declared_type(
     declared = low.types.resolve(written, structs, spaces, variables)
     if declared is None or written.count is None:
         return declared
-    count = count_of(low, written.count, module)
-    return None if count is None else array_of(declared, written, count)
+    count = count_of(low, written.count, module, variables)
+    return None if count is None else array_of(declared, count)
 
 
-def count_of(low: Lowering, expression: ast.Expression, module: Module) -> int | None:
+def numbers_of(low: Lowering, variables: Variables) -> dict[str, Value]:
+    """The type parameters that stand for numbers, as values."""
+    return {
+        name: build.constant(low.graph, INT, number)
+        for name, number in variables.items()
+        if isinstance(number, int)
+    }
+
+
+def count_of(
+    low: Lowering, expression: ast.Expression, module: Module, variables: Variables = EMPTY
+) -> int | None:
     """A compile-time count of at least one, or ``None`` after reporting."""
-    node = run(low.typed(expression, Scope(module), INT, "int"))
+    scope = Scope(module, locals=numbers_of(low, variables))
+    node = run(low.typed(expression, scope, INT, "int"))
     count = None if isinstance(node, Failure) else low.constants.integer(node, expression.span)
     if count is not None and not 1 <= count <= 4096:
         low.report.add(rules.BAD_COUNT, expression.span, count=count)
@@ -53,7 +66,7 @@ def count_of(low: Lowering, expression: ast.Expression, module: Module) -> int |
     return count
 
 
-def struct_of(low: Lowering, symbol: Symbol) -> Struct | None:
+def struct_of(low: Lowering, symbol: Symbol) -> Declared | None:
     """The struct a symbol declares; structs may contain structs but never themselves."""
     if symbol not in low.structs:
         found = _struct(low, symbol)
@@ -61,7 +74,7 @@ def struct_of(low: Lowering, symbol: Symbol) -> Struct | None:
     return low.structs[symbol]
 
 
-def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
+def _struct(low: Lowering, symbol: Symbol) -> Declared | None:
     declaration = symbol.declaration
     assert isinstance(declaration, ast.StructDeclaration)
     if symbol in low.active:
@@ -85,8 +98,9 @@ def _struct(low: Lowering, symbol: Symbol) -> Struct | None:
                 hint="textures are declared with `map`, in a material, light or pass",
             )  # fmt: skip
         elif type_ is not None:
-            members.append((member.name.text, type_.type))
+            members.append((member.name.text, type_))
     low.active.pop(symbol)
     if len(members) < len(declaration.members):
         return None
-    return Struct(symbol.name, tuple(members))
+    types = tuple((name, member.type) for name, member in members)
+    return structure(Struct(symbol.name, types), tuple(members))

@@ -17,6 +17,7 @@ from . import lookup
 from .checks import check_declarations, check_slots
 from .instances import instance_of
 from .lower import Lowering
+from .meanings import erased
 from .modules import Module, Symbol
 from .parameters import Leaves, leaves_of
 from .records import Record, Records
@@ -63,6 +64,7 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     surface = instance_of(low, material, material_leaves)
     passing = instance_of(low, drawn, pass_leaves)
     passing.surface = surface
+    low.passing = passing
     surface.replaced.update(_overrides(material, drawn, passing))
     clip = _clip_position(low, passing, surface)
     targets = _targets(low, drawn, passing)
@@ -75,6 +77,7 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     leaves = (pass_leaves, material_leaves)
+    clip, targets, discard = _numbers_only(low, clip, targets, discard)
     return Shader(
         name=material.name,
         doc=declaration.doc,
@@ -91,6 +94,16 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
         discard=discard,
         externs=low.externs.blocks,
     )
+
+
+def _numbers_only(
+    low: Lowering, clip: Node, targets: tuple[TargetInfo, ...], discard: Node | None
+) -> tuple[Node, tuple[TargetInfo, ...], Node | None]:
+    """What a shader delivers, without what was noted of its meaning."""
+    roots = [clip, *(target.value for target in targets), *([] if discard is None else [discard])]
+    clip, *values = erased(low.graph, roots, low.notes.follow)
+    given = tuple(changed(t, value=v) for t, v in zip(targets, values, strict=False))
+    return clip, given, None if discard is None else values[-1]
 
 
 def _all_parameters(

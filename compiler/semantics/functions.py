@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
 from ..diagnostics.source import Span
 from ..ir.node import Node
-from ..ir.types import Matrix, Texture, Type
 from ..syntax import ast
 from . import overloads
 from .declared import declared_type
+from .generics import Use, bind
 from .modules import Symbol
 from .scope import FAILURE, Failure
+from .typenames import Variables
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -45,42 +45,16 @@ def fit_result(
     assert isinstance(function, ast.Function)
     if function.result is None:
         return result
-    variables = bind_type_parameters(function, arguments)
-    wanted = declared_type(low, function.result, symbol.module, variables)
+    variables = bound(low, function, arguments)
+    wanted = declared_type(low, function.result, symbol.module, variables or {})
     if wanted is None:
         return FAILURE
-    return low.fit(result, wanted.type, wanted.text, function.body.span)
+    return low.as_declared(result, wanted, function.body)
 
 
-_WHOLE_FAMILIES: Mapping[str, type[Matrix | Texture]] = {"matrices": Matrix, "textures": Texture}
-"""Families of types without lanes that could adapt."""
-
-
-def bind_type_parameters(
-    function: ast.Function, arguments: tuple[Node, ...]
-) -> dict[str, Type] | None:
-    """What each type parameter stands for, given the arguments: the widest type passed for it."""
-    variables: dict[str, Type] = {}
-    for parameter in function.type_parameters:
-        used = [
-            argument
-            for formal, argument in zip(function.arguments, arguments, strict=True)
-            if formal.type.name.text == parameter.name.text
-        ]
-        if not used:
-            return None
-        whole = _WHOLE_FAMILIES.get(parameter.family.text)
-        if whole is not None:
-            type_ = used[0].type
-            if not isinstance(type_, whole):
-                return None
-        else:
-            family = overloads.WRITTEN_FAMILIES.get(parameter.family.text)
-            bound = None if family is None else overloads.common_type(
-                family, [overloads.operand(node) for node in used]
-            )  # fmt: skip
-            if bound is None:
-                return None
-            type_ = bound
-        variables[parameter.name.text] = type_
-    return variables
+def bound(low: Lowering, function: ast.Function, arguments: tuple[Node, ...]) -> Variables | None:
+    """What each type parameter stands for, given the arguments."""
+    if not function.type_parameters:
+        return {}
+    uses = [Use(overloads.operand(node), low.meanings.of(node)) for node in arguments]
+    return bind(function, uses)

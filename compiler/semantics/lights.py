@@ -19,9 +19,10 @@ from ..ir.node import Formal, Node
 from ..ir.types import INT, Array, Scalar, Struct, Vector, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
-from . import lookup
+from . import fitting, lookup
+from .declared import numbers_of
 from .folds import changing, folded
-from .functions import entered, fit_result
+from .functions import bound, entered, fit_result
 from .modules import Symbol
 from .overrides import check_overrides
 from .scope import FAILURE, Failure, Instance, LightVariable, RigEntry, Scope, Value
@@ -85,7 +86,10 @@ def _shared_body(
     locals_: dict[str, Value] = {"light": light}
     for formal, argument in zip(function.arguments, arguments, strict=True):
         locals_[formal.name.text] = argument
-    body = yield low.node(function.body, Scope(symbol.module, surface=surface, locals=locals_))
+    variables = bound(low, function, arguments) or {}
+    values = {**numbers_of(low, variables), **locals_}
+    scope = Scope(symbol.module, surface=surface, locals=values, variables=variables)
+    body = yield low.node(function.body, scope)
     body = fit_result(low, symbol, body, arguments)
     if isinstance(body, Failure):
         return FAILURE
@@ -117,14 +121,17 @@ def _contribution(
     given = []
     for name, variable in slots.items():
         if not instance.has(name):
-            declared = instance.record.symbol.declaration.name.span
+            place = instance.record.symbol.declaration.name.span
             low.report.add(
                 rules.LIGHT_LACKS_SLOT, span, light=instance.record.name, slot=name,
-                labels=[Label(declared, "this light")],
+                labels=[Label(place, "this light")],
             )  # fmt: skip
             return FAILURE
         node = yield lookup.slot(low, instance, name, span)
-        fitted = low.fit(node, variable.type, str(variable.type), span)
+        declared = low.variables[variable.id]
+        fitted = low.fit(node, declared.type, declared.text, span)
+        if isinstance(fitted, Node):
+            fitted = fitting.meant(low, fitted, declared, span)
         if isinstance(fitted, Failure):
             return FAILURE
         given.append(fitted)

@@ -14,10 +14,11 @@ from ..diagnostics.diagnostic import Label
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Span
 from ..ir.leaves import PIPELINE_TYPES
-from ..ir.node import Formal, Node
+from ..ir.node import Formal, Node, bare
 from ..ir.types import Texture, Type
 from ..syntax import ast
 from ..trampoline import Step
+from . import fitting
 from .declared import declared_type
 from .modules import Module, Symbol
 from .records import Definition, NamedMember, Record
@@ -81,7 +82,7 @@ def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
     if declaration.type is not None:
         wanted = declared_type(low, declaration.type, symbol.module)
         if wanted is not None:
-            result = low.fit(result, wanted.type, wanted.text, declaration.value.span)
+            result = low.as_declared(result, wanted, declaration.value)
     low.active.pop(key)
     low.applied[key] = result
     return result
@@ -227,8 +228,7 @@ def _defined(
     wanted = declared_type(low, typing.member.type, typing.owner.module)
     if wanted is None:
         return FAILURE
-    fitted: Node | Failure = low.fit(result, wanted.type, wanted.text, expression.span)
-    return fitted
+    return low.as_declared(result, wanted, expression, scope)
 
 
 def _typing(instance: Instance, name: str) -> Record:
@@ -246,7 +246,8 @@ def _note(low: Lowering, instance: Instance, name: str, node: Node) -> None:
     definition: Definition = instance.record.definitions[name][0]
     if isinstance(definition.member, ast.Attribute):
         return
-    for named in (node, *node.operands) if node.op == "interpolate" else (node,):
+    crossing = bare(node)
+    for named in (node, *crossing.operands) if crossing.op == "interpolate" else (node,):
         low.notes.names.setdefault(named.id, shown)
         if definition.member.doc:
             low.notes.docs.setdefault(named.id, definition.member.doc)
@@ -271,8 +272,6 @@ def _is_cycle(low: Lowering, key: object, name: str, span: Span) -> bool:
 
 def light_slot(low: Lowering, light: LightVariable, name: ast.Name) -> Step[Value]:
     """``light.name`` in a term: a variable of the body that all lights share."""
-    if name.text in light.variables:
-        return light.variables[name.text]
     if not light.instance.has(name.text):
         definitions = light.record.definitions
         if any(name.text in entry.record.definitions for entry in low.rig):
@@ -293,6 +292,8 @@ def light_slot(low: Lowering, light: LightVariable, name: ast.Name) -> Step[Valu
             hint="read the texture in a slot of the light",
         )  # fmt: skip
         return FAILURE
-    variable = low.graph.node("formal", sample.type, (), Formal(name.text))
-    light.variables[name.text] = variable
-    return variable
+    variable = light.variables.get(name.text)
+    if variable is None:
+        variable = low.graph.node("formal", sample.type, (), Formal(name.text))
+        light.variables[name.text] = variable
+    return fitting.light_variable(low, light, name.text, variable, sample)

@@ -15,7 +15,9 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir import build
+from ..ir.meaning import ANGLE, RGB, RGBA
 from ..ir.node import Formal, Graph, Node
+from ..ir.ranges import Ranges
 from ..ir.types import (
     BOOL,
     FLOAT,
@@ -30,13 +32,14 @@ from ..ir.types import (
     Vector,
     width,
 )
-from ..passes.ranges import Ranges
 from ..syntax import ast
 from ..trampoline import Step
-from . import aggregates, calls, folds, lookup, overloads
+from . import aggregates, calls, conversions, fitting, folds, lookup, mixing, overloads
 from .coerce import coerce
 from .constants import ConstantValues
+from .declared import declared_type
 from .externs import Externs
+from .meanings import Meanings
 from .modules import Symbol
 from .records import Records
 from .scope import (
@@ -51,7 +54,7 @@ from .scope import (
 )
 from .shader import Notes
 from .stages import Stages
-from .typenames import TypeResolver
+from .typenames import Declared, TypeResolver
 
 OPERATORS: Mapping[str, str] = {
     "+": "add", "-": "sub", "*": "mul", "/": "div", "mod": "mod",
@@ -80,14 +83,19 @@ class Lowering:
         self.notes = Notes()
         self.stages = Stages(self.graph, report, self.notes)
         self.constants = ConstantValues(report)
+        self.meanings = Meanings(self.graph)
         self.ranges = Ranges(())
-        """What is known of values already, by which loops are bounded."""
+        """What is known of values already: by it loops are bounded, and lengths proven."""
+        self.passing: Instance | None = None
+        """The pass, whose transforms are in scope everywhere."""
         self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
         self.active: dict[Any, tuple[str, Span]] = {}
         """What is being lowered right now, outermost first: finding it again is a cycle."""
         self.recursive: set[Symbol] = set()
         """Functions that call themselves, which has been reported."""
-        self.structs: dict[Symbol, Struct | None] = {}
+        self.structs: dict[Symbol, Declared | None] = {}
+        self.variables: dict[int, Declared] = {}
+        """How the slots of `light` are declared, by the variables that stand for them in terms."""
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
 
     def expression(self, expression: ast.Expression, scope: Scope) -> Step[Value]:
@@ -148,10 +156,32 @@ class Lowering:
             return FAILURE
         return fitted
 
-    def builtin(
-        self, name: str, operands: tuple[Node, ...], span: Span, shown: str
+    def as_declared(
+        self,
+        node: Node | Failure,
+        declared: Declared,
+        written: ast.Expression,
+        scope: Scope | None = None,
     ) -> Node | Failure:
-        """A call of builtin ``name``, its operands coerced to the signature that fits."""
+        """The value of ``written`` as what was declared: its type, its meaning, its contract."""
+        fitted = self.fit(node, declared.type, declared.text, written.span)
+        if isinstance(fitted, Failure):
+            return FAILURE
+        return fitting.meant(self, fitted, declared, written.span, written, scope)
+
+    def builtin(
+        self,
+        name: str,
+        operands: tuple[Node, ...],
+        span: Span,
+        shown: str,
+        written: tuple[ast.Expression, ...] = (),
+        scope: Scope | None = None,
+    ) -> Node | Failure:
+        """A call of builtin ``name``, its operands coerced to the signature that fits.
+
+        ``written`` and ``scope``, where they are known, are for messages about the operands.
+        """
         found = overloads.resolve(name, tuple(map(overloads.operand, operands)))
         if found is None:
             return calls.no_signature(self, name, operands, span, shown)
@@ -162,7 +192,8 @@ class Lowering:
             if lane is None:  # A negative literal is no `uint`.
                 return calls.no_signature(self, name, operands, span, shown)
             fitted.append(lane)
-        return self.graph.node("call", found.result, tuple(fitted), name)
+        node = self.graph.node("call", found.result, tuple(fitted), name)
+        return mixing.checked(self, node, shown, span, written, scope)
 
 
 # --- literals ------------------------------------------------------------------------------------
@@ -180,7 +211,8 @@ def _number(low: Lowering, e: ast.Number, _scope: Scope) -> Step[Value]:
     if isinf(value) or value > 3.4028234663852886e38:
         low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=FLOAT)
         return FAILURE
-    return build.floating(low.graph, radians(value) if e.unit == "deg" else value)
+    number = build.floating(low.graph, radians(value) if e.unit == "deg" else value)
+    return low.meanings.ascribed(number, ANGLE) if e.unit else number
 
 
 def linear(channel: int) -> float:
@@ -193,7 +225,8 @@ def _color(low: Lowering, e: ast.Color, _scope: Scope) -> Step[Value]:
     yield from ()
     lanes = [linear(channel) for channel in e.channels[:3]]
     lanes += [channel / 255 for channel in e.channels[3:]]
-    return build.constant(low.graph, Vector("float", len(lanes)), tuple(lanes))
+    color = build.constant(low.graph, Vector("float", len(lanes)), tuple(lanes))
+    return low.meanings.ascribed(color, RGB if len(lanes) == 3 else RGBA)
 
 
 def _boolean(low: Lowering, e: ast.Boolean, _scope: Scope) -> Step[Value]:
@@ -225,7 +258,9 @@ def _component(low: Lowering, node: Node, name: ast.Name) -> Node | Failure:
     if isinstance(node.type, Vector | Scalar):
         lanes = _swizzle_lanes(name.text, width(node.type))
         if lanes is not None:
-            return build.swizzle(low.graph, node, lanes)
+            whole = build.swizzle(low.graph, node, lanes)
+            is_color = low.meanings.of(node) == RGB and name.text == "rgb"
+            return whole if is_color or whole is not node else low.meanings.ascribed(node, None)
     hint = "read it: `name(coordinate)`" if isinstance(node.type, Texture) else ""
     low.report.add(rules.NO_MEMBER, name.span, name=name.text, type=node.type, hint=hint)
     return FAILURE
@@ -275,7 +310,7 @@ def _unary(low: Lowering, e: ast.Unary, scope: Scope) -> Step[Value]:
     if isinstance(operand, Failure):
         return FAILURE
     name = "neg" if e.operator == "-" else "not"
-    return low.builtin(name, (operand,), e.span, e.operator)
+    return low.builtin(name, (operand,), e.span, e.operator, (e.operand,), scope)
 
 
 def _binary(low: Lowering, e: ast.Binary, scope: Scope) -> Step[Value]:
@@ -286,7 +321,11 @@ def _binary(low: Lowering, e: ast.Binary, scope: Scope) -> Step[Value]:
     if e.operator in ("/", "mod") and low.constants.is_zero(right):
         low.report.add(rules.ZERO_DIVISOR, e.right.span)
         return FAILURE
-    return low.builtin(OPERATORS[e.operator], (left, right), e.span, e.operator)
+    if e.operator == "*" and conversions.moves(low, left, right):
+        result: Value = yield conversions.moved(low, left, right, e, scope)
+        return result
+    written = (e.left, e.right)
+    return low.builtin(OPERATORS[e.operator], (left, right), e.span, e.operator, written, scope)
 
 
 def _conditional(low: Lowering, e: ast.Conditional, scope: Scope) -> Step[Value]:
@@ -312,7 +351,9 @@ def _conditional(low: Lowering, e: ast.Conditional, scope: Scope) -> Step[Value]
                 rules.BRANCH_TYPES, e.otherwise.span, then=then.type, otherwise=wrong.type
             )
             return FAILURE
-    return low.graph.node("select", then.type, (condition, then, otherwise))
+    node = low.graph.node("select", then.type, (condition, then, otherwise))
+    sides = (e.condition, e.then, e.otherwise)
+    return mixing.checked(low, node, "if", e.span, sides, scope)
 
 
 def _at_rate(low: Lowering, e: ast.AtRate, scope: Scope) -> Step[Value]:
@@ -323,6 +364,19 @@ def _at_rate(low: Lowering, e: ast.AtRate, scope: Scope) -> Step[Value]:
     if isinstance(operand, Failure):
         return FAILURE
     return low.stages.interpolated(operand, e.span)
+
+
+def _ascription(low: Lowering, e: ast.Ascription, scope: Scope) -> Step[Value]:
+    operand = yield low.node(e.operand, scope)
+    declared = declared_type(low, e.type, scope.module, scope.variables)
+    if isinstance(operand, Failure) or declared is None:
+        return FAILURE
+    fitted = low.fit(operand, declared.type, declared.text, e.operand.span)
+    if isinstance(fitted, Failure):
+        return FAILURE
+    if declared.meaning is not None and declared.meaning.kind == "direction":
+        return fitting.contracted(low, fitted, declared, e.span, e.operand)
+    return low.meanings.ascribed(fitted, declared.meaning)
 
 
 _LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {
@@ -336,6 +390,8 @@ _LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {
     ast.Binary: _binary,
     ast.Conditional: _conditional,
     ast.AtRate: _at_rate,
+    ast.Conversion: conversions.convert,
+    ast.Ascription: _ascription,
     ast.Array: aggregates.array,
     ast.Fold: folds.fold,
     ast.Iterate: folds.iterate,

@@ -18,7 +18,7 @@ from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Source, Span
 from ..syntax import ast
-from .overloads import WRITTEN_FAMILIES
+from .generics import FAMILIES, untold
 from .typenames import described
 from .unique import check_once
 
@@ -85,11 +85,8 @@ class Module:
             yield from self.prelude.declared
 
 
-_NOT_IMPORTED = frozenset({"prelude", "meaning"})
+_NOT_IMPORTED = frozenset({"prelude", "meaning", "spaces"})
 """Library files that every file sees, or none."""
-
-FAMILIES = (*WRITTEN_FAMILIES, "matrices", "textures")
-"""What a type parameter may range over."""
 
 Read = Callable[[Path, Report, str], Source | None]
 """Reads a file; the text is what messages call it."""
@@ -192,6 +189,11 @@ class Loader:
                     rules.UNKNOWN_NAME, parameter.family.span, kind="family of types",
                     name=parameter.family.text, hint=f"one of {known}",
                 )  # fmt: skip
+        for parameter in untold(function):
+            self._report.add(
+                rules.UNTOLD_PARAMETER, parameter.span, name=parameter.name.text,
+                function=function.name.text,
+            )  # fmt: skip
         for other in others:
             if _argument_types(other.declaration) == _argument_types(function):
                 self._report.add(

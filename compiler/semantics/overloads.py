@@ -35,8 +35,9 @@ WRITTEN_FAMILIES: Mapping[str, Family] = {
     "numbers": FAMILIES["N"],
     "integers": FAMILIES["I"],
     "scalars": Family(NUMBER_KINDS, (1,)),
+    "bools": FAMILIES["B"],
 }
-"""The families a function's type parameters may name, besides ``matrices``."""
+"""The families of numbers and vectors that a function's type parameters may name."""
 
 
 @frozen

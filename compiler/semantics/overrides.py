@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
+from .algebra import fits
 from .declared import declared_type
 from .lookup import OUTERMOST
 from .records import Definition
@@ -36,7 +37,9 @@ def _keeps_type(low: Lowering, definitions: tuple[Definition, ...]) -> bool:
             assert definition.member.type is not None
             types.append(declared_type(low, definition.member.type, definition.owner.module))
         own, inherited = types
-        if own is None or inherited is None or own.type == inherited.type:
+        if own is None or inherited is None:
+            continue
+        if own.type == inherited.type and fits(own.meaning, inherited.meaning):
             continue
         low.report.add(
             rules.OVERRIDE_CHANGES_TYPE, heir.member.name.span,

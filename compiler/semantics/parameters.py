@@ -7,16 +7,20 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 from ...frozen import changed, frozen
-from ...stdlib.builtins.facts import Fact
+from ...stdlib.builtins.facts import UNKNOWN, Fact
 from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
+from ..diagnostics.source import Span
 from ..ir.leaves import Attribute, Parameter, Step
+from ..ir.meaning import ANGLE, Meaning
 from ..ir.node import Node
 from ..ir.types import INT, Array, Matrix, Scalar, Struct, Texture, Type, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
 from ..syntax import ast
 from ..trampoline import run
+from .algebra import weakened
 from .declared import declared_type
+from .fitting import needs_unit
 from .maps import resource, unknown_word
 from .records import Definition, Record
 from .scope import Failure, Scope
@@ -99,8 +103,25 @@ def parameter_of(low: Lowering, definition: Definition, name: str) -> ParameterI
     limits = _range(low, member, definition, declared)
     fact = declared.fact if limits is None else Fact(*limits)
     default = _default(low, member, definition, declared, limits)
-    parameter = Parameter(name, declared.type, _group(low, definition, member.group), fact)
-    return ParameterInfo(parameter, declared.text, limits, default, member.doc, member.name.span)
+    parameter = Parameter(
+        name, declared.type, _group(low, definition, member.group), fact,
+        tuple((short, part.fact) for short, part in declared.members), meaning=declared.meaning,
+    )  # fmt: skip
+    return ParameterInfo(
+        parameter, declared.text, limits, default, member.doc, member.name.span,
+        _members(declared, member.name.span),
+    )  # fmt: skip
+
+
+def _members(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
+    """The members of a structure, as they were written."""
+    return tuple(
+        ParameterInfo(
+            Parameter(name, part.type, "", part.fact, meaning=part.meaning),
+            part.text, None, None, "", span, _members(part, span),
+        )
+        for name, part in declared.members
+    )  # fmt: skip
 
 
 def _range(
@@ -119,6 +140,8 @@ def _range(
         if isinstance(node, Node) and not _is_number(node.type):
             low.report.add(rules.WRONG_TYPE, expression.span, expected="a number", found=node.type)
             return None
+        if declared.meaning == ANGLE:
+            node = low.as_declared(node, declared, expression)
         limits.append(low.constants.number(node, expression.span))
     lo, hi = limits
     if lo is None or hi is None:
@@ -144,13 +167,15 @@ def _default(
     if member.default is None:
         return None
     scope = Scope(definition.owner.module)
-    node = run(low.typed(member.default, scope, declared.type, declared.text))
+    node = run(low.node(member.default, scope))
+    # A direction is brought to length one below.
+    node = low.as_declared(node, changed(declared, fact=UNKNOWN), member.default)
     if isinstance(node, Failure):
         return None
     value = low.constants.value(node, member.default.span)
     if value is None:
         return None
-    if declared.fact.unit:
+    if needs_unit(declared):
         value = _unit(low, value, member.default)
     if limits is not None and not _within(value, *limits):
         shown = f"{limits[0]:g}..{limits[1]:g}"
@@ -194,7 +219,8 @@ def _attribute(low: Lowering, definition: Definition, name: str) -> list[Attribu
     if not isinstance(type_, Scalar | Vector) or scalar_kind(type_) == "bool":
         low.report.add(rules.CANNOT_CROSS, member.type.span, type=declared.text)
         return []
-    return [AttributeInfo(Attribute(name, type_, step), declared.text, doc, span)]
+    attribute = Attribute(name, type_, step, weakened(declared.meaning))
+    return [AttributeInfo(attribute, declared.text, doc, span)]
 
 
 def as_array(name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,
@@ -203,7 +229,9 @@ def as_array(name: str, light: str, infos: tuple[ParameterInfo, ...], count: int
     members = tuple((info.parameter.name.rpartition(".")[2], info) for info in infos)
     struct = Struct(light, tuple((short, info.parameter.type) for short, info in members))
     facts = tuple((short, info.parameter.fact) for short, info in members)
-    parameter = Parameter(name, Array(struct, count), group, member_facts=facts)
+    meanings = tuple((short, info.parameter.meaning) for short, info in members)
+    meaning = Meaning("struct", members=meanings)
+    parameter = Parameter(name, Array(struct, count), group, member_facts=facts, meaning=meaning)
     rows = tuple(
         changed(info, parameter=changed(info.parameter, name=short)) for short, info in members
     )

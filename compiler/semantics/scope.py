@@ -11,6 +11,7 @@ from ..ir.leaves import Parameter, Resource
 from ..ir.node import Node
 from .modules import Module
 from .records import Definition, Record
+from .typenames import Variables
 
 
 @frozen
@@ -90,6 +91,8 @@ class Scope:
     """The level of ``instance``'s chain whose text is being lowered."""
     surface: Instance | None = None
     locals: Mapping[str, Value] = field(default_factory=dict)
+    variables: Variables = field(default_factory=dict)
+    """What the type parameters of the function stand for whose body this is."""
 
     def binding(self, locals_: Mapping[str, Value]) -> Scope:
         """This scope with further local names."""

@@ -64,7 +64,7 @@ def read(
     operands = _operands(low, way, arguments, e)
     if operands is None:
         return FAILURE
-    return low.graph.node("call", way.result, (texture, *operands), way.row.name)
+    return low.builtin(way.row.name, (texture, *operands), e.span, "a texture read")
 
 
 def _ways(type_: Texture, method: str) -> Iterator[_Way]:

@@ -1,18 +1,19 @@
 """Written types to representation types.
 
-Geometry types name a space (``point<world>``); spaces are checked to exist, and what a value means
-beyond its representation is carried as the declared text and, for ``direction``, as a fact.
+Geometry types name a space (``point<world>``), which has to exist. A written type says what a value
+is on the machine, what it means beyond that, and what holds of it by contract.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
-from ...frozen import frozen
+from ...frozen import changed, frozen
 from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.nearest import suggestion
+from ..ir.meaning import Meaning, MeaningKind
 from ..ir.types import (
     BOOL,
     FLOAT,
@@ -23,6 +24,7 @@ from ..ir.types import (
     VEC4,
     Array,
     Matrix,
+    Scalar,
     ScalarKind,
     Struct,
     Type,
@@ -34,35 +36,45 @@ SCALAR_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 SPACES = frozenset({"object", "world", "view", "clip", "tangent", "light"})
 
 
+HOMOGENEOUS = "clip"
+"""The space whose points have four lanes."""
+
+
 @frozen
-class Meaning:
-    """A named type: representation, how many spaces it names, and what holds by contract."""
+class Named:
+    """A type with a name: representation, how many spaces it names, and what holds by contract."""
 
     representation: Type
     spaces: int = 0
     fact: Fact = UNKNOWN
+    meaning: MeaningKind | None = None
 
 
-NAMED: Mapping[str, Meaning] = {
-    "bool": Meaning(BOOL),
-    "int": Meaning(INT),
-    "uint": Meaning(UINT),
-    "float": Meaning(FLOAT),
+NAMED: Mapping[str, Named] = {
+    "bool": Named(BOOL),
+    "int": Named(INT),
+    "uint": Named(UINT),
+    "float": Named(FLOAT),
     **{
-        str(vector): Meaning(vector)
+        str(vector): Named(vector)
         for vector in (Vector(kind, size) for kind in SCALAR_KINDS for size in (2, 3, 4))
     },
-    **{f"mat{size}": Meaning(Matrix(size)) for size in (2, 3, 4)},
-    "rgb": Meaning(VEC3),
-    "rgba": Meaning(VEC4),
-    "angle": Meaning(FLOAT),
-    "point": Meaning(VEC3, spaces=1),
-    "vector": Meaning(VEC3, spaces=1),
-    "normal": Meaning(VEC3, spaces=1),
-    "direction": Meaning(VEC3, spaces=1, fact=UNIT),
-    "transform": Meaning(Matrix(4), spaces=2),
-    **{str(texture): Meaning(texture) for texture in TEXTURES},
+    **{f"mat{size}": Named(Matrix(size)) for size in (2, 3, 4)},
+    "rgb": Named(VEC3, meaning="rgb"),
+    "rgba": Named(VEC4, meaning="rgba"),
+    "angle": Named(FLOAT, meaning="angle"),
+    "point": Named(VEC3, spaces=1, meaning="point"),
+    "vector": Named(VEC3, spaces=1, meaning="vector"),
+    "normal": Named(VEC3, spaces=1, fact=UNIT, meaning="normal"),
+    "covector": Named(VEC3, spaces=1, meaning="normal"),
+    "direction": Named(VEC3, spaces=1, fact=UNIT, meaning="direction"),
+    "transform": Named(Matrix(4), spaces=2, meaning="transform"),
+    "frame": Named(Matrix(3), spaces=2, meaning="frame"),
+    **{str(texture): Named(texture) for texture in TEXTURES},
 }
+
+GENERIC_VECTOR = "vec"
+"""``vec<K, N>`` in a function with such type parameters."""
 
 
 @frozen
@@ -73,6 +85,15 @@ class Declared:
     text: str
     """As the user wrote it, for the reflection and for messages."""
     fact: Fact = UNKNOWN
+    """What holds by contract; of a structure's or array's vectors, too."""
+    meaning: Meaning | None = None
+    members: tuple[tuple[str, Declared], ...] = ()
+    """Of a struct."""
+
+
+Variable = Declared | str | int
+"""What a type parameter stands for: a type, a space (empty where none is known), or a number."""
+Variables = Mapping[str, Variable]
 
 
 def described(name: ast.TypeName, count: int | None = None) -> str:
@@ -91,45 +112,83 @@ class TypeResolver:
     def resolve(
         self,
         name: ast.TypeName,
-        structs: Mapping[str, Struct],
+        structs: Mapping[str, Declared],
         spaces: frozenset[str],
-        variables: Mapping[str, Type] | None = None,
+        variables: Variables,
     ) -> Declared | None:
         """The written type without its array count, or ``None`` after reporting."""
         text = name.name.text
-        if variables and text in variables:
-            return Declared(variables[text], text)
+        known = variables.get(text)
+        if isinstance(known, Declared):
+            return known
+        if text == GENERIC_VECTOR and len(name.arguments) == 2:
+            return self._generic_vector(name, variables)
         if text in structs:
-            return Declared(structs[text], text)
-        meaning = NAMED.get(text)
-        if meaning is None:
-            known = [*NAMED, *structs, *(variables or ())]
-            self._report.add(
-                rules.UNKNOWN_NAME, name.name.span, kind="type", name=text,
-                hint=suggestion(text, known),
-            )  # fmt: skip
+            return structs[text]
+        named = NAMED.get(text)
+        if named is None:
+            self._unknown("type", name.name, [*NAMED, *structs, *variables])
             return None
-        if not self._check_spaces(name, meaning, spaces):
+        if not self._check_spaces(name, named, spaces, variables):
             return None
-        return Declared(meaning.representation, described(name), meaning.fact)
+        return _spatial(name, named, variables)
 
-    def _check_spaces(self, name: ast.TypeName, meaning: Meaning, spaces: frozenset[str]) -> bool:
-        if name.arguments and len(name.arguments) != meaning.spaces:
+    def _generic_vector(self, name: ast.TypeName, variables: Variables) -> Declared | None:
+        kind, size = name.arguments
+        lane = variables.get(kind.text, NAMED.get(kind.text))
+        scalar = lane.type if isinstance(lane, Declared) else getattr(lane, "representation", None)
+        lanes = variables.get(size.text)
+        if not isinstance(scalar, Scalar):
+            self._unknown("kind of lanes", kind, [*SCALAR_KINDS, *variables])
+            return None
+        if not isinstance(lanes, int):
+            self._unknown("width", size, variables)
+            return None
+        vector = Vector(scalar.kind, lanes)
+        return Declared(vector, str(vector))
+
+    def _check_spaces(
+        self, name: ast.TypeName, named: Named, spaces: frozenset[str], variables: Variables
+    ) -> bool:
+        if name.arguments and len(name.arguments) != named.spaces:
             self._report.add(
                 rules.SPACE_COUNT, name.span, type=name.name.text,
-                expected=meaning.spaces, found=len(name.arguments),
+                expected=named.spaces, found=len(name.arguments),
             )  # fmt: skip
             return False
         for argument in name.arguments:
-            if argument.text not in SPACES and argument.text not in spaces:
-                self._report.add(
-                    rules.UNKNOWN_NAME, argument.span, kind="space", name=argument.text,
-                    hint=suggestion(argument.text, [*SPACES, *spaces]),
-                )  # fmt: skip
+            is_variable = isinstance(variables.get(argument.text), str)
+            if not is_variable and argument.text not in SPACES | spaces:
+                self._unknown("space", argument, [*SPACES, *spaces])
                 return False
         return True
 
+    def _unknown(self, kind: str, name: ast.Name, known: Iterable[str]) -> None:
+        hint = suggestion(name.text, known)
+        self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
 
-def array_of(declared: Declared, name: ast.TypeName, count: int) -> Declared:
+
+def _spatial(name: ast.TypeName, named: Named, variables: Variables) -> Declared:
+    """A type with the spaces that it names; where a space is not known there is no meaning."""
+    found = (variables.get(argument.text, argument.text) for argument in name.arguments)
+    spaces = tuple(space for space in found if isinstance(space, str) and space)
+    meaning = None
+    if named.meaning is not None and len(spaces) == named.spaces:
+        meaning = Meaning(named.meaning, spaces)
+    homogeneous = named.meaning == "point" and spaces == (HOMOGENEOUS,)
+    type_ = VEC4 if homogeneous else named.representation
+    text = str(meaning) if spaces and meaning is not None else described(name)
+    return Declared(type_, text, named.fact, meaning)
+
+
+def structure(type_: Struct, members: tuple[tuple[str, Declared], ...]) -> Declared:
+    """A structure as a written type."""
+    meanings = tuple((name, member.meaning) for name, member in members)
+    meaning = Meaning("struct", members=meanings) if any(m for _, m in meanings) else None
+    return Declared(type_, type_.name, meaning=meaning, members=members)
+
+
+def array_of(declared: Declared, count: int) -> Declared:
     """An array of ``count`` elements of a resolved type."""
-    return Declared(Array(declared.type, count), described(name, count), declared.fact)
+    text = f"{declared.text}[{count}]"
+    return changed(declared, type=Array(declared.type, count), text=text)

@@ -133,6 +133,24 @@ class AtRate:
 
 
 @frozen(eq=False)
+class Conversion:
+    """``e in S``: a point, vector or normal as it is seen from space ``S``."""
+
+    span: Span
+    operand: Expression
+    space: Name
+
+
+@frozen(eq=False)
+class Ascription:
+    """``(e as T)``: the same numbers with the meaning of type ``T``."""
+
+    span: Span
+    operand: Expression
+    type: TypeName
+
+
+@frozen(eq=False)
 class Array:
     """``[a, b, c]``."""
 
@@ -179,7 +197,7 @@ class Iterate:
 
 Expression = (
     Number | Color | Boolean | Reference | Unary | Binary | Conditional | Call | Field | Index
-    | With | AtRate | Array | Fold | Iterate
+    | With | AtRate | Conversion | Ascription | Array | Fold | Iterate
 )  # fmt: skip
 
 

@@ -308,6 +308,12 @@ class Builder:
     def at_rate(self, span: Span, rate: Name, operand: Expression) -> ast.AtRate:
         return ast.AtRate(span, rate, operand)
 
+    def conversion(self, span: Span, operand: Expression, space: Name) -> ast.Conversion:
+        return ast.Conversion(span, operand, space)
+
+    def ascription(self, span: Span, operand: Expression, kind: ast.TypeName) -> ast.Ascription:
+        return ast.Ascription(span, operand, kind)
+
     def call(self, span: Span, callee: Expression, *arguments: Expression) -> ast.Call:
         return ast.Call(span, callee, arguments)
 

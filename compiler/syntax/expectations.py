@@ -16,6 +16,7 @@ _DECLARATION = {
 }  # fmt: skip
 _OPERATORS = {
     "+", "-", "*", "/", "mod", "==", "!=", "<", "<=", ">", ">=", "and", "or", "(", "[", ".", "with",
+    "in", "as",
 }  # fmt: skip
 _SEPARATORS = {";", ","}
 _WORDS = {

@@ -83,6 +83,7 @@ ROWS = (
     Builtin(
         name="add",
         signatures=(*_LANEWISE, "M, M -> M"),
+        meaning="sum",
         doc="Sum, lane by lane. Integers wrap.",
         operator="+",
         range=_sum,
@@ -91,6 +92,7 @@ ROWS = (
     Builtin(
         name="sub",
         signatures=(*_LANEWISE, "M, M -> M"),
+        meaning="difference",
         doc="Difference, lane by lane. Integers wrap.",
         operator="-",
         range=_difference,
@@ -99,6 +101,7 @@ ROWS = (
     Builtin(
         name="mul",
         signatures=(*_LANEWISE, "M, C -> C", "M, M -> M", "M, S -> M", "S, M -> M"),
+        meaning="product",
         doc="Product: lane by lane for numbers and vectors, the linear map's for matrices.",
         operator="*",
         range=_product,
@@ -107,6 +110,7 @@ ROWS = (
     Builtin(
         name="div",
         signatures=_LANEWISE,
+        meaning="quotient",
         doc="Quotient, lane by lane. Integers are cut towards zero.",
         operator="/",
         domain=_divides,
@@ -123,6 +127,7 @@ ROWS = (
     Builtin(
         name="mod",
         signatures=_LANEWISE,
+        meaning="remainder",
         doc="Remainder of the floored quotient; it has the sign of the divisor.",
         operator="%",
         domain=_counts,
@@ -135,6 +140,7 @@ ROWS = (
     Builtin(
         name="neg",
         signatures=(*SIGNED, "M -> M"),
+        meaning="negation",
         doc="The value with its sign changed. The lowest integer is its own negative.",
         operator="-",
         range=_negated,

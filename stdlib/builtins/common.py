@@ -102,6 +102,7 @@ ROWS = (
     Builtin(
         name="abs",
         signatures=SIGNED,
+        meaning="limits",
         doc="Magnitude. That of the lowest integer is itself, since it has no positive twin.",
         range=_absolute,
         accuracy=EXACT,
@@ -109,6 +110,7 @@ ROWS = (
     Builtin(
         name="sign",
         signatures=SIGNED,
+        meaning="numbers",
         doc="-1, 0 or 1, in the operand's own type; 0 for either zero.",
         range=_sign,
         accuracy=EXACT,
@@ -154,6 +156,7 @@ ROWS = (
     Builtin(
         name="min",
         signatures=_PAIRS,
+        meaning="limits",
         doc="The lesser of two values.",
         range=_lesser,
         accuracy=EXACT,
@@ -161,6 +164,7 @@ ROWS = (
     Builtin(
         name="max",
         signatures=_PAIRS,
+        meaning="limits",
         doc="The greater of two values.",
         range=_greater,
         accuracy=EXACT,
@@ -168,6 +172,7 @@ ROWS = (
     Builtin(
         name="clamp",
         signatures=("N, N, N -> N", "N, L, L -> N"),
+        meaning="limits",
         doc="The first value, kept between the second and the third.",
         domain=_ordered,
         outside="Limits the wrong way round give the upper one: min(max(x, low), high).",
@@ -187,6 +192,7 @@ ROWS = (
     Builtin(
         name="mix",
         signatures=("T, T, T -> T", "T, T, S -> T"),
+        meaning="blend",
         doc="Blend: x * (1 - a) + y * a. Goes on beyond the ends for an a outside 0 to 1.",
         range=_blended,
         cost=2,
@@ -194,6 +200,7 @@ ROWS = (
     Builtin(
         name="step",
         signatures=("T, T -> T", "S, T -> T"),
+        meaning="numbers",
         doc="1 where the second value has reached the first, the edge; 0 before.",
         range=_stepped,
         accuracy=EXACT,
@@ -203,6 +210,7 @@ ROWS = (
     Builtin(
         name="smoothstep",
         signatures=("T, T, T -> T", "S, S, T -> T"),
+        meaning="numbers",
         doc="A smooth rise from 0 at the first edge to 1 at the second.",
         domain=_apart,
         outside="Equal edges make it step; edges the wrong way round mirror the curve.",

@@ -59,6 +59,7 @@ ROWS = (
     Builtin(
         name="to_float",
         signatures=_signatures("float", "int", "uint", "bool"),
+        meaning="numbers",
         doc="The nearest float; 1 for true, 0 for false.",
         range=_as_float,
         accuracy=EXACT,
@@ -66,6 +67,7 @@ ROWS = (
     Builtin(
         name="to_int",
         signatures=_signatures("int", "float", "uint", "bool"),
+        meaning="numbers",
         doc="A float cut towards zero, a uint's 32 bits, 1 for true or 0 for false.",
         domain=_fits_int,
         outside="A float is clamped to the floats that fit, -2147483648 to 2147483520.",
@@ -77,6 +79,7 @@ ROWS = (
     Builtin(
         name="to_uint",
         signatures=_signatures("uint", "float", "int", "bool"),
+        meaning="numbers",
         doc="A float cut towards zero, an int's 32 bits, 1 for true or 0 for false.",
         domain=_fits_uint,
         outside="A float is clamped to the floats that fit, 0 to 4294967040.",

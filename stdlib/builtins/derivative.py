@@ -12,6 +12,7 @@ ROWS = (
     Builtin(
         name="ddx",
         signatures=("T -> T",),
+        meaning="change",
         doc="How much `x` grows to the next pixel on the right, along x of `frag_coord`.",
         accuracy=DIFFERENCE,
         cost=2,
@@ -20,6 +21,7 @@ ROWS = (
     Builtin(
         name="ddy",
         signatures=("T -> T",),
+        meaning="change",
         doc="How much `x` grows to the next pixel below, along y of `frag_coord`.",
         accuracy=DIFFERENCE,
         cost=2,

@@ -73,6 +73,7 @@ ROWS = (
     Builtin(
         name="dot",
         signatures=_PAIR,
+        meaning="measure",
         doc="Inner product: the sum of the products of the lanes.",
         range=_inner,
         cost=1,
@@ -80,6 +81,7 @@ ROWS = (
     Builtin(
         name="cross",
         signatures=("vec3, vec3 -> vec3",),
+        meaning="perpendicular",
         doc="The vector perpendicular to both, by the right-hand rule.",
         range=_outer,
         cost=2,
@@ -87,6 +89,7 @@ ROWS = (
     Builtin(
         name="length",
         signatures=("V -> S",),
+        meaning="measure",
         doc="Length of a vector.",
         range=_norm,
         cost=6,
@@ -95,6 +98,7 @@ ROWS = (
     Builtin(
         name="distance",
         signatures=_PAIR,
+        meaning="distance",
         doc="Distance of two points: length(x - y).",
         range=_apart,
         cost=7,
@@ -102,6 +106,7 @@ ROWS = (
     Builtin(
         name="normalize",
         signatures=("V -> V",),
+        meaning="unit",
         doc="The vector of length one in the same direction.",
         domain=_has_unit_length,
         outside=(
@@ -116,6 +121,7 @@ ROWS = (
     Builtin(
         name="reflect",
         signatures=("V, V -> V",),
+        meaning="reflected",
         doc="reflect(i, n): i - 2 * dot(n, i) * n, which mirrors i when n has length one.",
         range=_mirrored,
         cost=3,
@@ -124,6 +130,7 @@ ROWS = (
     Builtin(
         name="refract",
         signatures=("V, V, S -> V",),
+        meaning="reflected",
         doc="refract(i, n, eta): i bent at a surface; 0 where it is reflected totally.",
         outside="The formula stands for vectors not of length one too.",
         cost=10,
@@ -132,6 +139,7 @@ ROWS = (
     Builtin(
         name="faceforward",
         signatures=("V, V, V -> V",),
+        meaning="turned",
         doc="faceforward(n, i, r): n where dot(r, i) < 0, else -n.",
         range=_turned,
         cost=2,
@@ -139,6 +147,7 @@ ROWS = (
     Builtin(
         name="lit",
         signatures=("float, float, float -> vec4",),
+        meaning="numbers",
         doc="lit(nl, nh, power): ambient, diffuse and specular coefficient of Blinn and Phong, 1.",
         domain=nowhere,
         outside="(1, max(nl, 0), 0 where nl < 0 or nh < 0 else pow(nh, power), 1).",

@@ -18,6 +18,7 @@ ROWS = (
     Builtin(
         name="transpose",
         signatures=("M -> M",),
+        meaning="numbers",
         doc="Rows and columns exchanged.",
         range=_same_components,
         accuracy=EXACT,
@@ -26,12 +27,14 @@ ROWS = (
     Builtin(
         name="determinant",
         signatures=("M -> S",),
+        meaning="numbers",
         doc="Determinant.",
         cost=16,
     ),
     Builtin(
         name="inverse",
         signatures=("M -> M",),
+        meaning="reversed",
         doc="The matrix that undoes this one.",
         domain=nowhere,
         outside="The zero matrix where the determinant is below 2^-126 in magnitude.",

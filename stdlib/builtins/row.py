@@ -13,6 +13,13 @@ from typing import Literal
 from ...frozen import frozen
 from .facts import UNKNOWN, Fact
 
+MeaningRule = Literal[
+    "sum", "difference", "product", "quotient", "remainder", "negation",
+    "numbers", "lanes", "limits", "blend", "change", "angle",
+    "measure", "distance", "perpendicular", "unit", "reflected", "turned", "reversed",
+]  # fmt: skip
+"""``numbers`` come out as mere numbers; ``lanes`` and ``limits`` leave colours what they are."""
+
 RangeRule = Callable[[tuple[Fact, ...], bool], Fact]
 """From the operands' facts, and whether all operands are the same node, to the result's fact."""
 
@@ -86,6 +93,8 @@ class Builtin:
     ``domain`` is not proven. Inside it, ``unguarded(f(x))`` is the hardware's own ``f``."""
     range: RangeRule = anything
     accuracy: Accuracy = INHERITED
+    meaning: MeaningRule = "lanes"
+    """How the operands' meanings make that of the result: a rule of ``semantics/algebra.py``."""
     cost: int = 1
     """Rough price in ALU operations a lane, for choosing between a branch and a select."""
     uniform_control_flow: bool = False

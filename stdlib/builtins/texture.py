@@ -32,6 +32,7 @@ def _counted(_facts: tuple[Fact, ...], _same: bool) -> Fact:
 ROWS = (
     Builtin(
         name="sample",
+        meaning="numbers",
         method="",
         parameters=("coordinate",),
         signatures=("F, U -> vec4", "texture2d_array, vec2, int -> vec4"),
@@ -43,6 +44,7 @@ ROWS = (
     ),
     Builtin(
         name="sample_level",
+        meaning="numbers",
         method="level",
         parameters=("coordinate", "level"),
         signatures=("F, U, float -> vec4", "texture2d_array, vec2, int, float -> vec4"),
@@ -53,6 +55,7 @@ ROWS = (
     ),
     Builtin(
         name="sample_grad",
+        meaning="numbers",
         method="grad",
         parameters=("coordinate", "dx", "dy"),
         signatures=("F, U, U, U -> vec4", "texture2d_array, vec2, int, vec2, vec2 -> vec4"),
@@ -64,6 +67,7 @@ ROWS = (
     ),
     Builtin(
         name="gather",
+        meaning="numbers",
         method="gather",
         parameters=("coordinate", "lane"),
         signatures=(
@@ -80,6 +84,7 @@ ROWS = (
     ),
     Builtin(
         name="compare",
+        meaning="numbers",
         method="",
         parameters=("coordinate", "reference"),
         signatures=("D, U, float -> float", "depth2d_array, vec2, int, float -> float"),
@@ -95,6 +100,7 @@ ROWS = (
     ),
     Builtin(
         name="gather_compare",
+        meaning="numbers",
         method="gather",
         parameters=("coordinate", "reference"),
         signatures=("depth2d, vec2, float -> vec4", "depth2d_array, vec2, int, float -> vec4"),
@@ -109,6 +115,7 @@ ROWS = (
     ),
     Builtin(
         name="load",
+        meaning="numbers",
         method="load",
         parameters=("place", "level"),
         optional=(0,),
@@ -122,6 +129,7 @@ ROWS = (
     ),
     Builtin(
         name="texture_size",
+        meaning="numbers",
         method="size",
         parameters=("level",),
         optional=(0,),
@@ -136,6 +144,7 @@ ROWS = (
     ),
     Builtin(
         name="texture_layers",
+        meaning="numbers",
         method="layers",
         signatures=("H -> int",),
         doc="How many layers there are.",
@@ -145,6 +154,7 @@ ROWS = (
     ),
     Builtin(
         name="texture_levels",
+        meaning="numbers",
         method="levels",
         signatures=("X -> int",),
         doc="How many levels of detail there are.",

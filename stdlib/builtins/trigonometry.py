@@ -40,6 +40,7 @@ ROWS = (
     Builtin(
         name="sin",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="Sine. Its accuracy is promised within -pi to pi only.",
         range=_between(-1.0 - _WAVE_ERROR, 1.0 + _WAVE_ERROR),
         accuracy=_WAVE,
@@ -48,6 +49,7 @@ ROWS = (
     Builtin(
         name="cos",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="Cosine. Its accuracy is promised within -pi to pi only.",
         range=_between(-1.0 - _WAVE_ERROR, 1.0 + _WAVE_ERROR),
         accuracy=_WAVE,
@@ -56,12 +58,14 @@ ROWS = (
     Builtin(
         name="tan",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="Tangent, sin(x) / cos(x). Near its poles the result may leave float32.",
         cost=9,
     ),
     Builtin(
         name="asin",
         signatures=_FLOATS,
+        meaning="angle",
         doc="The angle between -pi/2 and pi/2 that has this sine.",
         domain=_has_arc,
         outside="The operand is clamped to -1 to 1.",
@@ -74,6 +78,7 @@ ROWS = (
     Builtin(
         name="acos",
         signatures=_FLOATS,
+        meaning="angle",
         doc="The angle between 0 and pi that has this cosine.",
         domain=_has_arc,
         outside="The operand is clamped to -1 to 1.",
@@ -86,6 +91,7 @@ ROWS = (
     Builtin(
         name="atan",
         signatures=_FLOATS,
+        meaning="angle",
         doc="The angle between -pi/2 and pi/2 that has this tangent.",
         range=_between(-math.pi / 2 - _ARC_ERROR, math.pi / 2 + _ARC_ERROR),
         accuracy=_ARC,
@@ -94,6 +100,7 @@ ROWS = (
     Builtin(
         name="atan2",
         signatures=("T, T -> T",),
+        meaning="angle",
         doc="atan2(y, x): the angle between -pi and pi from the x axis to the point (x, y).",
         domain=_has_direction,
         outside=(
@@ -109,12 +116,14 @@ ROWS = (
     Builtin(
         name="radians",
         signatures=_FLOATS,
+        meaning="angle",
         doc="Degrees to radians.",
         range=_scaled(math.pi / 180.0),
     ),
     Builtin(
         name="degrees",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="Radians to degrees.",
         range=_scaled(180.0 / math.pi),
     ),

@@ -237,7 +237,7 @@ def test_twins_agree(studio: Studio, name: str, scene: str) -> None:
 @pytest.mark.parametrize(
     "error",
     [
-        "normal_matrix = mat3(object_to_world)",
+        "normal = normalize(@vertex (object_to_world * vec4(vertex_normal, 0)).xyz)",
         "normal = -inherited.normal",
         "to_eye = normalize(position - eye)",
         "position = inherited.position + 0.01 * inherited.normal",

@@ -11,6 +11,7 @@ from typing import Any
 import jsonschema
 import pytest
 
+import burnish
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import Attribute
 from burnish.compiler.ir.node import Folding, Graph
@@ -123,3 +124,16 @@ def test_what_only_a_shader_knows_cannot_be_derived() -> None:
     node = Graph().node("attribute", FLOAT, (), Attribute("weight", FLOAT))
     with pytest.raises(ValueError, match="cannot compute attribute"):
         steps(node)
+
+
+def test_members_of_structures_have_the_types_that_were_written() -> None:
+    source = (
+        "struct Lamp { place : point<world> aim : direction<world> glow : float[2] }\n"
+        "material Lit { param lamps : Lamp[2] color = lamps[1].aim * 0.5 + 0.5 }\n"
+    )
+    found = burnish.compile(source, ("wgsl",))["Lit"].reflection["parameters"]
+    (lamps,) = [row for row in found if row["name"] == "lamps"]
+    written = [(member["type"], member["representation"]) for member in lamps["members"]]
+    assert written == [
+        ("point<world>", "vec3"), ("direction<world>", "vec3"), ("float[2]", "float[2]")
+    ]  # fmt: skip

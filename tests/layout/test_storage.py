@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from burnish.compiler.ir.build import constant, index, matrix, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node, reachable
+from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -28,7 +29,6 @@ from burnish.compiler.ir.types import (
 )
 from burnish.compiler.layout import byte_size, layout_blocks, stored_type
 from burnish.compiler.packing import packing
-from burnish.compiler.passes.rewrite import rewrite
 from burnish.compiler.passes.storage import lower_reads
 from burnish.compiler.reference.evaluate import evaluate as meaning
 from burnish.compiler.semantics.shader import Notes

@@ -265,8 +265,8 @@ class Writer:
         name = self.draw(st.sampled_from(scope.terms))
         if name in ("phong", "blinn_phong"):
             power = self.draw(st.sampled_from(["1.0", "4.0", "p_power"]))
-            return f"{name}({self.expression(VEC3, scope, fuel)}, {power})"
-        return f"{name}({self.expression(VEC3, scope, fuel)})"
+            return f"vec3({name}({self.expression(VEC3, scope, fuel)}, {power}))"
+        return f"vec3({name}({self.expression(VEC3, scope, fuel)}))"
 
     def _crossing(self, type_: Type, scope: Scope, fuel: int) -> str:
         return f"(@vertex {self.expression(type_, scope.at_vertex(), fuel)})"
@@ -278,12 +278,16 @@ class Writer:
         return f"{name}({coordinate})"
 
 
-SURFACE = (
-    Variable("uv", VECTORS[0]), Variable("position", VEC3), Variable("normal", VEC3),
-    Variable("to_eye", VEC3), Variable("vertex_normal", VEC3), Variable("p_power", FLOAT),
-)  # fmt: skip
+SURFACE = (  # as bare numbers, which all operations take
+    Variable("uv", VECTORS[0]),
+    *(
+        Variable(f"vec3({name})", VEC3)
+        for name in ("position", "normal", "to_eye", "vertex_normal")
+    ),
+    Variable("p_power", FLOAT),
+)
 LIGHT = (
-    Variable("light.to_light", VEC3), Variable("light.diffuse", VEC3),
+    Variable("vec3(light.to_light)", VEC3), Variable("vec3(light.diffuse)", VEC3),
     Variable("light.falloff", FLOAT),
 )  # fmt: skip
 RANGES: Mapping[Type, tuple[str, ...]] = {
@@ -346,7 +350,9 @@ def _parameters(draw: st.DrawFn) -> Iterator[tuple[Variable, str]]:
 
 
 def _light(writer: Writer, scope: Scope) -> str:
-    own = replace(scope, variables=(*SURFACE[1:3], Variable("q", FLOAT), Variable("place", VEC3)))
+    own = replace(
+        scope, variables=(*SURFACE[1:3], Variable("q", FLOAT), Variable("vec3(place)", VEC3))
+    )
     falloff = writer.expression(FLOAT, own, FUEL // 2)
     towards = writer.expression(VEC3, own, FUEL // 3)
     return (
@@ -356,7 +362,7 @@ def _light(writer: Writer, scope: Scope) -> str:
 
 
 def _term(writer: Writer, scope: Scope) -> str:
-    own = replace(scope, variables=(Variable("k", VEC3), Variable("normal", VEC3), *LIGHT))
+    own = replace(scope, variables=(Variable("k", VEC3), Variable("vec3(normal)", VEC3), *LIGHT))
     return f"term own(k: vec3) per light = {writer.expression(VEC3, own, FUEL // 2)}"
 
 

@@ -19,7 +19,7 @@ SAFE = [
     "param size : float in 0.5..2  color = vec3(uv.x / size)",
     "color = vec3(sqrt(uv.x * uv.x))",
     "color = vec3(sqrt(dot(uv, uv)))",
-    "color = normalize(normal)",
+    "color = vec3(normalize(normal))",
     "color = vec3(acos(clamp(uv.x, -1, 1)))",
     "color = vec3(log(max(uv.x, 0.001)))",
     "color = vec3(smoothstep(0.25, 0.75, uv.x))",
@@ -42,7 +42,7 @@ UNSAFE = [
     ("color = vec3(acos(dot(normal, to_eye)))", "acos"),
     ("color = normalize(vec3(uv, 0))", "normalize"),
     ("color = vec3(if uv.x > 0.5 then 1.0 else 1.0 / uv.x)", "div"),
-    ("color = vec3(sum i in 0..4 : 1.0 / float(i))", "div"),
+    ("color = vec3(sum i in 0..9 : uv.x / float(i))", "div"),
 ]
 
 

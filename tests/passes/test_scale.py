@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 import burnish
-from burnish.compiler.ir.node import Folding, Formal, Graph, reachable
+from burnish.compiler.ir import binding
+from burnish.compiler.ir.node import Folding, Formal, Graph, Node, reachable
 from burnish.compiler.ir.types import FLOAT
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference.evaluate import evaluate
@@ -74,6 +77,73 @@ def test_equal_folds_are_one_node() -> None:
     folds = ops([given.targets[0].value], "fold")
     assert len(folds) == 1
     assert isinstance(folds[0].data, Folding) and folds[0].data.bound == 5
+
+
+def folds(length: int) -> str:
+    """A chain of folds, each of which reads the one before in every turn."""
+    links = "\n".join(f"s{i} = sum j in 0..9 : sin(s{i - 1} * float(j))" for i in range(1, length))
+    return f"material M {{\ns0 = uv.y\n{links}\ncolor = vec3(s{length - 1})\n}}"
+
+
+def loops(length: int) -> str:
+    """A chain of loops over states."""
+    links = "\n".join(
+        f"s{i} = iterate x from s{i - 1} up to 9 while x < uv.x : x + s{i - 1} * 0.1"
+        for i in range(1, length)
+    )
+    return f"material M {{\ns0 = uv.y\n{links}\ncolor = vec3(s{length - 1})\n}}"
+
+
+def structures(length: int) -> str:
+    """A chain of choices between structures."""
+    links = "\n".join(
+        f"s{i} = if uv.x < {i}.5 then s{i - 1} else Two(s{i - 1}.b, s{i - 1}.a + 0.5)"
+        for i in range(1, length)
+    )
+    return (
+        "struct Two { a : float, b : float }\n"
+        f"material M {{\ns0 = Two(uv.x, uv.y)\n{links}\ncolor = vec3(s{length - 1}.a)\n}}"
+    )
+
+
+def doublings(depth: int) -> str:
+    """What would be exponentially long if sharing were lost."""
+    links = "\n".join(f"s{i} = twice(s{i - 1}) + twice(s{i - 1})" for i in range(1, depth))
+    function = "fn twice(x: float) -> float = f(f(x) + f(x))\nfn f(x: float) -> float = sin(x + x)"
+    return f"{function}\nmaterial M {{\ns0 = uv.y\n{links}\ncolor = vec3(s{depth - 1})\n}}"
+
+
+SHAPES = {"folds": folds, "loops": loops, "structures": structures, "doublings": doublings}
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_work_and_text_grow_with_the_program(name: str) -> None:
+    """Counted in nodes that were made and in lines: nothing is done again and again."""
+    nodes, lines = [], []
+    for length in (100, 200):
+        given = shader(SHAPES[name](length))
+        stage(given, Options())
+        nodes.append(len(given.graph))
+        text = burnish.compile(SHAPES[name](length), ("wgsl",)).materials[0]
+        lines.append(len(text.text("wgsl", "fragment").split("\n")))
+    assert nodes[1] < 2.2 * nodes[0]
+    assert lines[1] < 2.2 * lines[0]
+
+
+def test_what_a_turn_changes_is_all_that_closing_looks_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked: list[int] = []
+    transform = binding._transform
+
+    def counted(graph: Graph, root: Node, leaf: Any, affected: Any, moved: Any) -> Node:
+        def counting(node: Node, depth: int) -> bool:
+            looked.append(node.id)
+            return bool(affected(node, depth))
+
+        return transform(graph, root, leaf, counting, moved)
+
+    monkeypatch.setattr(binding, "_transform", counted)
+    stage(shader(folds(200)), Options())
+    assert len(looked) < 200 * 60
 
 
 @pytest.mark.parametrize("text", [chain(1700), long_sum(1700)], ids=["chain", "sum"])

@@ -7,9 +7,9 @@ import pytest
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
+from burnish.compiler.ir.ranges import Ranges
+from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Type
-from burnish.compiler.passes.ranges import Ranges
-from burnish.compiler.passes.rewrite import rewrite
 from burnish.compiler.passes.simplify import Simplifier
 from burnish.compiler.semantics.shader import Notes
 from burnish.stdlib.builtins.facts import UNIT, UNKNOWN, Fact
@@ -118,9 +118,16 @@ def fold(kit: Kit, bound: int, body: Node, index: Formal) -> Node:
 def test_short_folds_are_written_out(kit: Kit) -> None:
     index = Formal("i")
     i = kit.graph.node("formal", INT, (), index)
-    body = kit.call("to_float", i, type_=FLOAT)
-    assert kit.simplified(fold(kit, 2, body, index)) is kit.number(1.0)
+    body = kit.call("mul", kit.call("to_float", i, type_=FLOAT), kit.leaf("x"))
+    assert kit.simplified(fold(kit, 2, body, index)) is kit.leaf("x")
     assert kit.simplified(fold(kit, 9, body, index)).op == "fold"
+
+
+def test_folds_of_constants_are_computed(kit: Kit) -> None:
+    index = Formal("i")
+    body = kit.call("to_float", kit.graph.node("formal", INT, (), index), type_=FLOAT)
+    assert kit.simplified(fold(kit, 9, body, index)) is kit.number(36.0)
+    assert kit.simplified(fold(kit, 4096, body, index)).op == "fold", "that takes too long"
 
 
 def test_folds_of_nothing_are_their_start(kit: Kit) -> None:

@@ -43,10 +43,11 @@ material All {
     param layer  : Layer
     param values : float = 2
     param wind   : direction<world> = vec3(1, 0, 0)
+    param floor  : normal<world> = vec3(0, 1, 0)
     map   albedo : texture2d = gray
 
     color = lambert(base) * power * cos(tilt) + veil.rgb * layer.tint * layer.weights[1]
-          + vec3(turn * uv, values) + bones[1] * ways[0] * wind.x
+          + vec3(turn * uv, values) + bones[1] * ways[0] * wind.x * floor.y
           + (if shiny and layer.cone.soft and mask.x then vec3(float(offset.x)) else albedo(uv).rgb)
           + vec3(float(big), float(steps) + float(tag), layer.cone.width)
 }
@@ -321,6 +322,11 @@ REFUSED: list[tuple[str, object, str]] = [
         (1, 1, 0),
         "`wind` is a direction and has to be of length 1, not 1.41421: that would be "
         "(0.707107, 0.707107, 0)",
+    ),
+    (
+        "floor",
+        (0, 0, 2),
+        "`floor` is a normal and has to be of length 1, not 2: that would be (0, 0, 1)",
     ),
     ("wind", (0, 0, 0), "`wind` is a direction and has to be of length 1, not 0"),
     (

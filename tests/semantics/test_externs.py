@@ -27,7 +27,7 @@ def test_members_are_names_of_the_file() -> None:
 
 
 def test_a_library_name_is_bound_by_an_equation() -> None:
-    text = f"{BLOCK} material M {{ eye = places[1]  color = eye }}"
+    text = f"{BLOCK} material M {{ eye = places[1]  color = vec3(eye) }}"
     whole = shader(text)
     assert "eye" not in [info.parameter.name for info in whole.parameters]
     assert color(text, {"PerFrame.places": ((1, 2, 3), (4, 5, 6))}) == (4, 5, 6)

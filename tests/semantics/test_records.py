@@ -40,7 +40,7 @@ def test_inheritance(heirs: str, expected: Lanes) -> None:
 
 
 def test_an_override_reaches_what_the_surface_computes() -> None:
-    assert lanes("to_eye", "position = vec3(0, 0, 1)  eye = vec3(0, 0, -3)") == (0, 0, -1)
+    assert lanes("vec3(to_eye)", "position = vec3(0, 0, 1)  eye = vec3(0, 0, -3)") == (0, 0, -1)
 
 
 def test_the_order_of_equations_means_nothing() -> None:

@@ -89,6 +89,6 @@ def test_a_read_that_names_its_level_moves_vertices() -> None:
     given = shader("""
     material M {
         map heights : texture2d
-        position = @vertex (vertex_position + heights.level(uv, 0).rgb)
+        position = @vertex (inherited.position + heights.level(uv, 0).rgb)
     }""")
     assert "sample_level" in [node.data for node in reachable([given.clip_position])]

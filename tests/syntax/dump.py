@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.semantics.typenames import described
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 
@@ -56,6 +57,10 @@ def show(node: ast.Expression) -> str:  # noqa: PLR0912
         case ast.With(operand=operand, replacements=replacements):
             slots = ", ".join(f"{name.text} = {show(value)}" for name, value in replacements)
             return f"({show(operand)} with {{{slots}}})"
+        case ast.Conversion(operand=operand, space=space):
+            return f"({show(operand)} in {space.text})"
+        case ast.Ascription(operand=operand, type=kind):
+            return f"({show(operand)} as {described(kind)})"
         case ast.AtRate(rate=rate, operand=operand):
             return f"(@{rate.text} {show(operand)})"
         case ast.Array(elements=elements):

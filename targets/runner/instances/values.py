@@ -21,6 +21,9 @@ Value = Any
 UNIT_TOLERANCE = 1e-3
 """How far the length of a direction may be from one. It is stored with length one."""
 
+UNIT_TYPES = frozenset({"direction", "normal"})
+"""Written types whose values have length one."""
+
 _ROUNDING = 2.0**-22
 """How far rounding three lanes to float32 may take a length of one from it, with some room."""
 
@@ -133,7 +136,8 @@ def _vector(shape: Numbers, given: object, name: str) -> Value:
         raise _misshapen(name, f"{what}{amount} ({shape.type})", given, items)
     else:
         lanes = tuple(_lane(shape, item, name) for item in items)
-    return _unit(lanes, name) if shape.meaning == "direction" and shape.lanes > 1 else lanes
+    has_length_one = shape.meaning in UNIT_TYPES and shape.lanes > 1
+    return _unit(lanes, shape.meaning, name) if has_length_one else lanes
 
 
 def _lane(shape: Numbers, given: object, name: str) -> Any:
@@ -182,14 +186,14 @@ def _float(given: object, shape: Numbers, name: str) -> float:
     return rounded
 
 
-def _unit(lanes: tuple[float, ...], name: str) -> tuple[float, ...]:
-    """A direction of length one; one that already is, up to rounding, is left as it is."""
+def _unit(lanes: tuple[float, ...], meaning: str, name: str) -> tuple[float, ...]:
+    """A vector of length one; one that already is, up to rounding, is left as it is."""
     length = math.hypot(*lanes)
     if abs(length - 1.0) <= _ROUNDING:
         return lanes
     if abs(length - 1.0) <= UNIT_TOLERANCE:
         return tuple(single(lane / length) for lane in lanes)
-    message = f"`{name}` is a direction and has to be of length 1, not {length:.6g}"
+    message = f"`{name}` is a {meaning} and has to be of length 1, not {length:.6g}"
     if length > 0.0:
         message += f": that would be ({', '.join(f'{lane / length:.6g}' for lane in lanes)})"
     raise ParameterError(name, message)

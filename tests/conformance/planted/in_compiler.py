@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from burnish.compiler.passes import guard, ranges, rates
+from burnish.compiler.ir import ranges
+from burnish.compiler.passes import guard, rates
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, Fact
 from burnish.stdlib.builtins.row import RangeRule, everywhere

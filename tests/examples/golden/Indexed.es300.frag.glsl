@@ -25,6 +25,6 @@ void main() {
     ivec2 found_texture_size = textureSize(palette, 0);
     int found_harmless = found_texture_size.x;
     int found_cut_remainder = number - found_harmless * (number / found_harmless);
-    ivec2 found_inside = clamp(ivec2(found_cut_remainder != 0 && (found_cut_remainder < 0) != false ? found_cut_remainder + found_harmless : found_cut_remainder, 0), ivec2(0), found_texture_size - 1);
-    out_color = texelFetch(palette, found_inside, 0);
+    ivec2 found_kept_inside = clamp(ivec2(found_cut_remainder != 0 && (found_cut_remainder < 0) != false ? found_cut_remainder + found_harmless : found_cut_remainder, 0), ivec2(0), found_texture_size - 1);
+    out_color = texelFetch(palette, found_kept_inside, 0);
 }

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from ..ir.binding import Moved
-from ..ir.node import Graph, Node, reachable
+from .binding import Moved
+from .node import Graph, Node, reachable
 
 Rule = Callable[[Graph, Node, tuple[Node, ...]], Node | None]
 """``(graph, node, new_operands) -> replacement``; ``None`` keeps the operation as it is."""

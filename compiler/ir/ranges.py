@@ -5,14 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 
 from ...stdlib.builtins import BUILTINS
-from ...stdlib.builtins.facts import UNKNOWN, Fact, Kind
-from ..ir.leaves import Parameter
-from ..ir.node import Folding, Formal, Iterating, Node, reachable
-from ..ir.types import Array, Matrix, Struct, scalar_kind
+from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact, Kind
+from .leaves import Parameter
+from .meaning import Meaning
+from .node import Folding, Formal, Iterating, Node, reachable
+from .types import Array, Matrix, Struct, scalar_kind
 
 
 class Ranges:
-    """Facts of nodes, worked out on demand and kept; for graphs whose binders are open."""
+    """Facts of nodes, worked out on demand and kept; for graphs whose binders are open.
+
+    Semantics asks while binders are still closed: then nothing is known of their variables.
+    """
 
     def __init__(self, roots: Iterable[Node]) -> None:
         self._facts: dict[int, Fact] = {}
@@ -146,11 +150,17 @@ def _index(node: Node, operands: list[Fact]) -> Fact:
 def _member(node: Node, _operands: list[Fact]) -> Fact:
     """A member of a light of many: its parameter carries a fact for each member."""
     source = node.operands[0]
-    while source.op == "index":
+    while source.op in ("index", "as"):
         source = source.operands[0]
     if isinstance(source.data, Parameter) and isinstance(node.operands[0].type, Struct):
         return dict(source.data.member_facts).get(str(node.data), UNKNOWN)
     return UNKNOWN
+
+
+def _ascribed(node: Node, operands: list[Fact]) -> Fact:
+    """Only what has unit length is ever called a direction."""
+    contract = isinstance(node.data, Meaning) and node.data.kind == "direction"
+    return operands[0].meet(UNIT) if contract else operands[0]
 
 
 def _select(_node: Node, operands: list[Fact]) -> Fact:
@@ -202,6 +212,7 @@ _RULES: Mapping[str, Callable[[Node, list[Fact]], Fact]] = {
     "parameter": _parameter,
     "call": _call,
     "native": _call,
+    "as": _ascribed,
     "vector": _joined,
     "splat": _lanes,
     "swizzle": _lanes,

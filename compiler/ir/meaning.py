@@ -1,0 +1,48 @@
+"""What a value means beyond the numbers that it is made of.
+
+A meaning costs nothing at run time: semantics checks it, and leaves no trace of it in the graph.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ...frozen import frozen
+
+MeaningKind = Literal[
+    "point", "vector", "direction", "normal",  # in one space
+    "rgb", "rgba", "angle",
+    "transform", "frame",  # from one space to another
+    "struct",
+]  # fmt: skip
+
+ARROWS: frozenset[str] = frozenset({"vector", "direction", "normal"})
+GEOMETRY: frozenset[str] = ARROWS | {"point"}
+COLORS: frozenset[str] = frozenset({"rgb", "rgba"})
+MAPS: frozenset[str] = frozenset({"transform", "frame"})
+
+
+@frozen
+class Meaning:
+    """``point<world>``, ``rgb``, ``transform<object, world>``; of an array, that of its elements.
+
+    A ``direction`` is a vector of length one, a ``normal`` stands upright on a surface and so
+    moves by the inverse transpose of what moves vectors.
+    """
+
+    kind: MeaningKind
+    spaces: tuple[str, ...] = ()
+    members: tuple[tuple[str, Meaning | None], ...] = ()
+    """Of a struct."""
+
+    def __str__(self) -> str:
+        return f"{self.kind}<{', '.join(self.spaces)}>" if self.spaces else self.kind
+
+    def member(self, name: str) -> Meaning | None:
+        """What member ``name`` of a struct means."""
+        return dict(self.members).get(name)
+
+
+ANGLE = Meaning("angle")
+RGB = Meaning("rgb")
+RGBA = Meaning("rgba")
