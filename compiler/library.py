@@ -78,7 +78,7 @@ def expansions() -> tuple[Module, dict[str, tuple[Symbol, ...]]]:
     file, path = _internal(MEANING)
     module = Module(file, path)
     found: dict[str, tuple[Symbol, ...]] = {}
-    expanding = {row.expansion for row in BUILTINS.values()}
+    expanding = {name for row in BUILTINS.values() for name in (row.expansion, row.definition)}
     for declaration in file.declarations:
         assert not isinstance(declaration, ast.Import)
         name = declaration.name.text

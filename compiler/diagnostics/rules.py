@@ -111,8 +111,8 @@ BAD_NAME = _error(
 BAD_NUMBER = _error(
     "B0104",
     "`{text}` is not a number",
-    "Numbers are written `2`, `7u`, `0.5`, `1e-3`, angles `30deg` or `0.5rad`. A float needs "
-    "no suffix, and digits follow its point.",
+    "Numbers are written `2`, `7u`, `0xFF`, `0.5`, `1e-3`, angles `30deg` or `0.5rad`. A float "
+    "needs no suffix, and digits follow its point.",
 )
 BAD_COLOR = _error(
     "B0105",

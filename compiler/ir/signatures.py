@@ -53,8 +53,8 @@ FAMILIES: Mapping[str, Family] = {
     "V": Family(("float",), (2, 3, 4)),
     "N": Family(NUMBER_KINDS, (1, 2, 3, 4), broadcasts=True),
     "I": Family(("int", "uint"), (1, 2, 3, 4), broadcasts=True),
-    "B": Family(("bool",), (1, 2, 3, 4)),
-    "P": Family((*NUMBER_KINDS, "bool"), (1, 2, 3, 4)),
+    "B": Family(("bool",), (1, 2, 3, 4), broadcasts=True),
+    "P": Family((*NUMBER_KINDS, "bool"), (1, 2, 3, 4), broadcasts=True),
 }
 
 TEXTURE_FAMILIES: Mapping[str, frozenset[Texture]] = {
@@ -76,7 +76,10 @@ FIXED: Mapping[str, Type] = {
 }  # fmt: skip
 """Words of a signature that are one type."""
 
-DEPENDENT = "CLQUWE"
+_OF_KIND: Mapping[str, ScalarKind] = {"Q": "bool", "U": "uint", "J": "int"}
+"""Letters for lanes of a kind, as many as another letter has."""
+
+DEPENDENT = "CLQUJKWE"
 """Letters that follow from others and so are bound last."""
 
 
@@ -109,13 +112,12 @@ def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
     """What follows from a letter bound before: lanes, columns, how a texture is read."""
     if letter == "C" and isinstance(matrix := bound.get("M"), Matrix):
         return Vector("float", matrix.size)
-    if letter == "Q" and (base := bound.get("P")) is not None:
-        return with_width("bool", width(base))
-    if letter == "L":
-        for source in ("N", "T", "I", "P"):
-            kind = scalar_kind(bound[source]) if source in bound else None
-            if kind is not None:
-                return Scalar(kind)
+    base = next((bound[source] for source in "NTIP" if source in bound), None)
+    kind = scalar_kind(base) if base is not None else None
+    if letter == "L" and kind is not None:
+        return Scalar(kind)
+    if letter in _OF_KIND and base is not None:
+        return with_width(_OF_KIND[letter], width(base))
     texture = next((t for t in bound.values() if isinstance(t, Texture)), None)
     return None if texture is None else _of_texture(letter, texture)
 
@@ -123,7 +125,7 @@ def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
 def _of_texture(letter: str, texture: Texture) -> Type | None:
     """A texture's coordinate, its size, and what a texel holds."""
     match letter:
-        case "U":
+        case "K":
             return Vector("float", texture.axes)
         case "W":
             return Vector("int", texture.extents)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from ..ir import build
 from ..ir.node import Node, Op
-from ..ir.types import Matrix, Scalar, Type, Vector, scalar_kind, width
+from ..ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from ..reference.operations import constant_lanes
 
 if TYPE_CHECKING:
@@ -216,7 +216,7 @@ def _transpose(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) 
 def _comparison(decide: Callable[[Simplifier, Node, Node], bool | None]) -> BuiltinRule:
     def rule(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
         left, right = operands
-        decided = decide(s, left, right) if width(left.type) == 1 else None
+        decided = decide(s, left, right)
         return None if decided is None else s.constant(type_, decided)
 
     return rule
@@ -256,7 +256,7 @@ def _not(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node
     (operand,) = operands
     if _is_call(operand, "not"):
         return operand.operands[0]
-    if operand.op == op and operand.data in OPPOSITES and type_ == Scalar("bool"):
+    if operand.op == op and operand.data in OPPOSITES:
         return s.make(op, type_, operand.operands, OPPOSITES[str(operand.data)])
     return None
 
@@ -267,8 +267,9 @@ def _connective(absorbing: bool) -> BuiltinRule:
     def rule(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
         left, right = operands
         for one, other in ((left, right), (right, left)):
-            if one.op == "constant":
-                return s.constant(type_, absorbing) if one.data is absorbing else other
+            lane = uniform_lane(one)
+            if lane is not None:
+                return s.constant(type_, absorbing) if lane is absorbing else other
         return left if left is right else None
 
     return rule

@@ -1,4 +1,4 @@
-"""The builtins' expansions, lowered from ``stdlib/meaning.burnish`` once per process."""
+"""The builtins' expansions and definitions, from ``stdlib/meaning.burnish``, lowered once."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir.node import Formal, Node, Op, reachable
 from ..ir.types import Scalar, Type, Vector
-from ..library import expansions
+from ..library import MEANING, expansions
 from ..semantics.calls import apply_body, best
 from ..semantics.lower import Lowering
 from ..semantics.meanings import erased
@@ -57,12 +57,22 @@ class Template:
 @cache
 def template(name: str, types: tuple[Type, ...]) -> Template:
     """The expansion of builtin ``name`` for operands of these types."""
-    found = _lowered(name, types)
+    return _template_of(BUILTINS[name].expansion, types)
+
+
+@cache
+def definition(name: str, types: tuple[Type, ...]) -> Template:
+    """What builtin ``name`` is in other operations, for operands of these types."""
+    return _template_of(BUILTINS[name].definition, types)
+
+
+def _template_of(function: str, types: tuple[Type, ...]) -> Template:
+    found = _lowered(function, types)
     if found is not None:
         return found
     lanes = tuple(Scalar(t.kind) if isinstance(t, Vector) else t for t in types)
-    scalar = _lowered(name, lanes)
-    assert scalar is not None, f"no expansion of {name} takes {types}"
+    scalar = _lowered(function, lanes)
+    assert scalar is not None, f"no {function} of {MEANING} takes {types}"
     return changed(scalar, lanewise=True)
 
 
@@ -73,7 +83,7 @@ def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
     arguments = tuple(
         low.graph.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
     )
-    symbol = best(low, list(functions[BUILTINS[name].expansion]), arguments)
+    symbol = best(low, list(functions[name]), arguments)
     if symbol is None:
         return None
     value = run(apply_body(low, symbol, arguments, Span(symbol.module.file.source, 0, 0)))

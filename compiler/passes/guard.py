@@ -15,7 +15,7 @@ from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
 from ..ir.node import Formal, Formals, Graph, Node, Op
 from ..ir.ranges import Ranges
-from ..ir.types import Scalar, Texture, Type, Vector, with_width
+from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from ..semantics.shader import Notes
 from .expand import Template, template
 from .paths import Paths
@@ -161,6 +161,19 @@ class Guarding(Simplifier):
                 self._varying[operand.id] for operand in node.operands
             )
         return self._varying[root.id]
+
+    def written_out(self, found: Template, operands: tuple[Node, ...]) -> Node:
+        """The value of a template for these operands, lane by lane where it is one of scalars."""
+        size = max(width(operand.type) for operand in operands)
+        if not found.lanewise:
+            return self._instantiate(found, operands)
+        lanes = tuple(
+            self._instantiate(found, tuple(self._lane(operand, i) for operand in operands))
+            for i in range(size)
+        )
+        kind = scalar_kind(lanes[0].type)
+        assert kind is not None
+        return self.make("vector", with_width(kind, size), lanes)
 
     def _lane(self, operand: Node, lane: int) -> Node:
         if not isinstance(operand.type, Vector):

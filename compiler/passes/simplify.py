@@ -21,6 +21,7 @@ from ..reference.namespace import Lanes
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
+from .bits import BIT_RULES
 from .cost import cost_of
 
 LARGEST_FLOAT = 3.4028234663852886e38
@@ -80,7 +81,7 @@ def _builtin(op: Op) -> OpRule:
         folded = _folded(s, type_, operands, name)
         if folded is not None:
             return folded
-        special = BUILTIN_RULES.get(name)
+        special = BUILTIN_RULES.get(name) or BIT_RULES.get(name)
         return special(s, op, type_, operands) if special is not None else None
 
     return rule

@@ -92,6 +92,10 @@ def mix(_xp: Namespace, x: Lane, y: Lane, a: Lane) -> Lane:
     return x * (1.0 - a) + y * a
 
 
+def fma(_xp: Namespace, x: Lane, y: Lane, z: Lane) -> Lane:
+    return x * y + z
+
+
 def step(xp: Namespace, edge: Lane, x: Lane) -> Lane:
     return xp.where(x >= edge, 1.0, 0.0)
 
@@ -124,6 +128,10 @@ def exp2(xp: Namespace, x: Lane) -> Lane:
 
 def log(xp: Namespace, x: Lane) -> Lane:
     return xp.log(xp.maximum(x, SMALLEST_NORMAL))
+
+
+def log10(xp: Namespace, x: Lane) -> Lane:
+    return math.log10(2.0) * log2(xp, x)
 
 
 def log2(xp: Namespace, x: Lane) -> Lane:

@@ -10,7 +10,18 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
 from ...stdlib.builtins import texture
-from . import derivatives, floats, integers, logic, matrices, scalars, textures, vectors
+from . import (
+    bits,
+    derivatives,
+    floats,
+    hyperbolic,
+    integers,
+    logic,
+    matrices,
+    scalars,
+    textures,
+    vectors,
+)
 from .namespace import Lane, Lanes, Namespace
 
 LaneKind = Literal["float", "int", "uint", "bool"]
@@ -58,6 +69,17 @@ _FLOATS: Mapping[str, Function] = {
     "atan2": floats.atan2,
     "radians": floats.radians,
     "degrees": floats.degrees,
+    "fma": floats.fma,
+    "log10": floats.log10,
+    "sinh": hyperbolic.sinh,
+    "cosh": hyperbolic.cosh,
+    "tanh": hyperbolic.tanh,
+    "asinh": hyperbolic.asinh,
+    "acosh": hyperbolic.acosh,
+    "atanh": hyperbolic.atanh,
+    "mantissa": bits.mantissa,
+    "ldexp": bits.ldexp,
+    "quantize_half": bits.quantize_half,
 }
 
 _INTEGERS: Mapping[str, Function] = {
@@ -65,9 +87,20 @@ _INTEGERS: Mapping[str, Function] = {
     "div": integers.div,
     "mod": integers.mod,
     "sign": integers.sign,
+    "bit_and": bits.bit_and,
+    "bit_or": bits.bit_or,
+    "bit_xor": bits.bit_xor,
+    "bit_not": bits.bit_not,
+    "shift_left": bits.shift_left,
+    "shift_right": bits.shift_right,
+    "reverse_bits": bits.reverse_bits,
+    "extract_bits": bits.extract_bits,
+    "insert_bits": bits.insert_bits,
 }
+_SIGNED: Mapping[str, Function] = {"extract_bits": bits.extract_signed_bits}
+"""What is otherwise for ``int``."""
 
-_LOGIC: Mapping[str, Function] = {
+_OF_ANOTHER_KIND: Mapping[str, Function] = {
     "eq": logic.eq,
     "ne": logic.ne,
     "lt": logic.lt,
@@ -77,7 +110,15 @@ _LOGIC: Mapping[str, Function] = {
     "and": logic.and_,
     "or": logic.or_,
     "not": logic.not_,
+    "choose": logic.choose,
+    "count_bits": bits.count_bits,
+    "first_leading_bit": bits.first_leading_bit,
+    "first_trailing_bit": bits.first_trailing_bit,
+    "bits_of": bits.bits_of,
+    "float_of_bits": bits.float_of_bits,
+    "exponent": bits.exponent,
 }
+"""Lane by lane, with results that need no wrapping, whatever the operands are."""
 
 _CONVERSIONS: Mapping[str, Function] = {
     "to_float": integers.to_float,
@@ -88,7 +129,6 @@ _CONVERSIONS: Mapping[str, Function] = {
 _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "any": logic.any_,
     "all": logic.all_,
-    "dot": vectors.dot,
     "cross": vectors.cross,
     "length": vectors.length,
     "distance": vectors.distance,
@@ -101,12 +141,24 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "ddy": derivatives.ddy,
     "transpose": matrices.transpose,
     "determinant": matrices.determinant,
+    "outer": matrices.outer,
+    "hadamard": matrices.hadamard,
+    "pack_unorm4x8": bits.pack_unorm,
+    "pack_unorm2x16": bits.pack_unorm,
+    "pack_snorm4x8": bits.pack_snorm,
+    "pack_snorm2x16": bits.pack_snorm,
+    "pack_half2x16": bits.pack_half2x16,
+    "unpack_unorm4x8": bits.unpack_unorm4x8,
+    "unpack_unorm2x16": bits.unpack_unorm2x16,
+    "unpack_snorm4x8": bits.unpack_snorm4x8,
+    "unpack_snorm2x16": bits.unpack_snorm2x16,
+    "unpack_half2x16": bits.unpack_half2x16,
     "inverse": matrices.inverse,
     **{row.name: textures.reading(row.name) for row in texture.ROWS},
 }
 """On whole values rather than lane by lane."""
 
-NAMES = frozenset({*_FLOATS, *_LOGIC, *_CONVERSIONS, *_WHOLE})
+NAMES = frozenset({*_FLOATS, *_INTEGERS, *_OF_ANOTHER_KIND, *_CONVERSIONS, *_WHOLE, "dot"})
 """Every builtin that has a meaning here."""
 
 
@@ -124,12 +176,20 @@ def evaluate(
     """
     if name in _WHOLE:
         return _WHOLE[name](xp, *operands)
+    if name == "dot":
+        return _dot(operands, xp, kind)
     if any(map(matrices.is_matrix, operands)):
         return _on_matrices(name, operands, xp)
     function = _lanewise(name, xp, kind)
     width = max(map(len, operands))
     wide = [lanes * width if len(lanes) == 1 else lanes for lanes in operands]
     return tuple(function(*lanes) for lanes in zip(*wide, strict=True))
+
+
+def _dot(operands: Sequence[Lanes], xp: Namespace, kind: LaneKind) -> Lanes:
+    """The inner product, wrapped where it is one of integers."""
+    (product,) = vectors.dot(xp, *operands)
+    return (integers.wrap(kind, product) if kind in ("int", "uint") else product,)
 
 
 def _on_matrices(name: str, operands: Sequence[Lanes], xp: Namespace) -> Lanes:
@@ -143,10 +203,12 @@ def _lanewise(name: str, xp: Namespace, kind: LaneKind) -> Function:
     """The function of lanes of ``kind``, with integers wrapped."""
     if name in _CONVERSIONS:
         return lambda x: _convert(name, xp, kind, x)
-    if name in _LOGIC:
-        return lambda *lanes: _LOGIC[name](xp, *lanes)
+    if name in _OF_ANOTHER_KIND:
+        return lambda *lanes: _OF_ANOTHER_KIND[name](xp, *lanes)
     if kind in ("int", "uint"):
-        return lambda *lanes: integers.wrap(kind, _INTEGERS[name](xp, *lanes))
+        signed = _SIGNED.get(name) if kind == "int" else None
+        function = signed or _INTEGERS[name]
+        return lambda *lanes: integers.wrap(kind, function(xp, *lanes))
     return lambda *lanes: _FLOATS[name](xp, *lanes)
 
 

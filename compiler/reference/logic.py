@@ -1,4 +1,4 @@
-"""What comparisons of scalars and logic mean."""
+"""What comparisons, logic and choices mean."""
 
 from __future__ import annotations
 
@@ -41,6 +41,10 @@ def or_(xp: Namespace, x: Lane, y: Lane) -> Lane:
 
 def not_(xp: Namespace, x: Lane) -> Lane:
     return xp.logical_not(x)
+
+
+def choose(xp: Namespace, condition: Lane, x: Lane, y: Lane) -> Lane:
+    return xp.where(condition, x, y)
 
 
 def any_(xp: Namespace, x: Lanes) -> Lanes:

@@ -38,6 +38,15 @@ def determinant(_xp: Namespace, m: Lanes) -> Lanes:
     return (_determinant(m),)
 
 
+def outer(_xp: Namespace, column: Lanes, row: Lanes) -> Lanes:
+    return tuple(scaled(column, lane) for lane in row)
+
+
+def hadamard(_xp: Namespace, x: Lanes, y: Lanes) -> Lanes:
+    pairs = zip(x, y, strict=True)
+    return tuple(tuple(a * b for a, b in zip(m, n, strict=True)) for m, n in pairs)
+
+
 def inverse(xp: Namespace, m: Lanes) -> Lanes:
     """Cofactors, transposed, over the determinant; all zero where that is zero."""
     scale = floats.div(xp, 1.0, _determinant(m))

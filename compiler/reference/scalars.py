@@ -99,6 +99,19 @@ def arctan2(y: float, x: float, /) -> float:
     return math.atan2(y, x)
 
 
+def frexp(x: float, /) -> tuple[float, int]:
+    """Fraction, from a half to below one in magnitude, and exponent."""
+    return math.frexp(x)
+
+
+def ldexp(x: float, n: int, /) -> float:
+    """``x`` times two to the power of ``n``."""
+    try:
+        return math.ldexp(x, n)
+    except OverflowError:
+        return math.copysign(math.inf, x)
+
+
 def _logarithm(function: Callable[[float], float]) -> Callable[[float], float]:
     """A logarithm that has a value at zero."""
     total = _total(function)
@@ -120,3 +133,16 @@ tan = _total(math.tan)
 arcsin = _total(math.asin)
 arccos = _total(math.acos)
 arctan = _total(math.atan)
+cosh = _total(math.cosh)
+tanh = _total(math.tanh)
+arcsinh = _total(math.asinh)
+arccosh = _total(math.acosh)
+arctanh = _total(math.atanh)
+
+
+def sinh(x: float, /) -> float:
+    """The hyperbolic sine, which overflows to either side."""
+    try:
+        return math.sinh(x)
+    except OverflowError:
+        return math.copysign(math.inf, x)

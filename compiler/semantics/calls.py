@@ -10,6 +10,7 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node, bare
+from ..ir.signatures import FAMILIES
 from ..ir.types import VEC3, Array, Struct, Texture, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
@@ -97,14 +98,14 @@ def _named(
     return FAILURE
 
 
-_NOT_CALLED = frozenset(
+NOT_CALLED = frozenset(
     name for name, row in BUILTINS.items() if row.operator or row.method is not None
 )
 """Rows that are written in another way than as a call."""
 
 
 def _is_built_in(name: str) -> bool:
-    callable_row = name in BUILTINS and name not in _NOT_CALLED
+    callable_row = name in BUILTINS and name not in NOT_CALLED
     return callable_row or name == "unguarded" or is_constructor(name)
 
 
@@ -118,20 +119,6 @@ def _built_in(
     return low.builtin(name, arguments, e.span, name, e.arguments, scope)
 
 
-ELSEWHERE = {
-    "lerp": "mix", "frac": "fract", "rsqrt": "inversesqrt", "inverseSqrt": "inversesqrt",
-    "texture": "name(uv)", "texture2D": "name(uv)", "tex2D": "name(uv)",
-    "textureSample": "name(uv)", "textureLod": "name.level(uv, level)",
-    "textureSampleLevel": "name.level(uv, level)", "textureGrad": "name.grad(uv, dx, dy)",
-    "textureSampleGrad": "name.grad(uv, dx, dy)", "texelFetch": "name.load(place, level)",
-    "textureLoad": "name.load(place, level)", "textureSize": "name.size()",
-    "textureDimensions": "name.size()", "textureGather": "name.gather(uv, lane)",
-    "atan2f": "atan2", "fmod": "x mod y", "roundEven": "round",
-    "vec3f": "vec3", "float2": "vec2", "float3": "vec3", "float4": "vec4",
-}  # fmt: skip
-"""What other shading languages call the same thing."""
-
-
 def _is_map(definitions: tuple[object, ...] | None) -> bool:
     return bool(definitions) and any(
         isinstance(getattr(d, "member", None), ast.Map) for d in definitions or ()
@@ -142,15 +129,23 @@ def _not_callable(low: Lowering, name: str, span: Span, scope: Scope) -> None:
     if scope.module.find(name) or (scope.instance is not None and scope.instance.has(name)):
         low.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`")
         return
-    callables = {n for n in BUILTINS if n not in _NOT_CALLED} | set(scope.module.visible())
+    callables = {n for n in BUILTINS if n not in NOT_CALLED} | set(scope.module.visible())
     for instance in (scope.instance, scope.surface):
         if instance is not None:
             callables |= {n for n, d in instance.record.definitions.items() if _is_map(d)}
-    if name in ELSEWHERE:
-        hint = f"it is `{ELSEWHERE[name]}` here"
+    if hint := _elsewhere(name):
         low.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
     lookup.unknown_here(low, "function", name, span, sorted(callables), scope.module)
+
+
+def _elsewhere(name: str) -> str:
+    """What to write for a function or a constructor of another shading language."""
+    from ...stdlib.builtins.elsewhere import FUNCTIONS, TYPES
+
+    if name in FUNCTIONS:
+        return FUNCTIONS[name].hint
+    return f"it is `{TYPES[name]}` here" if name in TYPES else ""
 
 
 def _unguarded(low: Lowering, arguments: tuple[Node, ...], e: ast.Call) -> Value:
@@ -185,7 +180,7 @@ def no_signature(
         low.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
-            hint=_parts(operands) or _mixed_numbers(operands) or _bare_moved(low, operands),
+            hint=_parts(operands) or _operator_hint(name, operands) or _bare_moved(low, operands),
         )  # fmt: skip
         return FAILURE
     hint = f"candidates: {overloads.signatures(row)}"
@@ -203,10 +198,20 @@ def _parts(operands: tuple[Node, ...]) -> str:
     return ""
 
 
-def _mixed_numbers(operands: tuple[Node, ...]) -> str:
-    """How to mend ``x * i`` between a float and an integer."""
+_INTEGERS = frozenset(FAMILIES["I"].kinds)
+
+
+def _operator_hint(name: str, operands: tuple[Node, ...]) -> str:
+    """How to mend ``x * i`` between a float and an integer, and the like."""
     kinds = {scalar_kind(operand.type) for operand in operands}
-    mixed = "float" in kinds and kinds & {"int", "uint"}
+    if _is_of_bits(name) and "float" in kinds:
+        power = "a power is written `pow(x, y)`; " if name == "bit_xor" else ""
+        return f"{power}bits are those of integers: convert with `int(…)`, or see `bits_of`"
+    if _is_of_bits(name) and "bool" in kinds:
+        return "truths are joined by `and` and `or`, and turned over by `not`"
+    if kinds == _INTEGERS:
+        return "convert one with `int(…)` or `uint(…)`, which keep the bits"
+    mixed = "float" in kinds and kinds & _INTEGERS
     return "convert the integer with `float(…)`" if mixed else ""
 
 
@@ -217,6 +222,11 @@ def _bare_moved(low: Lowering, operands: tuple[Node, ...]) -> str:
         return ""
     space = by.spaces[0]
     return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
+
+
+def _is_of_bits(name: str) -> bool:
+    """Whether an operator takes integers only."""
+    return all(signature.startswith("I") for signature in BUILTINS[name].signatures)
 
 
 # --- functions and terms -------------------------------------------------------------------------

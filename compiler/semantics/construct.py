@@ -115,6 +115,8 @@ def _converted(low: Lowering, type_: Vector, argument: Node) -> Node | None:
     """``vec3(ivec3)`` lane by lane."""
     if width(argument.type) != type_.size:
         return None
+    if "bool" not in (type_.kind, scalar_kind(argument.type)):
+        return low.graph.node("call", type_, (argument,), CONVERSIONS[type_.kind])
     lanes = []
     for lane in range(type_.size):
         converted = _scalar(low, Scalar(type_.kind), build.swizzle(low.graph, argument, (lane,)))

@@ -98,6 +98,12 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
             return
         if instance is not None:
             known += instance.record.definitions
+    from ...stdlib.builtins.elsewhere import VALUES
+
+    if name in VALUES:
+        hint = f"it is `{VALUES[name]}` here"
+        low.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=hint)
+        return
     unknown_here(low, "name", name, span, known, scope.module)
 
 

@@ -30,6 +30,7 @@ from ..ir.types import (
     Texture,
     Type,
     Vector,
+    scalar_kind,
     width,
 )
 from ..syntax import ast
@@ -59,8 +60,10 @@ from .typenames import Declared, TypeResolver
 OPERATORS: Mapping[str, str] = {
     "+": "add", "-": "sub", "*": "mul", "/": "div", "mod": "mod",
     "==": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge",
+    "&": "bit_and", "|": "bit_or", "^": "bit_xor", "<<": "shift_left", ">>": "shift_right",
     "and": "and", "or": "or",
 }  # fmt: skip
+PREFIXES: Mapping[str, str] = {"-": "neg", "~": "bit_not", "not": "not"}
 SWIZZLES: Mapping[str, Mapping[str, int]] = {
     letters: {letter: i for i, letter in enumerate(letters)} for letters in ("xyzw", "rgba")
 }
@@ -145,7 +148,9 @@ class Lowering:
         fitted = coerce(self.graph, node, wanted)
         if fitted is None:
             hint = ""
-            if isinstance(node.type, Scalar) and isinstance(wanted, Vector):
+            if wanted == BOOL and scalar_kind(node.type) == "bool":
+                hint = "`all(…)` or `any(…)` makes one truth of them"
+            elif isinstance(node.type, Scalar) and isinstance(wanted, Vector):
                 hint = f"write `{wanted}(…)` for equal lanes"
             elif isinstance(node.type, Scalar) and isinstance(wanted, Scalar):
                 hint = f"convert with `{wanted}(…)`"
@@ -203,10 +208,12 @@ def _number(low: Lowering, e: ast.Number, _scope: Scope) -> Step[Value]:
     yield from ()
     if e.kind in ("int", "uint"):
         limit, type_ = (2**31 - 1, INT) if e.kind == "int" else (2**32 - 1, UINT)
-        if int(e.text) > limit:
-            low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=type_)
+        whole = int(e.text, 16 if e.text[:2] in ("0x", "0X") else 10)
+        if whole > limit:
+            hint = "write it as a `uint`, with `u` behind it" if whole < 2**32 else ""
+            low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=type_, hint=hint)
             return FAILURE
-        return build.constant(low.graph, type_, int(e.text))
+        return build.constant(low.graph, type_, whole)
     value = float(e.text)
     if isinf(value) or value > 3.4028234663852886e38:
         low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=FLOAT)
@@ -309,7 +316,7 @@ def _unary(low: Lowering, e: ast.Unary, scope: Scope) -> Step[Value]:
     operand = yield low.node(e.operand, scope)
     if isinstance(operand, Failure):
         return FAILURE
-    name = "neg" if e.operator == "-" else "not"
+    name = PREFIXES[e.operator]
     return low.builtin(name, (operand,), e.span, e.operator, (e.operand,), scope)
 
 

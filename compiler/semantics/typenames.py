@@ -127,7 +127,8 @@ class TypeResolver:
             return structs[text]
         named = NAMED.get(text)
         if named is None:
-            self._unknown("type", name.name, [*NAMED, *structs, *variables])
+            visible = [*NAMED, *structs, *variables]
+            self._unknown("type", name.name, visible, _elsewhere(text))
             return None
         if not self._check_spaces(name, named, spaces, variables):
             return None
@@ -163,8 +164,10 @@ class TypeResolver:
                 return False
         return True
 
-    def _unknown(self, kind: str, name: ast.Name, known: Iterable[str]) -> None:
-        hint = suggestion(name.text, known)
+    def _unknown(
+        self, kind: str, name: ast.Name, known: Iterable[str], elsewhere: str = ""
+    ) -> None:
+        hint = elsewhere or suggestion(name.text, known)
         self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
 
 
@@ -186,6 +189,13 @@ def structure(type_: Struct, members: tuple[tuple[str, Declared], ...]) -> Decla
     meanings = tuple((name, member.meaning) for name, member in members)
     meaning = Meaning("struct", members=meanings) if any(m for _, m in meanings) else None
     return Declared(type_, type_.name, meaning=meaning, members=members)
+
+
+def _elsewhere(name: str) -> str:
+    """What a type of another shading language is called here."""
+    from ...stdlib.builtins.elsewhere import TYPES
+
+    return f"it is `{TYPES[name]}` here" if name in TYPES else ""
 
 
 def array_of(declared: Declared, count: int) -> Declared:

@@ -63,7 +63,7 @@ class Unary:
     """``-x`` or ``not x``."""
 
     span: Span
-    operator: Literal["-", "not"]
+    operator: Literal["-", "~", "not"]
     operand: Expression
 
 
@@ -72,7 +72,10 @@ class Binary:
     """``a + b`` and the like."""
 
     span: Span
-    operator: Literal["+", "-", "*", "/", "mod", "==", "!=", "<", "<=", ">", ">=", "and", "or"]
+    operator: Literal[
+        "+", "-", "*", "/", "mod", "&", "|", "^", "<<", ">>",
+        "==", "!=", "<", "<=", ">", ">=", "and", "or",
+    ]  # fmt: skip
     left: Expression
     right: Expression
 

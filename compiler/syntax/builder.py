@@ -337,6 +337,8 @@ class Builder:
             return ast.Number(span, text[:-3], "angle", "rad")
         if text.endswith("u"):
             return ast.Number(span, text[:-1], "uint")
+        if text.startswith(("0x", "0X")):
+            return ast.Number(span, text, "int")
         return ast.Number(span, text, "int" if text.isdigit() else "float")
 
     def color(self, span: Span, token: Token) -> ast.Color:

@@ -18,6 +18,13 @@ _DECLARATORS = frozenset(("let", "var", "const"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 
 
+def _statement(word: str) -> str:
+    """What there is in place of a statement or declaration that begins with ``word`` elsewhere."""
+    from ...stdlib.builtins.elsewhere import KEYWORDS
+
+    return KEYWORDS.get(word, "")
+
+
 class Complaints:
     """Reports one syntax error at a time."""
 
@@ -117,6 +124,8 @@ class Complaints:
         previous = self._tokens[index - 1] if index else found
         if found.kind == "==" and "=" in expected:
             return "an equation is written with a single `=`"
+        if expected & {"=", "when"} and (hint := _statement(previous.text)):
+            return hint
         if found.kind == "NAME" and "=" in expected and previous.kind == "NAME":
             if previous.text in _DECLARATORS:
                 return f"equations need no `{previous.text}`: write `{found.text} = …`"

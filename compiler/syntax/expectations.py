@@ -6,8 +6,8 @@ from .tables import END
 from .tokens import Token
 
 _EXPRESSION = {
-    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "@", "not", "if", "sum", "product", "min",
-    "max", "any", "all", "iterate", "[",
+    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "~", "@", "not", "if", "sum", "product",
+    "min", "max", "any", "all", "iterate", "[",
 }  # fmt: skip
 _MEMBER = {"NAME", "param", "map", "attribute", "target", "discard"}
 _DECLARATION = {
@@ -15,8 +15,8 @@ _DECLARATION = {
     "struct", "extern", "space", "burnish",
 }  # fmt: skip
 _OPERATORS = {
-    "+", "-", "*", "/", "mod", "==", "!=", "<", "<=", ">", ">=", "and", "or", "(", "[", ".", "with",
-    "in", "as",
+    "+", "-", "*", "/", "mod", "&", "|", "^", "<<", ">>", "==", "!=", "<", "<=", ">", ">=",
+    "and", "or", "(", "[", ".", "with", "in", "as",
 }  # fmt: skip
 _SEPARATORS = {";", ","}
 _WORDS = {

@@ -13,7 +13,7 @@ MALFORMED = [
     ("BAD_COLOR", r"#\w*"),
     ("BAD_STRING", r'"[^"\n]*'),
     ("BAD_COMMENT", r"/\*[\s\S]*"),
-    ("FOREIGN", r"&&|\|\||\+\+|[-+*/%&|^]=|<<|>>|::|=>|!(?!=)|[%&|^~?]"),
+    ("FOREIGN", r"&&|\|\||\+\+|\*\*|(?:[-+*/%&|^]|<<|>>)=|::|=>|!(?!=)|[%?]"),
 ]
 """Tried after the proper patterns, before the marks."""
 
@@ -29,7 +29,12 @@ _INSTEAD = {"&&": "and", "||": "or", "!": "not", "%": "mod"}
 _HINTS = {
     "?": "write `if condition then a else b`",
     "=>": "an equation is written `name = expression`",
-    "^": "a power is written `pow(x, y)`",
+    "**": "a power is written `pow(x, y)`",
+    "++": "nothing changes its value: an equation gives a new name to `x + 1`",
+    **dict.fromkeys(
+        ("+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="),
+        "nothing changes its value: an equation `name = expression` gives a new name to it",
+    ),
 }
 
 

@@ -7,13 +7,16 @@ from types import MappingProxyType
 
 from . import (
     arithmetic,
+    bits,
     common,
     comparison,
     conversion,
     derivative,
     exponential,
     geometry,
+    hyperbolic,
     matrix,
+    packing,
     texture,
     trigonometry,
 )
@@ -25,9 +28,12 @@ _THEMES = (
     common,
     exponential,
     trigonometry,
+    hyperbolic,
     geometry,
     matrix,
     conversion,
+    bits,
+    packing,
     texture,
     derivative,
 )

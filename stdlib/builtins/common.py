@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from .arithmetic import SIGNED
 from .facts import SMALLEST_NORMAL, Fact
-from .intervals import around, monotone, outward, products
+from .intervals import around, monotone, outward, product, products
 from .row import EXACT, Builtin, RangeRule
 
 _FLOATS = ("T -> T",)
@@ -75,6 +75,12 @@ def _blended(facts: tuple[Fact, ...], _same: bool) -> Fact:
     if a.within(0.0, 1.0) and min(x.lo, y.lo) >= 0:
         return Fact(max(slack.lo, 0.0), slack.hi)
     return Fact(slack.lo, slack.hi)
+
+
+def _multiplied_and_added(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y, z = facts
+    lo, hi = products(x, y)
+    return around(outward(lo + z.lo, hi + z.hi), product(product(x.most, y.most), 2.0**-22))
 
 
 def _stepped(facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -196,6 +202,13 @@ ROWS = (
         doc="Blend: x * (1 - a) + y * a. Goes on beyond the ends for an a outside 0 to 1.",
         range=_blended,
         cost=2,
+    ),
+    Builtin(
+        name="fma",
+        signatures=("T, T, T -> T",),
+        doc="fma(x, y, z): x * y + z, rounded once or twice as the device likes.",
+        range=_multiplied_and_added,
+        cost=1,
     ),
     Builtin(
         name="step",

@@ -1,14 +1,14 @@
-"""Comparisons of scalars, and logic."""
+"""Comparisons, logic and choices, lane by lane."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from .facts import Fact
-from .row import EXACT, Builtin
+from .row import EXACT, Builtin, nowhere
 
-_ORDERED = ("float, float -> bool", "int, int -> bool", "uint, uint -> bool")
-_LOGIC = ("bool, bool -> bool",)
+_ORDERED = ("N, N -> Q",)
+_LOGIC = ("B, B -> B",)
 _LANES = ("bvec2 -> bool", "bvec3 -> bool", "bvec4 -> bool")
 _EITHER = Fact(0.0, 1.0, kind="bool")
 _NO = Fact(0.0, 0.0, kind="bool")
@@ -68,6 +68,11 @@ def _lanes(facts: tuple[Fact, ...], _same: bool) -> Fact:
     return facts[0]
 
 
+def _either(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, y = facts[1:]
+    return Fact(min(x.lo, y.lo), max(x.hi, y.hi), x.excludes_zero and y.excludes_zero, kind=x.kind)
+
+
 def _comparison(
     name: str,
     operator: str,
@@ -88,12 +93,12 @@ def _comparison(
 
 
 ROWS = (
-    _comparison("eq", "==", "Whether two scalars are equal.", _equal, (*_ORDERED, *_LOGIC)),
-    _comparison("ne", "!=", "Whether two scalars differ.", _unequal, (*_ORDERED, *_LOGIC)),
-    _comparison("lt", "<", "Whether the first scalar is less.", _less),
-    _comparison("le", "<=", "Whether the first scalar is less or equal.", _not_greater),
-    _comparison("gt", ">", "Whether the first scalar is greater.", _greater),
-    _comparison("ge", ">=", "Whether the first scalar is greater or equal.", _not_less),
+    _comparison("eq", "==", "Whether two values are equal, lane by lane.", _equal, ("P, P -> Q",)),
+    _comparison("ne", "!=", "Whether two values differ, lane by lane.", _unequal, ("P, P -> Q",)),
+    _comparison("lt", "<", "Whether the first value is less.", _less),
+    _comparison("le", "<=", "Whether the first value is less or equal.", _not_greater),
+    _comparison("gt", ">", "Whether the first value is greater.", _greater),
+    _comparison("ge", ">=", "Whether the first value is greater or equal.", _not_less),
     Builtin(
         name="and",
         signatures=_LOGIC,
@@ -112,7 +117,7 @@ ROWS = (
     ),
     Builtin(
         name="not",
-        signatures=("bool -> bool",),
+        signatures=("B -> B",),
         doc="Whether it does not hold.",
         operator="!",
         range=_negation,
@@ -130,6 +135,16 @@ ROWS = (
         signatures=_LANES,
         doc="Whether every lane holds.",
         range=_lanes,
+        accuracy=EXACT,
+    ),
+    Builtin(
+        name="choose",
+        signatures=("Q, P, P -> P",),
+        doc="choose(c, x, y): x where the condition holds, else y, lane by lane.",
+        domain=nowhere,
+        outside="Both are computed: it is no branch. For one condition, write `if`.",
+        expansion="choose",
+        range=_either,
         accuracy=EXACT,
     ),
 )

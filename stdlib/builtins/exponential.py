@@ -6,7 +6,7 @@ import math
 
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import around, monotone, outward
-from .row import WGSL_ACCURACY, Accuracy, Builtin
+from .row import WGSL_ACCURACY, Accuracy, Builtin, nowhere
 
 _FLOATS = ("T -> T",)
 _EXP = Accuracy("(3 + 2 * abs(x)) ulp", WGSL_ACCURACY)
@@ -51,6 +51,10 @@ def _logarithm(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 def _logarithm2(facts: tuple[Fact, ...], _same: bool) -> Fact:
     return _log2(facts[0], 1.0)
+
+
+def _logarithm10(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _log2(facts[0], math.log10(2.0))
 
 
 def _log2(x: Fact, scale: float) -> Fact:
@@ -148,6 +152,17 @@ ROWS = (
         accuracy=_LOG,
         cost=5,
         samples=((0.0,), (-1.0,), (1.0,), (1e-40,)),
+    ),
+    Builtin(
+        name="log10",
+        signatures=_FLOATS,
+        doc="Logarithm to base 10.",
+        domain=nowhere,
+        outside="Operands below the smallest normal number, 2^-126, count as that.",
+        expansion="log10",
+        range=_logarithm10,
+        cost=5,
+        samples=((0.0,), (-1.0,), (1.0,), (1000.0,)),
     ),
     Builtin(
         name="log2",

@@ -9,11 +9,22 @@ from .intervals import around, product, products, squares
 from .row import Builtin, nowhere
 
 _PAIR = ("V, V -> S",)
+_WHOLE_PAIR = tuple(
+    f"{kind}vec{lanes}, {kind}vec{lanes} -> {scalar}"
+    for kind, scalar in (("i", "int"), ("u", "uint"))
+    for lanes in (2, 3, 4)
+)
 _NARROWEST, _WIDEST = 2, 4
+
+
+def _is_float(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].kind == "float"
 
 
 def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
     x, y = facts
+    if not _is_float(facts):
+        return Fact().as_kind(x.kind)
     lo, hi = squares(x) if same else products(x, y)
     lo, hi = min(_NARROWEST * lo, _WIDEST * lo), max(_NARROWEST * hi, _WIDEST * hi)
     error = product(_WIDEST * product(x.most, y.most), 2.0**-20)
@@ -72,9 +83,12 @@ def _has_unit_length(facts: tuple[Fact, ...]) -> bool:
 ROWS = (
     Builtin(
         name="dot",
-        signatures=_PAIR,
+        signatures=(*_PAIR, *_WHOLE_PAIR),
         meaning="measure",
-        doc="Inner product: the sum of the products of the lanes.",
+        doc="Inner product: the sum of the products of the lanes. Integers wrap.",
+        domain=_is_float,
+        outside="Not every backend has it for integers; there it is written out.",
+        expansion="integer_dot",
         range=_inner,
         cost=1,
     ),

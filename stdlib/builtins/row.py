@@ -69,12 +69,13 @@ class Builtin:
         V  vec2, vec3, vec4                       M  mat2, mat3, mat4; C its column vector
         N  numbers: floats and int, uint, ivec*, uvec*
         I  integers: int, uint, ivec*, uvec*      L  the scalar of N, I or T's lane kind
-        B  bool, bvec2, bvec3, bvec4              P  any scalar or vector; Q the bool vector of P
+        B  bool, bvec2, bvec3, bvec4              P  any scalar or vector
+        Q  the bools of P or N, lane by lane      U, J  the uints and ints of I or T, likewise
         R  any type that can be a value
 
         F  texture2d, texture3d, texture_cube     D  depth2d, depth_cube
         G  2d and 3d textures of every kind       H  *2d_array of every kind
-        X  any texture                            U  the float vector that is F's or D's coordinate
+        X  any texture                            K  the float vector that is F's or D's coordinate
         W  the ivec that is G's or X's size       E  what G or H holds: vec4, float, ivec4, uvec4
 
     The same letter stands for the same type throughout one signature; other words are type names.
@@ -91,6 +92,9 @@ class Builtin:
     expansion: str = ""
     """Function of ``stdlib/meaning.burnish`` that has the defined meaning everywhere; used where
     ``domain`` is not proven. Inside it, ``unguarded(f(x))`` is the hardware's own ``f``."""
+    definition: str = ""
+    """Function of ``stdlib/meaning.burnish`` that says the same in other operations, for profiles
+    whose language lacks this one (``Profile.lacks``)."""
     range: RangeRule = anything
     accuracy: Accuracy = INHERITED
     meaning: MeaningRule = "lanes"

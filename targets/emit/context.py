@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from ...compiler.ir.program import Program
 from ...frozen import frozen
+from .definitions import Definitions
 from .description import PipelineInput, Profile, Spellings, Target
 from .names import Names
 from .spelling import TypeSpeller
@@ -21,6 +22,8 @@ class Context:
     profile: Profile
     names: Names
     flip_y: bool
+    definitions: Definitions
+    """The functions for what the profile lacks."""
 
     @property
     def types(self) -> TypeSpeller:

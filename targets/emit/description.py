@@ -12,8 +12,8 @@ Spellings of natives
     - a symbol, ``==``: between two operands or before one;
     - a template, ``clamp({0}, 0.0, 1.0)``: must read as a call or stand in parentheses. ``{0}`` is
       an operand as an argument, ``{0:p}`` one in parentheses unless it is a plain name or call,
-      ``{0:lane}`` a constant 0..3 as ``Red`` .. ``Alpha``; ``{type}`` is the result's type and
-      ``{sampler}`` the sampler of a texture operand.
+      ``{0:lane}`` a constant 0..3 as ``Red`` .. ``Alpha``; ``{type}`` is the result's type,
+      ``{lanes}`` how many lanes it has, and ``{sampler}`` the sampler of a texture operand.
 """
 
 from __future__ import annotations
@@ -35,8 +35,14 @@ FieldRole = Literal["attribute", "varying", "target"]
 class Spelling:
     """How a native is spelled when that depends on the operands: empty means the usual way."""
 
+    usual: str = ""
+    """Whatever has no spelling of its own here."""
     floats: str = ""
     """Scalars or vectors of floats."""
+    integers: str = ""
+    """Scalars or vectors of integers."""
+    vectors: str = ""
+    """Vectors, whatever their lanes."""
     matrix: str = ""
     """Some operand is a matrix."""
 
@@ -177,13 +183,16 @@ class Profile:
     emitted flipped, and only for that, so that either comes out the right way round."""
     single_file: bool = False
     """Both stages can stand in one text."""
+    lacks: frozenset[str] = frozenset()
+    """Builtins that the dialect has no word for: each becomes a function of the text, made from
+    the builtin's ``definition``."""
     preamble: tuple[str, ...] = ()
     """Lines that open each file: version, extensions, default precisions."""
     precision: str = ""
     """The line that each type of combined samplers needs."""
     requires: Mapping[str, str] = EMPTY
     """By native, the line that opens a file in which it is used."""
-    lacks: Mapping[str, Lack] = EMPTY
+    cannot: Mapping[str, Lack] = EMPTY
     """Natives that the profile has not got, nor an exact replacement for."""
     natives: Spellings = EMPTY
     """Spellings that only this profile has."""

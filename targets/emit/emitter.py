@@ -13,6 +13,7 @@ from . import templates
 from .bindings import Bindings, assign_bindings
 from .comments import comment_line, comment_lines
 from .context import Context
+from .definitions import with_definitions
 from .description import Profile, Target
 from .names import Names, name_program
 from .stage import StagePrinter
@@ -75,13 +76,14 @@ class _Emitter:
     def __init__(
         self, program: Program, target: Target, profile: Profile, options: EmitOptions
     ) -> None:
+        program, definitions = with_definitions(program, profile)
         self._program = program
         self._target = target
         self._profile = profile
         self._options = options
         self._names = name_program(program, target)
         self._bindings = assign_bindings(program, profile)
-        self._context = Context(program, target, profile, self._names, options.flip_y)
+        self._context = Context(program, target, profile, self._names, options.flip_y, definitions)
         self._types = self._context.types
 
     def emission(self) -> Emission:

@@ -34,7 +34,7 @@ class Expressions:
         self,
         context: Context,
         leaves: Leaves,
-        functions: Mapping[int, tuple[str, Function]],
+        functions: Mapping[Node, tuple[str, Function]],
     ) -> None:
         self.bound: dict[int, str] = {}
         """Names of bound nodes, by id."""
@@ -48,7 +48,7 @@ class Expressions:
         self._names = context.names
         self._leaves = leaves
         self._functions = functions
-        self._natives = Natives(context, leaves, self._splatted)
+        self._natives = Natives(context, leaves, self._splatted, functions)
         self._depth = 0
         self._printers: Mapping[Op, Callable[[Node], Text]] = {
             "constant": self._constant,
@@ -186,7 +186,7 @@ class Expressions:
         )
 
     def _call(self, node: Node) -> Text:
-        name, _function = self._functions[node.operands[0].id]
+        name, _function = self._functions[node.operands[0]]
         return Text(f"{name}({self._arguments(node.operands[1:])})")
 
     def _formal(self, node: Node) -> Text:

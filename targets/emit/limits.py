@@ -44,8 +44,8 @@ COMPARED_AND_LOADED = Lack(
 def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
     """What the profile cannot do, each with the id of a node that wants it."""
     for read in program.reads:
-        if read.builtin in profile.lacks:
-            yield profile.lacks[read.builtin], read.node
+        if read.builtin in profile.cannot:
+            yield profile.cannot[read.builtin], read.node
         compared = _is_depth(read) and read.resource in program.sampled
         if profile.combined_samplers and compared and read.builtin == "load":
             yield COMPARED_AND_LOADED, read.node

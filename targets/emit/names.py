@@ -33,8 +33,8 @@ class Names:
     attributes: Mapping[str, str]
     varyings: Mapping[str, str]
     targets: Mapping[str, str]
-    functions: Mapping[tuple[StageName, int], str]
-    """By stage and the id of the function's body."""
+    functions: Mapping[tuple[StageName, Node], str]
+    """By stage and the function's body."""
     common: frozenset[str]
     """Names that locals of either stage must not hide."""
     reserved: Reserved
@@ -45,7 +45,7 @@ class Names:
 
     def function(self, stage: StageName, body: Node) -> str:
         """The function of a stage whose body is ``body``."""
-        return self.functions[stage, body.id]
+        return self.functions[stage, body]
 
     def locals(self, own: Iterable[str]) -> Namer:
         """A namer for the body of a function; ``own`` are its stage's global variables."""
@@ -144,17 +144,17 @@ class _Naming:
             targets=declare(program.fragment.outputs, target.output_prefix),
         )
 
-    def _functions(self, fields: _Fields) -> dict[tuple[StageName, int], str]:
+    def _functions(self, fields: _Fields) -> dict[tuple[StageName, Node], str]:
         taken = (
             *fields.attributes.values(),
             *fields.varyings.values(),
             *fields.targets.values(),
         )
         namer = Namer(self._reserved, (*self._common, *taken))
-        found: dict[tuple[StageName, int], str] = {}
+        found: dict[tuple[StageName, Node], str] = {}
         for stage, function in _all_functions(self._program):
             name = namer.declare(function.name)
-            found[stage.name, function.body.id] = name
+            found[stage.name, function.body] = name
             self._common.add(name)
         return found
 

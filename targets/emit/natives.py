@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.types import Matrix, Scalar, TallMatrix, Texture, Type, Vector, scalar_kind
+from ...compiler.ir.program import Function
+from ...compiler.ir.types import (
+    Matrix,
+    Scalar,
+    TallMatrix,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+)
 from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .description import Read, Spelling, Spellings
@@ -37,11 +47,20 @@ def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
         plain = spelled.layered if texture.layered and spelled.layered else spelled.plain
         return spelled.types.get(str(texture), plain)
     if isinstance(spelled, Spelling):
-        if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
-            spelled = spelled.matrix
-        else:
-            spelled = spelled.floats if scalar_kind(operands[0]) == "float" else ""
+        spelled = _special(spelled, operands) or spelled.usual
     return spelled or BUILTINS[name].operator or name
+
+
+def _special(row: Spelling, operands: Sequence[Type]) -> str:
+    """What a row says of operands of these types in particular."""
+    if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
+        return row.matrix
+    if row.vectors and isinstance(operands[0], Vector):
+        return row.vectors
+    kind = scalar_kind(operands[0])
+    if kind == "float":
+        return row.floats
+    return row.integers if kind in ("int", "uint") else ""
 
 
 class Natives:
@@ -52,7 +71,10 @@ class Natives:
         context: Context,
         leaves: Leaves,
         splat: Callable[[Text, Type], Text],
+        functions: Mapping[Node, tuple[str, Function]],
     ) -> None:
+        self._definitions = context.definitions
+        self._functions = functions
         self._table = context.natives
         self._splats = context.target.splats
         self._spell_type = context.types.type
@@ -64,8 +86,12 @@ class Natives:
         assert isinstance(node.data, str)
         if node.operands and isinstance(node.operands[0].type, Texture):
             printed = [self._leaves.texture(node.operands[0], node.data), *printed[1:]]
+        types = tuple(operand.type for operand in node.operands)
+        if (defined := self._definitions.get((node.data, types))) is not None:
+            name, _function = self._functions[defined.body]
+            return Text(f"{name}({', '.join(operand.text for operand in printed)})")
         operands = self._widened(node, printed) if node.data in self._splats else printed
-        spelled = spelling_of(node.data, [operand.type for operand in node.operands], self._table)
+        spelled = spelling_of(node.data, types, self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
         return _written(spelled, operands)
@@ -82,7 +108,9 @@ class Natives:
         if not isinstance(node.type, Vector):
             return list(operands)
         return [
-            self._splat(text, node.type) if isinstance(operand.type, Scalar) else text
+            self._splat(text, Vector(operand.type.kind, node.type.size))
+            if isinstance(operand.type, Scalar)
+            else text
             for text, operand in zip(operands, node.operands, strict=True)
         ]
 
@@ -92,6 +120,7 @@ class Natives:
             form.format(
                 *map(Operand, operands),
                 type=self._spell_type(node.type),
+                lanes=width(node.type) if isinstance(node.type, Scalar | Vector) else 0,
                 sampler="".join(map(self._leaves.sampler, textures)),
             )
         )

@@ -31,7 +31,7 @@ class StagePrinter:
         self._input_role: FieldRole = "attribute" if stage.name == "vertex" else "varying"
         self._output_role: FieldRole = "varying" if stage.name == "vertex" else "target"
         self._functions = {
-            function.body.id: (names.function(stage.name, function.body), function)
+            function.body: (names.function(stage.name, function.body), function)
             for function in stage.functions
         }
         self.traced: list[Traced] = []

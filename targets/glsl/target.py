@@ -57,6 +57,21 @@ NATIVES: Spellings = {
     "to_float": "{type}({0})",
     "to_int": "{type}({0})",
     "to_uint": "{type}({0})",
+    "eq": Spelling(vectors="equal"),
+    "ne": Spelling(vectors="notEqual"),
+    "lt": Spelling(vectors="lessThan"),
+    "le": Spelling(vectors="lessThanEqual"),
+    "gt": Spelling(vectors="greaterThan"),
+    "ge": Spelling(vectors="greaterThanEqual"),
+    "and": Spelling(vectors="{type}(uvec{lanes}({0}) & uvec{lanes}({1}))"),
+    "or": Spelling(vectors="{type}(uvec{lanes}({0}) | uvec{lanes}({1}))"),
+    "not": Spelling(vectors="not"),
+    "bits_of": "floatBitsToUint",
+    "float_of_bits": "uintBitsToFloat",
+    "count_bits": "bitCount",
+    "reverse_bits": "bitfieldReverse",
+    "first_leading_bit": "findMSB",
+    "first_trailing_bit": "findLSB",
     "sample": Read("texture({0}, {1})", "texture({0}, vec3({1}, {2}))"),
     "sample_level": Read("textureLod({0}, {1}, {2})", "textureLod({0}, vec3({1}, {2}), {3})"),
     "sample_grad": Read(
@@ -95,6 +110,11 @@ FRAG_COORD_FROM_TOP = PipelineInput(
     host_uniform="viewport_height",
 )
 
+LACKS = frozenset({"count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit"})
+"""What came with GLSL 4.00 and ES 3.10."""
+
+WITHOUT_FMA = {"fma": "({0:p} * {1:p} + {2:p})"}
+
 DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 """Where rows count upwards, so does ``dFdy``."""
 
@@ -115,7 +135,7 @@ VULKAN = Profile(
     checkers=("glslang-vulkan",),
 )
 
-LACKS = {
+CANNOT = {
     "gather": Lack("gathering of texels", "`load` each of the four"),
     "gather_compare": Lack("gathering of comparisons", "compare at each of the four texels"),
     "texture_levels": Lack(
@@ -132,11 +152,13 @@ OPENGL = Profile(
     explicit_bindings=False,
     varyings_by_name=True,
     clip_depth="-1..1",
+    natives=WITHOUT_FMA,
+    lacks=LACKS,
     rows_up=True,
     varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
     natives_rows_up=DOWNWARDS,
-    lacks=LACKS,
+    cannot=CANNOT,
     checkers=("glslang-gl330",),
 )
 
@@ -153,12 +175,14 @@ ES = Profile(
     explicit_bindings=False,
     varyings_by_name=True,
     clip_depth="-1..1",
+    natives=WITHOUT_FMA,
+    lacks=LACKS,
     rows_up=True,
     varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
     natives_rows_up=DOWNWARDS,
     precision="precision highp {type};",
-    lacks=LACKS,
+    cannot=CANNOT,
     checkers=("glslang-es300",),
 )
 

@@ -61,9 +61,19 @@ NATIVES: Spellings = {
     "fract": "frac",
     "mix": "lerp",
     "inversesqrt": "rsqrt",
+    "fma": "mad",
+    "and": Spelling(vectors="{type}(uint{lanes}({0}) & uint{lanes}({1}))"),
+    "or": Spelling(vectors="{type}(uint{lanes}({0}) | uint{lanes}({1}))"),
+    "bits_of": "asuint",
+    "float_of_bits": "asfloat",
+    "count_bits": "{type}(countbits({0}))",
+    "reverse_bits": "{type}(reversebits({0}))",
+    "first_leading_bit": "{type}(firstbithigh({0}))",
+    "first_trailing_bit": "{type}(firstbitlow({0}))",
     "to_float": "{type}({0})",
-    "to_int": "{type}({0})",
-    "to_uint": "{type}({0})",
+    # DXC takes `uint2(int2(v))` for `uint2(v)`, also where `v` is negative.
+    "to_int": Spelling(usual="{type}({0})", integers="asint({0})"),
+    "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})"),
     "sample": Read("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),
     "sample_level": Read(
         "{0}.SampleLevel({sampler}, {1}, {2})", "{0}.SampleLevel({sampler}, float3({1}, {2}), {3})"

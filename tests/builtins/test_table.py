@@ -18,9 +18,9 @@ from burnish.stdlib.builtins.row import everywhere
 
 MEANING = (Path(stdlib.__file__).parent / "meaning.burnish").read_text(encoding="utf-8")
 WORDS = (
-    {*"TVSMCNLFDGHXUWE", "float", "int", "uint", "bool"}
+    {*"TVSMCNLIBPQUJFDGHXKWE", "float", "int", "uint", "bool"}
     | set(map(str, TEXTURES))
-    | {f"{prefix}vec{width}" for prefix in ("", "i", "u", "b") for width in (2, 3, 4)}
+    | {f"{kind}{width}" for kind in ("vec", "ivec", "uvec", "bvec", "mat") for width in (2, 3, 4)}
 )
 rows = pytest.mark.parametrize("row", BUILTINS.values(), ids=BUILTINS.keys())
 
@@ -37,13 +37,13 @@ def test_every_row_has_a_meaning_and_every_meaning_a_row() -> None:
 
 @rows
 def test_expansion_is_declared_with_the_rows_operands(row: Builtin) -> None:
-    if row.expansion:
-        operands = row.signatures[0].split(" -> ")[0].split(", ")
-        assert declared_functions()[row.expansion] == len(operands)
+    operands = row.signatures[0].split(" -> ")[0].split(", ")
+    for function in filter(None, (row.expansion, row.definition)):
+        assert declared_functions()[function] == len(operands)
 
 
 def test_every_declared_function_is_an_expansion_or_helps_one() -> None:
-    expansions = {row.expansion for row in BUILTINS.values()}
+    expansions = {f for row in BUILTINS.values() for f in (row.expansion, row.definition)}
     for name in declared_functions().keys() - expansions:
         uses = re.findall(rf"(?<!fn )\b{name}\(", MEANING)
         assert uses, name

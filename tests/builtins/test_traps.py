@@ -64,6 +64,29 @@ FLOATS = [
     ("atan2", (-0.0, -1.0), math.pi),
     ("atan2", (-1.0, 0.0), -math.pi / 2),
     ("exp", (1000.0,), math.inf),
+    ("sinh", (-1000.0,), -math.inf),
+    ("tanh", (1e30,), 1.0),
+    ("acosh", (0.5,), 0.0),
+    ("asinh", (-1e30,), -math.asinh(1e30)),
+    ("atanh", (1.0,), math.atanh(1 - 2.0**-24)),
+    ("log10", (0.0,), -126 * math.log10(2)),
+    ("mantissa", (-0.75,), -0.75),
+    ("mantissa", (1e-40,), 0.0),
+    ("exponent", (-0.75,), 0),
+    ("exponent", (8.0,), 4),
+    ("exponent", (1e-40,), 0),
+    ("bits_of", (1.0,), 0x3F800000),
+    ("bits_of", (-2.5,), 0xC0200000),
+    ("bits_of", (0.1,), 0x3DCCCCCD),
+    ("bits_of", (1.99999999,), 0x40000000),
+    ("bits_of", (-0.0,), 0),
+    ("bits_of", (-1e-40,), 0),
+    ("quantize_half", (0.1,), 0.0999755859375),
+    ("quantize_half", (2049.0,), 2048.0),
+    ("quantize_half", (2051.0,), 2052.0),
+    ("quantize_half", (-1e9,), -65504.0),
+    ("quantize_half", (1e-9,), 0.0),
+    ("quantize_half", (2.0**-25 * 1.5,), 2.0**-24),
     ("to_int", (1.9,), 1),
     ("to_int", (-1.9,), -1),
     ("to_int", (3e9,), 2147483520),
@@ -97,6 +120,42 @@ INTEGERS: list[tuple[str, LaneKind, tuple[int, ...], float]] = [
     ("to_uint", "int", (-1,), 2**32 - 1),
     ("to_int", "bool", (True,), 1),
     ("to_float", "bool", (True,), 1.0),
+    ("bit_not", "uint", (0,), 2**32 - 1),
+    ("bit_not", "int", (0,), -1),
+    ("bit_xor", "int", (-1, 5), -6),
+    ("shift_left", "int", (1, 31), LOWEST),
+    ("shift_left", "uint", (1, 33), 2),
+    ("shift_left", "int", (1, -1), LOWEST),
+    ("shift_right", "int", (LOWEST, 31), -1),
+    ("shift_right", "uint", (2**31, 31), 1),
+    ("shift_right", "int", (-7, 1), -4),
+    ("count_bits", "int", (-1,), 32),
+    ("count_bits", "uint", (0xF0F,), 8),
+    ("reverse_bits", "int", (1,), LOWEST),
+    ("reverse_bits", "uint", (2**31,), 1),
+    ("first_leading_bit", "int", (0,), -1),
+    ("first_leading_bit", "int", (-1,), -1),
+    ("first_leading_bit", "int", (-2,), 0),
+    ("first_leading_bit", "int", (LOWEST,), 30),
+    ("first_leading_bit", "uint", (2**31,), 31),
+    ("first_trailing_bit", "uint", (0,), -1),
+    ("first_trailing_bit", "int", (LOWEST,), 31),
+    ("extract_bits", "int", (0xF0, 4, 4), -1),
+    ("extract_bits", "uint", (0xF0, 4, 4), 15),
+    ("extract_bits", "int", (-1, 28, 9), -1),
+    ("extract_bits", "uint", (5, 40, 2), 0),
+    ("extract_bits", "uint", (5, -2, 40), 5),
+    ("extract_bits", "int", (5, 0, 0), 0),
+    ("insert_bits", "int", (0, -1, 4, 8), 0xFF0),
+    ("insert_bits", "uint", (7, 0, 1, 1), 5),
+    ("insert_bits", "uint", (5, 1, 40, 2), 5),
+    ("insert_bits", "int", (0, -1, 31, 9), LOWEST),
+    ("float_of_bits", "uint", (0x3F800000,), 1.0),
+    ("float_of_bits", "uint", (0xC0200000,), -2.5),
+    ("float_of_bits", "uint", (0x7F800000,), 0.0),
+    ("float_of_bits", "uint", (0xFFC00001,), 0.0),
+    ("float_of_bits", "uint", (0x80000000,), 0.0),
+    ("float_of_bits", "uint", (0x007FFFFF,), 0.0),
 ]
 
 
@@ -105,6 +164,50 @@ def test_integers(name: str, kind: LaneKind, operands: tuple[int, ...], expected
     (result,) = evaluate(name, [(x,) for x in operands], kind=kind)
     assert result == expected
     assert type(result) is type(expected)
+
+
+@pytest.mark.parametrize(
+    ("name", "lanes", "packed"),
+    [
+        ("unorm4x8", (0.0, 1.0, 0.2, 0.6), 0x9933FF00),
+        ("snorm4x8", (-1.0, 1.0, 0.0, -127 / 127), 0x81007F81),
+        ("unorm2x16", (1.0, 0.0), 0x0000FFFF),
+        ("snorm2x16", (-1.0, 1.0), 0x7FFF8001),
+        ("half2x16", (1.0, -2.0), 0xC0003C00),
+        ("half2x16", (2.0**-24, 65504.0), 0x7BFF0001),
+    ],
+)
+def test_what_is_packed_can_be_unpacked(name: str, lanes: tuple[float, ...], packed: int) -> None:
+    assert evaluate(f"pack_{name}", [lanes]) == (packed,)
+    assert evaluate(f"unpack_{name}", [(packed,)], kind="uint") == pytest.approx(lanes)
+
+
+def test_unpacking_knows_two_patterns_of_the_least_signed_number() -> None:
+    assert evaluate("unpack_snorm4x8", [(0x80818001,)], kind="uint") == (1 / 127, -1, -1, -1)
+    assert evaluate("unpack_half2x16", [(0xFC007E00,)], kind="uint") == (0, 0)
+
+
+def test_ldexp_is_exact_and_clamps_the_exponent() -> None:
+    assert evaluate("ldexp", [(0.75,), (-126,)]) == (0.75 * 2.0**-126,)
+    assert evaluate("ldexp", [(3.0,), (-999,)]) == (3.0 * 2.0**-252,)
+
+
+def test_inner_products_of_integers_wrap() -> None:
+    big = (2**31 - 1, 2**31 - 1)
+    assert evaluate("dot", [big, (2, 2)], kind="int") == (-4,)
+    assert evaluate("dot", [big, (3, 1)], kind="uint") == (2**32 - 4,)
+
+
+def test_lanes_are_compared_and_chosen_one_by_one() -> None:
+    assert evaluate("lt", [(1.0, 2.0), (2.0, 1.0)]) == (True, False)
+    chosen = evaluate("choose", [(True, False), (1, 2), (3, 4)], kind="bool")
+    assert chosen == (1, 4)
+
+
+def test_matrices_of_products() -> None:
+    assert evaluate("outer", [(1.0, 2.0), (3.0, 4.0)]) == ((3.0, 6.0), (4.0, 8.0))
+    m = ((1.0, 2.0), (3.0, 4.0))
+    assert evaluate("hadamard", [m, m]) == ((1.0, 4.0), (9.0, 16.0))
 
 
 def test_normalize_of_zero_is_zero() -> None:

@@ -13,16 +13,20 @@ from burnish.stdlib.builtins import (
     BUILTINS,
     Builtin,
     arithmetic,
+    bits,
     common,
     comparison,
     conversion,
     derivative,
     exponential,
     geometry,
+    hyperbolic,
     matrix,
+    packing,
     texture,
     trigonometry,
 )
+from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES, VALUES
 from burnish.targets.conformance.tolerances import DRIVERS
 from burnish.targets.runner.routes import ROUTES
 
@@ -51,12 +55,17 @@ leaves it away where it can prove that the operands never go there. See
 | `V` | `vec2`, `vec3`, `vec4` |
 | `S` | `float` |
 | `N` | `T`, and `int`, `uint`, `ivec2` … `ivec4`, `uvec2` … `uvec4` |
+| `I` | `int`, `uint`, `ivec2` … `ivec4`, `uvec2` … `uvec4` |
 | `L` | one lane of `N` |
+| `U`, `J` | the `uint`s and `int`s with as many lanes as `I` or `T` |
+| `B` | `bool`, `bvec2`, `bvec3`, `bvec4` |
+| `P`, `Q` | `N` and `B`; the `bool`s with as many lanes as `P` or `N` |
 | `M`, `C` | `mat2`, `mat3`, `mat4`; the vector that is a column of `M` |
 | `F`, `D` | `texture2d`, `texture3d`, `texture_cube`; `depth2d`, `depth_cube` |
-| `U` | `vec2`, of `3d` textures and cubes `vec3` |
+| `K` | `vec2`, of `3d` textures and cubes `vec3` |
 | `G`, `H`, `X` | all `2d` and `3d` textures; all `2d_array` ones; all there are |
-| `W`, `E` | `ivec2`, of `3d` textures `ivec3`; `vec4`, of depths `float`, of whole numbers `ivec4` and `uvec4` |
+| `W` | `ivec2`, of `3d` textures `ivec3` |
+| `E` | `vec4`, of depths `float`, of whole numbers `ivec4` or `uvec4` |
 
 Where a letter allows vectors, a scalar may stand beside a vector and counts as that scalar in every
 lane: `max(v, 0)`, `mix(0, v, t)`.
@@ -73,9 +82,12 @@ THEMES = (
     ("Rounding, limits and blending", common.ROWS),
     ("Powers, roots and logarithms", exponential.ROWS),
     ("Angles", trigonometry.ROWS),
+    ("Hyperbolic functions", hyperbolic.ROWS),
     ("Geometry", geometry.ROWS),
     ("Matrices", matrix.ROWS),
     ("Conversion", conversion.ROWS),
+    ("Bits", bits.ROWS),
+    ("Packing", packing.ROWS),
     ("Textures", texture.ROWS),
     ("Derivatives", derivative.ROWS),
 )
@@ -94,7 +106,44 @@ def builtins_page() -> str:
         lines.append(f"## {title}\n")
         for row in rows:
             lines += _builtin(row)
+    lines += _elsewhere()
     return "\n".join(lines).rstrip() + "\n"
+
+
+ELSEWHERE_HEAD = """## What other languages call it
+
+Every function of GLSL 4.50 and ES 3.00, of HLSL's list of intrinsics and of WGSL stands above under
+its own name, or in this table, from which messages about unknown names take their advice. In it
+`x`, `y`, `z` are floats, `n` and `m` ints, `u` and `k` uints, `v` and `w` `vec3`s, `p` and `q`
+`vec4`s, `c` a `bvec3`, `a` and `b` `mat3`s, `albedo` a texture. `fwidth(x)` is a function of the
+library.
+"""
+
+
+def _elsewhere() -> Iterator[str]:
+    """The names of other languages, and what to write for them."""
+    yield ELSEWHERE_HEAD
+    found: dict[tuple[tuple[str, ...], str], list[str]] = {}
+    for name, instead in FUNCTIONS.items():
+        found.setdefault((instead.written, instead.reason), []).append(name)
+    rows = (
+        (_codes(names), "; ".join(filter(None, (_codes(written, " and "), _cell(reason)))))
+        for (written, reason), names in found.items()
+    )
+    yield _table(("function", "here"), rows)
+    others = ((f"`{name}`", f"`{here}`") for name, here in {**TYPES, **VALUES}.items())
+    yield _table(("type or value", "here"), others)
+    words = ((f"`{name}`", _cell(here)) for name, here in KEYWORDS.items())
+    yield _table(("statement or declaration", "here"), words)
+
+
+def _codes(texts: Iterable[str], between: str = ", ") -> str:
+    return between.join(f"`{_cell(text)}`" for text in texts)
+
+
+def _cell(text: str) -> str:
+    """A text as a cell of a table."""
+    return text.replace("|", "\\|")
 
 
 def _builtin(row: Builtin) -> Iterator[str]:
@@ -115,7 +164,7 @@ def _written(row: Builtin) -> str:
         return f"`{_read(row)}`"
     if row.operator:
         sign = WORDS.get(row.name, row.operator)
-        return f"`{sign}`" if row.name != "neg" else "`-x`"
+        return f"`{sign}x`" if row.name in ("neg", "bit_not") else f"`{sign}`"
     return f"`{row.name}`"
 
 

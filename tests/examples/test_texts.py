@@ -26,6 +26,8 @@ READ = (
     ("texture_array", "Terrain", "glsl:vulkan"),
     ("indexed", "Indexed", "glsl:es300"),
     ("environment", "Chrome", "wgsl:webgpu"),
+    ("confetti", "Confetti", "hlsl:sm6"),
+    ("confetti", "Confetti", "glsl:es300"),
 )
 """Example, material and profile."""
 

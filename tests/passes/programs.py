@@ -17,14 +17,15 @@ from burnish.stdlib.builtins import BUILTINS
 
 VECTORS = tuple(Vector("float", n) for n in (2, 3, 4))
 TYPES: tuple[Type, ...] = (
-    FLOAT, INT, UINT, BOOL, *VECTORS, Vector("int", 2), *(Matrix(n) for n in (2, 3, 4)),
+    FLOAT, INT, UINT, BOOL, *VECTORS, Vector("int", 2), Vector("uint", 2), Vector("bool", 2),
+    *(Matrix(n) for n in (2, 3, 4)),
 )  # fmt: skip
 FUEL = 12
 """About how many operations one expression has."""
 NUMBERS = ("0.0", "1.0", "0.5", "2.0", "0.25", "3.0", "1e-3", "7.5")
 INFIX = {builtin: symbol for symbol, builtin in OPERATORS.items()}
 CONVERSIONS = ("to_float", "to_int", "to_uint")
-PREFIX = {"neg": "-", "not": "not "}
+PREFIX = {"neg": "-", "bit_not": "~", "not": "not "}
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,12 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.ir.rewrite import rewrite
-from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Type
+from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Type, Vector
 from burnish.compiler.passes.simplify import Simplifier
 from burnish.compiler.semantics.shader import Notes
 from burnish.stdlib.builtins.facts import UNIT, UNKNOWN, Fact
+
+BVEC2 = Vector("bool", 2)
 
 
 class Kit:
@@ -47,6 +49,43 @@ def kit() -> Kit:
 def test_neutral_operands_disappear(kit: Kit, name: str, neutral: float) -> None:
     x = kit.leaf("x")
     assert kit.simplified(kit.call(name, x, kit.number(neutral))) is x
+
+
+@pytest.mark.parametrize(
+    ("name", "neutral"),
+    [("bit_and", -1), ("bit_or", 0), ("bit_xor", 0), ("shift_left", 0), ("shift_right", 64)],
+)
+def test_bits_that_change_nothing_disappear(kit: Kit, name: str, neutral: int) -> None:
+    n = kit.leaf("n", INT)
+    assert kit.simplified(kit.call(name, n, build.constant(kit.graph, INT, neutral))) is n
+
+
+def test_bits_that_decide_everything_are_constants(kit: Kit) -> None:
+    n = kit.leaf("n", INT)
+    none, all_set = (build.constant(kit.graph, INT, bits) for bits in (0, -1))
+    assert kit.simplified(kit.call("bit_and", n, none)) is none
+    assert kit.simplified(kit.call("bit_or", n, all_set)) is all_set
+    assert kit.simplified(kit.call("bit_xor", n, n)) is none
+    assert kit.simplified(kit.call("bit_and", n, n)) is n
+    assert kit.simplified(kit.call("bit_xor", n, all_set)) is kit.call("bit_not", n)
+    assert kit.simplified(kit.call("bit_not", kit.call("bit_not", n))) is n
+
+
+def test_lanes_that_all_hold_decide_a_choice(kit: Kit) -> None:
+    v, w = kit.leaf("v", VEC2), kit.leaf("w", VEC2)
+    all_hold = build.constant(kit.graph, BVEC2, (True, True))
+    mixed = build.constant(kit.graph, BVEC2, (True, False))
+    assert kit.simplified(kit.call("choose", all_hold, v, w, type_=VEC2)) is v
+    assert kit.simplified(kit.call("choose", mixed, v, v, type_=VEC2)) is v
+    assert kit.simplified(kit.call("and", mixed, all_hold)) is mixed
+    flags = kit.leaf("flags", BVEC2)
+    assert kit.simplified(kit.call("and", flags, mixed)).op == "call"
+    assert kit.simplified(kit.call("or", flags, all_hold)) is all_hold
+
+
+def test_a_choice_by_one_condition_is_a_selection(kit: Kit) -> None:
+    c, x, y = kit.leaf("c", BOOL), kit.leaf("x"), kit.leaf("y")
+    assert kit.simplified(kit.call("choose", c, x, y, type_=FLOAT)).op == "select"
 
 
 def test_zero_times_anything_is_zero(kit: Kit) -> None:

@@ -21,11 +21,13 @@ from burnish.compiler.ir.types import (
     Texture,
     Type,
     Vector,
+    scalar_kind,
     width,
     with_width,
 )
 from burnish.stdlib.builtins import BUILTINS
-from burnish.stdlib.builtins.row import Builtin, nowhere
+from burnish.stdlib.builtins.facts import Fact
+from burnish.stdlib.builtins.row import Builtin
 from burnish.targets import registry
 from burnish.targets.emit.description import Profile, Target
 from burnish.targets.emit.emitter import EmitOptions, emit
@@ -64,11 +66,13 @@ KINDS: Mapping[str, tuple[ScalarKind, ...]] = {
     "N": ("float", "int", "uint"), "I": ("int", "uint"), "B": ("bool",),
     "P": ("float", "int", "uint", "bool"),
 }  # fmt: skip
+OF_KIND: Mapping[str, ScalarKind] = {"Q": "bool", "U": "uint", "J": "int"}
 WIDTHS = {"S": (1,), "V": (2, 3, 4)}
 FIXED: Mapping[str, Type] = {
     **{kind: Scalar(kind) for kind in ("float", "int", "uint", "bool")},
     **{str(Vector(kind, n)): Vector(kind, n) for kind in KINDS["P"] for n in (2, 3, 4)},
     **{str(texture): texture for texture in TEXTURES},
+    **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
 }
 TEXTURE_LETTERS: Mapping[str, tuple[str, ...]] = {
     "F": ("texture2d", "texture3d", "texture_cube"),
@@ -116,24 +120,35 @@ def _type(word: str, chosen: Mapping[str, Type]) -> Type:
         matrix = chosen["M"]
         assert isinstance(matrix, Matrix)
         return Vector("float", matrix.size)
-    if word == "L":
+    if word in "LQUJ" and not any(isinstance(t, Texture) for t in chosen.values()):
         base = next(type_ for letter, type_ in chosen.items() if letter in "NTIP")
         assert isinstance(base, Scalar | Vector)
-        return Scalar(base.kind)
-    if word == "Q":
-        return with_width("bool", width(chosen["P"]))
+        return Scalar(base.kind) if word == "L" else with_width(OF_KIND[word], width(base))
     texture = next((type_ for type_ in chosen.values() if isinstance(type_, Texture)), None)
-    if word in "UWE" and texture is not None:
+    if word in "KWE" and texture is not None:
         return _of_texture(word, texture)
     return FIXED[word]
 
 
 def _of_texture(word: str, texture: Texture) -> Type:
-    if word == "U":
+    if word == "K":
         return Vector("float", 3 if texture.dimension in ("3d", "cube") else 2)
     if word == "W":
         return Vector("int", 3 if texture.dimension == "3d" else 2)
     return FLOAT if texture.sample == "depth" else Vector(texture.sample, 4)
+
+
+def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
+    """Whether there are values of these types for which the hardware's own will do."""
+    kinds = [scalar_kind(type_) or "float" for type_ in operands]
+    zeros, ones = (0.0,) * 4, (1.0,) * 4
+    rising, pattern = (0.25, 0.5, 0.75, 1.0), (float(0x3F800000),) * 4
+
+    def facts(values: tuple[float, ...]) -> tuple[Fact, ...]:
+        pairs = zip(values, kinds, strict=False)
+        return tuple(Fact(value, value, unit=True, kind=kind) for value, kind in pairs)
+
+    return any(row.domain(facts(values)) for values in (zeros, ones, rising, pattern))
 
 
 def program_of_rows(profile: Profile) -> Program:
@@ -174,8 +189,9 @@ def program_of_rows(profile: Profile) -> Program:
     lets = [
         Let(f"{row.name}_{number}", call(row, operands, result))
         for row in BUILTINS.values()
-        if row.domain is not nowhere and row.name not in profile.lacks
+        if row.name not in profile.cannot
         for number, (operands, result) in enumerate(instances(row))
+        if is_native(row, operands)
     ]
     color = build.constant(make.graph, VEC4, (0.5, 0.5, 0.5, 1.0))
     resources = tuple(textures.values())

@@ -13,7 +13,7 @@ from burnish.targets import registry
 from burnish.targets.emit.natives import spelling_of
 from burnish.targets.emit.precedence import INFIX, PREFIX
 
-from .kit import PROFILES, Selected, emitted, instances, program_of_rows
+from .kit import PROFILES, Selected, emitted, instances, is_native, program_of_rows
 
 NATIVES = [row for row in BUILTINS.values() if row.domain is not nowhere]
 
@@ -24,6 +24,8 @@ def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
     table = {**selected.target.natives, **selected.profile.natives}
     functions = selected.target.reserved().words
     for operands, result in instances(row):
+        if not is_native(row, operands):
+            continue
         spelled = spelling_of(row.name, operands, table)
         arity = len(operands)
         known = (
@@ -33,6 +35,19 @@ def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
             or spelled in functions
         )
         assert known, f"{selected} has no {row.name} of {operands} -> {result}: {spelled!r}"
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_what_a_profile_lacks_is_defined(selected: Selected) -> None:
+    assert all(BUILTINS[name].definition for name in selected.profile.lacks)
+
+
+def test_what_is_defined_stands_before_its_users_and_once() -> None:
+    (es,) = [selected for selected in PROFILES if selected.profile.name == "es300"]
+    text = emitted(program_of_rows(es.profile), es)["fragment"]
+    made = re.findall(r"^\w+ (count_bits|first_leading_bit)\w*\(uint x\)", text, re.MULTILINE)
+    assert made == ["count_bits", "first_leading_bit"]
+    assert "bitCount" not in text
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)

@@ -87,23 +87,55 @@ def _lit_side(diffuse: Lanes, specular: Lanes, _power: Lanes) -> Jump:
     return np.where(nh < 0, np.inf, nl), margin(nl)
 
 
+def _everywhere(x: Lane) -> Jump:
+    """The last bit of a float changes with any rounding."""
+    return np.zeros_like(x), margin(x)
+
+
+def _at_power_of_two(x: Lane) -> Jump:
+    magnitude = np.maximum(np.abs(x), SMALLEST_NORMAL)
+    return np.log2(magnitude), margin(x) / magnitude * _LOG2_E
+
+
+def _between_halves(x: Lane) -> Jump:
+    """In the middle between two floats of 16 bits, which are 2^-24 apart at least."""
+    _, exponent = np.frexp(x)
+    step = np.ldexp(1.0, np.maximum(exponent - _HALF_BITS, _LEAST_HALF_EXPONENT))
+    return x / step + 0.5, margin(x) / step
+
+
+def _between_parts(largest: int, least: float) -> Callable[[Lane], Jump]:
+    """In the middle between two of the numbers that a packed lane can be."""
+
+    def jump(x: Lane) -> Jump:
+        return np.clip(x, least, 1.0) * largest + 0.5, margin(x) * largest
+
+    return jump
+
+
+_LOG2_E = 1.4426950408889634
+_HALF_BITS, _LEAST_HALF_EXPONENT = 11, -24
+
 _AT_ZERO: Mapping[str, Callable[..., Jump]] = {
     **dict.fromkeys(("lt", "le", "gt", "ge", "eq", "ne", "step"), _difference),
     "sign": _itself,
     "smoothstep": _narrow_step,
     "atan2": _behind,
+    "bits_of": _everywhere,
 }
 _AT_WHOLE: Mapping[str, Callable[..., Jump]] = {
     **dict.fromkeys(("floor", "ceil", "fract"), _itself),
     **dict.fromkeys(("trunc", "to_int", "to_uint"), _towards_zero),
     "round": _middle,
     "mod": _quotient,
+    **dict.fromkeys(("exponent", "mantissa"), _at_power_of_two),
+    "quantize_half": _between_halves,
 }
 """Builtins of floats that jump, lane by lane."""
 
 EXACT = frozenset(
     {"lt", "le", "gt", "ge", "eq", "ne", "step", "sign", "floor", "ceil", "trunc", "round",
-     "to_int", "to_uint"}
+     "to_int", "to_uint", "bits_of", "exponent", "quantize_half"}
 )  # fmt: skip
 """What they give stays the same between two jumps."""
 _EVERYWHERE: Bools = np.ones((), dtype=np.bool_)
@@ -118,9 +150,20 @@ _OF_VECTORS: Mapping[str, Callable[..., Jump]] = {
 READS = frozenset(row.name for row in texture.ROWS)
 """Builtins that read textures, which have margins of their own."""
 
+_PACKING: Mapping[str, Callable[[Lane], Jump]] = {
+    "pack_unorm4x8": _between_parts(255, 0.0),
+    "pack_snorm4x8": _between_parts(127, -1.0),
+    "pack_unorm2x16": _between_parts(65535, 0.0),
+    "pack_snorm2x16": _between_parts(32767, -1.0),
+    "pack_half2x16": _between_halves,
+}
+"""Builtins that round each lane of a vector, and join them to a whole number."""
+
 _NOT_BY_LANE = READS | frozenset(
     {"any", "all", "dot", "cross", "length", "distance", "normalize", "reflect", "transpose",
-     "determinant", "inverse", *_OF_VECTORS}
+     "determinant", "inverse", "outer", "hadamard", "unpack_unorm4x8",
+     "unpack_unorm2x16", "unpack_snorm4x8", "unpack_snorm2x16", "unpack_half2x16", *_PACKING,
+     *_OF_VECTORS}
 )  # fmt: skip
 
 
@@ -169,6 +212,8 @@ class Margins:
     def _called(self, name: str, node: Node, operands: list[Lanes], value: Lanes) -> None:
         if name in _OF_VECTORS:
             self.at_zero(*_OF_VECTORS[name](*operands), self._all_steady(operands))
+        if name in _PACKING:
+            self._packed(_PACKING[name], operands[0], value)
         if name in _NOT_BY_LANE or any(isinstance(lanes[0], tuple) for lanes in (value, *operands)):
             return
         wide = [lanes * len(value) if len(lanes) == 1 else lanes for lanes in operands]
@@ -181,6 +226,13 @@ class Margins:
                 elif jumps and name in _AT_WHOLE:
                     self.at_whole(*_AT_WHOLE[name](*given), steady)
                 self._learn(lane, _EVERYWHERE if name in EXACT and jumps else steady)
+
+    def _packed(self, jump: Callable[[Lane], Jump], lanes: Lanes, value: Lanes) -> None:
+        """Between two jumps of its lanes, what is packed stays the same."""
+        for lane in lanes:
+            if np.ndim(lane):
+                self.at_whole(*jump(lane), self._is_steady(lane))
+        self._learn(value[0], _EVERYWHERE)
 
     # --- what is steady ---------------------------------------------------------------------------
 

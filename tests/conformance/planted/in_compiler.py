@@ -56,6 +56,7 @@ GUARDS = [
     ("mod", "integers: Unsigned", "glsl"),
     ("to_int", "integers: Converted", "glsl"),
     ("to_uint", "integers: Converted", "hlsl"),
+    ("float_of_bits", "bits: Floats", "glsl"),
 ]
 """Builtin, material and language."""
 
@@ -64,6 +65,8 @@ PLANTED = [
         Planted(f"{builtin} without its guard", material, QUICKEST[language], unguarded(builtin))
         for builtin, material, language in GUARDS
     ),
+    Planted("first_leading_bit without its guard", "bits: Counted", "lavapipe:hlsl-dxc",
+            unguarded("first_leading_bit")),
     Planted("clamp without its guard", "operations: Limits", "chromium:webgpu", unguarded("clamp"),
             "failed"),
     Planted("differences are never negative", "operations: Powers", QUICKEST["glsl"],

@@ -109,7 +109,7 @@ SPELLINGS: dict[str, list[tuple[str, str, str | Spelling]]] = {
     ],
     "integers: Unsigned": [
         ("hlsl", "mod", "({0:p} / {1:p})"),
-        ("hlsl", "to_float", "{type}(int({0}))"),
+        ("hlsl", "to_float", "{type}(asint({0}))"),
     ],
     "integers: Converted": [
         ("hlsl", "to_int", "{type}(floor({0}))"),

@@ -19,8 +19,7 @@ layout(location = 0) out vec4 out_color;
 
 void main() {
     ivec2 number_texture_size = textureSize(sprite, 0);
-    vec2 place_floor = floor(fract(v_uv) * vec2(float(number_texture_size.x), float(number_texture_size.y)));
-    ivec2 place = ivec2(int(place_floor.x), int(place_floor.y));
+    ivec2 place = ivec2(floor(fract(v_uv) * vec2(number_texture_size)));
     int number = int(texelFetch(sprite, clamp(place, ivec2(0), number_texture_size - 1), 0).x) + shift;
     ivec2 found_texture_size = textureSize(palette, 0);
     int found_harmless = found_texture_size.x;

@@ -66,8 +66,7 @@ float4 main(FragmentInput input) : SV_Target0 {
     float4 key_projected = mul(key_to_map, float4(input.position, 1.0));
     float key_projected_ = key_projected.w;
     float2 key_centre = float2(0.5 + 0.5 * safe_div(key_projected.x, key_projected_), 0.5 - 0.5 * safe_div(key_projected.y, key_projected_));
-    int2 key_texel_texture_size = texture_size(key_shadow, 0);
-    float2 key_texel = key_spread / float2(float(key_texel_texture_size.x), float(key_texel_texture_size.y));
+    float2 key_texel = key_spread / float2(texture_size(key_shadow, 0));
     float key_lit_clamped = saturate(safe_div(key_projected.z, key_projected_) - key_bias);
     float key_lit_total = 0.0;
     for (int i = 0; i < 9; i++) {

@@ -1,0 +1,295 @@
+"""Integers as 32 bits, and what a float looks like in them."""
+
+from __future__ import annotations
+
+import math
+
+from .facts import Fact
+from .row import EXACT, Accuracy, Builtin, nowhere
+
+_PAIR = ("I, I -> I",)
+_SHIFT = ("I, U -> I", "I, J -> I", "I, uint -> I", "I, int -> I")
+_TO_UINT = ("float -> uint", "vec2 -> uvec2", "vec3 -> uvec3", "vec4 -> uvec4")
+_FROM_UINT = ("uint -> float", "uvec2 -> vec2", "uvec3 -> vec3", "uvec4 -> vec4")
+_BY_32 = "Only the lowest five bits of the amount count, as in WGSL: `x << 33` is `x << 1`."
+_FIELD = "The field ends at bit 31: an offset is clamped to 0 to 32, and the count to what is left."
+BITS = 32
+
+
+def _whole(lo: float, hi: float) -> Fact:
+    return Fact(lo, hi, kind="int")
+
+
+def _unknown(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact().as_kind(facts[0].kind)
+
+
+def _intersection(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    """No bit is added: an operand without a sign bounds the result."""
+    ends = [fact.hi for fact in facts if fact.lo >= 0]
+    kind = facts[0].kind
+    return Fact(0.0, min(ends), kind=kind) if ends else Fact().as_kind(kind)
+
+
+def _union(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    """Without signs, no bit is set above the highest of either."""
+    kind = facts[0].kind
+    if any(fact.lo < 0 for fact in facts):
+        return Fact().as_kind(kind)
+    top = 2.0 ** int(max(fact.hi for fact in facts)).bit_length() - 1
+    return Fact(0.0, top, kind=kind)
+
+
+def _complement(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    (x,) = facts
+    shift = -1.0 if x.kind == "int" else 2.0**BITS - 1
+    return Fact(shift - x.hi, shift - x.lo, kind=x.kind)
+
+
+def _shifted_right(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, amount = facts
+    least = amount.lo if amount.within(0, BITS - 1) else 0.0
+    most = amount.hi if amount.within(0, BITS - 1) else BITS - 1.0
+    ends = [math.floor(end / 2.0**by) for end in (x.lo, x.hi) for by in (least, most)]
+    return Fact(min(ends), max(ends), kind=x.kind)
+
+
+def _shifts(facts: tuple[Fact, ...]) -> bool:
+    """All backends shift by a `uint` below 32."""
+    amount = facts[1]
+    return amount.kind == "uint" and amount.hi < BITS
+
+
+def _is_unsigned(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].kind == "uint"
+
+
+def _count(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _whole(0, BITS)
+
+
+def _place(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _whole(-1, BITS - 1)
+
+
+def _any_bits(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact().as_kind("uint")
+
+
+def _is_number(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].excludes_zero
+
+
+def _are_numbers(facts: tuple[Fact, ...]) -> bool:
+    """Neither zero nor subnormal, infinite or NaN."""
+    (x,) = facts
+    return x.within(0x00800000, 0x7F7FFFFF) or x.within(0x80800000, 0xFF7FFFFF)
+
+
+def _exponent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _whole(-125, 128)
+
+
+def _mantissa(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact(-1.0, 1.0)
+
+
+_TOTAL = Accuracy("exact", "integers and bit patterns")
+
+ROWS = (
+    Builtin(
+        name="bit_and",
+        signatures=_PAIR,
+        doc="The bits that both have.",
+        operator="&",
+        range=_intersection,
+        accuracy=_TOTAL,
+    ),
+    Builtin(
+        name="bit_or",
+        signatures=_PAIR,
+        doc="The bits that at least one has.",
+        operator="|",
+        range=_union,
+        accuracy=_TOTAL,
+    ),
+    Builtin(
+        name="bit_xor",
+        signatures=_PAIR,
+        doc="The bits that just one has.",
+        operator="^",
+        range=_union,
+        accuracy=_TOTAL,
+    ),
+    Builtin(
+        name="bit_not",
+        signatures=("I -> I",),
+        doc="The bits that it has not.",
+        operator="~",
+        range=_complement,
+        accuracy=_TOTAL,
+    ),
+    Builtin(
+        name="shift_left",
+        signatures=_SHIFT,
+        doc="The bits moved up; zeros follow. The amount is an `int` or a `uint`.",
+        operator="<<",
+        domain=_shifts,
+        outside=_BY_32,
+        expansion="shift_left",
+        range=_unknown,
+        accuracy=_TOTAL,
+        samples=((1, 31), (1, 32), (1, 33), (-1, 4)),
+    ),
+    Builtin(
+        name="shift_right",
+        signatures=_SHIFT,
+        doc=(
+            "The bits moved down. Copies of the sign follow in an `int`, which makes it the "
+            "floored quotient by a power of two; zeros in a `uint`."
+        ),
+        operator=">>",
+        domain=_shifts,
+        outside=_BY_32,
+        expansion="shift_right",
+        range=_shifted_right,
+        accuracy=_TOTAL,
+        samples=((-16, 2), (1, 32), (-1, 31), (-1, 33)),
+    ),
+    Builtin(
+        name="count_bits",
+        signatures=("I -> J",),
+        doc="How many bits are set.",
+        definition="count_bits",
+        range=_count,
+        accuracy=_TOTAL,
+        cost=2,
+        samples=((0,), (-1,), (1,)),
+    ),
+    Builtin(
+        name="reverse_bits",
+        signatures=("I -> I",),
+        doc="The bits in the opposite order.",
+        definition="reverse_bits",
+        range=_unknown,
+        accuracy=_TOTAL,
+        cost=2,
+        samples=((0,), (1,), (-2,)),
+    ),
+    Builtin(
+        name="first_leading_bit",
+        signatures=("I -> J",),
+        doc=(
+            "The place of the highest bit that is set, counted from 0; in a negative `int`, of "
+            "the highest that is not set. -1 where there is none."
+        ),
+        domain=_is_unsigned,
+        outside="DXC takes an `int` for a `uint`, so that of an `int` is found by way of one.",
+        expansion="first_leading_bit",
+        definition="first_leading_bit",
+        range=_place,
+        accuracy=_TOTAL,
+        cost=2,
+        samples=((0,), (-1,), (1,), (-2,)),
+    ),
+    Builtin(
+        name="first_trailing_bit",
+        signatures=("I -> J",),
+        doc="The place of the lowest bit that is set, counted from 0; -1 where there is none.",
+        definition="first_trailing_bit",
+        range=_place,
+        accuracy=_TOTAL,
+        cost=2,
+        samples=((0,), (-1,), (8,)),
+    ),
+    Builtin(
+        name="extract_bits",
+        signatures=("I, int, int -> I",),
+        doc=(
+            "extract_bits(x, offset, count): the bits from an offset on, moved down to bit 0. "
+            "In an `int` the highest of them is the sign."
+        ),
+        domain=nowhere,
+        outside=_FIELD,
+        expansion="extract_bits",
+        range=_unknown,
+        accuracy=_TOTAL,
+        cost=6,
+        samples=((-256, 4, 8), (7, 0, 0), (-1, 28, 9), (-1, -3, 40), (5, 40, 2)),
+    ),
+    Builtin(
+        name="insert_bits",
+        signatures=("I, I, int, int -> I",),
+        doc=(
+            "insert_bits(x, y, offset, count): x, with the lowest bits of y in place of as many "
+            "from an offset on."
+        ),
+        domain=nowhere,
+        outside=_FIELD,
+        expansion="insert_bits",
+        range=_unknown,
+        accuracy=_TOTAL,
+        cost=8,
+        samples=((0, -1, 4, 8), (7, 0, 0, 0), (0, -1, 28, 9), (5, -1, 40, 2)),
+    ),
+    Builtin(
+        name="bits_of",
+        signatures=_TO_UINT,
+        doc="The bits of the float32 (IEEE 754 binary32): sign, 8 of exponent, 23 of fraction.",
+        domain=_is_number,
+        outside="Magnitudes below 2^-126 and -0.0 count as 0, whose bits are 0.",
+        expansion="bits_of",
+        range=_any_bits,
+        accuracy=_TOTAL,
+        samples=((0.0,), (-0.0,), (1.0,), (-2.5,), (1e-40,), (3.4028234663852886e38,)),
+    ),
+    Builtin(
+        name="float_of_bits",
+        signatures=_FROM_UINT,
+        doc="The float32 that has these bits.",
+        domain=_are_numbers,
+        outside=(
+            "0 for the bits of what is no number here: infinities, NaN, and magnitudes below "
+            "2^-126, zeros among them."
+        ),
+        expansion="float_of_bits",
+        accuracy=_TOTAL,
+        cost=3,
+        samples=((0x3F800000,), (0x7F800000,), (0x7FC00000,), (1,), (0x80000000,), (0xFF7FFFFF,)),
+    ),
+    Builtin(
+        name="exponent",
+        signatures=("float -> int", "vec2 -> ivec2", "vec3 -> ivec3", "vec4 -> ivec4"),
+        doc="The n for which the magnitude of x is mantissa(x) * 2^n; see `mantissa`.",
+        domain=nowhere,
+        outside="0 for magnitudes below 2^-126.",
+        expansion="exponent",
+        range=_exponent,
+        accuracy=_TOTAL,
+        cost=4,
+        samples=((0.0,), (1.0,), (-0.75,), (1e-40,)),
+    ),
+    Builtin(
+        name="mantissa",
+        signatures=("T -> T",),
+        doc="x / 2^exponent(x): from 1/2 to below 1 in magnitude, with the sign of x.",
+        domain=nowhere,
+        outside="0 for magnitudes below 2^-126.",
+        expansion="mantissa",
+        range=_mantissa,
+        accuracy=EXACT,
+        cost=4,
+        samples=((0.0,), (1.0,), (-0.75,), (1e-40,)),
+    ),
+    Builtin(
+        name="ldexp",
+        signatures=("T, J -> T", "T, int -> T"),
+        doc="ldexp(x, n): x * 2^n, without any rounding.",
+        domain=nowhere,
+        outside="n is clamped to -252 to 254, far beyond what float32 holds.",
+        expansion="ldexp",
+        accuracy=EXACT,
+        cost=8,
+        samples=((0.75, 3.0), (1.0, -126.0), (1.0, 127.0), (3.0, -400.0)),
+    ),
+)

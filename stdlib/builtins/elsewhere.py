@@ -1,0 +1,258 @@
+"""What other shading languages have, and what to write here in its place.
+
+Every function of GLSL 4.50 and ES 3.00 (chapter 8), of HLSL (the list of intrinsics) and of WGSL
+(chapter "Built-in Functions") either has a row in the table under the same name, or is found here.
+Messages about unknown names and the manual read this table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+
+from ...frozen import frozen
+
+
+@frozen
+class Instead:
+    """What stands here for a name of another language."""
+
+    written: tuple[str, ...] = ()
+    """Expressions that say the same, in the names of ``SAMPLE``; several for several results."""
+    reason: str = ""
+    """Why nothing does, or what else to know."""
+
+    @property
+    def hint(self) -> str:
+        """What to tell who used the name."""
+        shown = " and ".join(f"`{expression}`" for expression in self.written)
+        parts = [f"it is {shown} here" if shown else "", self.reason]
+        return "; ".join(filter(None, parts))
+
+
+SAMPLE: Mapping[str, str] = {
+    "x": "float", "y": "float", "z": "float", "n": "int", "m": "int", "u": "uint", "k": "uint",
+    "v": "vec3", "w": "vec3", "p": "vec4", "q": "vec4", "a": "mat3", "b": "mat3",
+}  # fmt: skip
+"""The names in ``Instead.written``, with their types; besides ``c`` and ``d``, which are bvec3, the
+texture ``albedo`` and the surface's ``uv``."""
+
+_READ = ("albedo(uv)",)
+_TEXTURES = "a texture is read by calling it: see Textures in the language reference"
+
+
+def _same(names: str, *written: str, reason: str = "") -> Iterator[tuple[str, Instead]]:
+    """Names that mean one thing."""
+    for name in names.split():
+        yield name, Instead(written, reason)
+
+
+_MEMORY = "materials and passes have no memory to write to"
+_NEIGHBOURS = "a value knows nothing of other invocations, but for `ddx` and `ddy`"
+_FINITE = "finite operands have finite results: no value is infinite or NaN"
+_WIDE = "there are no numbers of 64 bits"
+_STAGES = "there are vertices and fragments only"
+_SAMPLES = "a pixel is shaded once, whatever its samples"
+_SHIFTS = "join and part the lanes with `<<`, `>>`, `&` and `|`"
+
+_FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
+    # ---- arithmetic
+    _same("lerp", "mix(x, y, z)"),
+    _same("frac", "fract(x)"),
+    _same("rsqrt inverseSqrt", "inversesqrt(x)"),
+    _same("fmod", "x - y * trunc(x / y)", reason="`x mod y` floors, and has the sign of y"),
+    _same("roundEven rint", "round(x)"),
+    _same("mad", "fma(x, y, z)"),
+    _same("rcp", "1 / x"),
+    _same("mul", "a * v"),
+    _same("modf", "trunc(x)", "x - trunc(x)"),
+    _same("frexp", "mantissa(x)", "exponent(x)"),
+    _same("sincos", "sin(x)", "cos(x)"),
+    _same("atan2f", "atan2(y, x)"),
+    _same("faceForward", "faceforward(v, w, v)"),
+    _same("matrixCompMult", "hadamard(a, b)"),
+    _same("outerProduct", "outer(v, w)"),
+    _same("dst", "vec4(1, p.y * q.y, p.z, q.w)"),
+    _same("isnan isinf isfinite", reason=_FINITE),
+    # ---- several lanes
+    _same("lessThan", "v < w"),
+    _same("lessThanEqual", "v <= w"),
+    _same("greaterThan", "v > w"),
+    _same("greaterThanEqual", "v >= w"),
+    _same("equal", "v == w"),
+    _same("notEqual", "v != w"),
+    _same("select", "choose(c, v, w)", reason="the condition comes first, then what it chooses"),
+    # ---- derivatives
+    _same("dFdx dFdxCoarse dFdxFine ddx_coarse ddx_fine dpdx dpdxCoarse dpdxFine", "ddx(x)"),
+    _same("dFdy dFdyCoarse dFdyFine ddy_coarse ddy_fine dpdy dpdyCoarse dpdyFine", "ddy(x)"),
+    _same("fwidthCoarse fwidthFine", "fwidth(x)"),
+    # ---- bits
+    _same("bitCount countbits countOneBits", "count_bits(u)"),
+    _same("bitfieldReverse reversebits reverseBits", "reverse_bits(u)"),
+    _same("findMSB firstbithigh firstLeadingBit", "first_leading_bit(u)"),
+    _same("findLSB firstbitlow firstTrailingBit", "first_trailing_bit(u)"),
+    _same("countLeadingZeros", "31 - first_leading_bit(u)"),
+    _same("countTrailingZeros", "count_bits(~u & (u - 1))"),
+    _same("bitfieldExtract extractBits", "extract_bits(u, n, m)"),
+    _same("bitfieldInsert insertBits", "insert_bits(u, k, n, m)"),
+    _same("uaddCarry", "u + k", "uint(u + k < u)"),
+    _same("usubBorrow", "u - k", "uint(u < k)"),
+    _same("floatBitsToUint asuint", "bits_of(x)"),
+    _same("floatBitsToInt asint", "int(bits_of(x))"),
+    _same("uintBitsToFloat asfloat", "float_of_bits(u)"),
+    _same("intBitsToFloat", "float_of_bits(uint(n))"),
+    _same("bitcast", "bits_of(x)", "float_of_bits(u)", reason="`int` and `uint` keep the bits"),
+    # ---- packing
+    _same("packUnorm4x8 pack4x8unorm", "pack_unorm4x8(p)"),
+    _same("packSnorm4x8 pack4x8snorm", "pack_snorm4x8(p)"),
+    _same("packUnorm2x16 pack2x16unorm", "pack_unorm2x16(uv)"),
+    _same("packSnorm2x16 pack2x16snorm", "pack_snorm2x16(uv)"),
+    _same("packHalf2x16 pack2x16float", "pack_half2x16(uv)"),
+    _same("unpackUnorm4x8 unpack4x8unorm", "unpack_unorm4x8(u)"),
+    _same("unpackSnorm4x8 unpack4x8snorm", "unpack_snorm4x8(u)"),
+    _same("unpackUnorm2x16 unpack2x16unorm", "unpack_unorm2x16(u)"),
+    _same("unpackSnorm2x16 unpack2x16snorm", "unpack_snorm2x16(u)"),
+    _same("unpackHalf2x16 unpack2x16float", "unpack_half2x16(u)"),
+    _same("f32tof16", "pack_half2x16(vec2(x, 0))"),
+    _same("f16tof32", "unpack_half2x16(u).x"),
+    _same("quantizeToF16", "quantize_half(x)"),
+    _same("unpack4xU8", "uvec4(u, u >> 8, u >> 16, u >> 24) & 255"),
+    _same("unpack4xI8", "ivec4(uvec4(u << 24, u << 16, u << 8, u)) >> 24"),
+    _same("D3DCOLORtoUBYTE4", "ivec4(p.zyxw * 255.002)"),
+    _same("pack4xI8 pack4xU8 pack4xI8Clamp pack4xU8Clamp", reason=_SHIFTS),
+    _same("dot4U8Packed dot4I8Packed msad4", reason=_SHIFTS),
+    # ---- textures
+    _same(
+        "texture texture1D texture2D texture3D textureCube tex1D tex2D tex3D texCUBE textureSample",
+        *_READ,
+    ),
+    _same(
+        "texelFetchOffset textureLodOffset textureGradOffset textureOffset textureProj "
+        "textureProjGrad textureProjGradOffset textureProjLod textureProjLodOffset "
+        "textureProjOffset textureGatherOffset textureGatherOffsets textureQueryLod "
+        "ComputeAccessedLod texture1DLod texture1DProj texture1DProjLod texture2DProj "
+        "texture2DProjLod texture3DLod texture3DProj texture3DProjLod textureCubeLod shadow1D "
+        "shadow1DLod shadow1DProj shadow1DProjLod shadow2D shadow2DLod shadow2DProj "
+        "shadow2DProjLod tex1Dbias tex1Dgrad tex1Dlod tex1Dproj tex2Dbias tex2Dproj tex3Dbias "
+        "tex3Dgrad tex3Dlod tex3Dproj texCUBEbias texCUBEgrad texCUBElod texCUBEproj "
+        "textureGatherCompare textureNumLayers textureSampleBias textureSampleCompare "
+        "textureSampleCompareLevel textureSampleBaseClampToEdge subpassLoad",
+        reason=_TEXTURES,
+    ),
+    _same("textureLod textureSampleLevel tex2Dlod texture2DLod", "albedo.level(uv, x)"),
+    _same("textureGrad textureSampleGrad tex2Dgrad", "albedo.grad(uv, ddx(uv), ddy(uv))"),
+    _same("texelFetch textureLoad", "albedo.load(ivec2(n, m))"),
+    _same("textureSize textureDimensions", "albedo.size()"),
+    _same("textureGather", "albedo.gather(uv, 0)"),
+    _same("textureQueryLevels textureNumLevels", "albedo.levels()"),
+    _same("CheckAccessFullyMapped", reason="textures are there as a whole"),
+    # ---- what is left out
+    _same("clip", reason="a pass says `discard when x < 0`"),
+    _same(
+        "noise noise1 noise2 noise3 noise4",
+        reason="no two devices agreed about it; write one, as `examples/shared/noise.burnish` does",
+    ),
+    _same("ftransform", reason="`clip_position` is a slot like any other"),
+    _same("packDouble2x32 unpackDouble2x32 asdouble umulExtended imulExtended", reason=_WIDE),
+    _same(
+        "interpolateAtCentroid interpolateAtOffset interpolateAtSample EvaluateAttributeCentroid "
+        "EvaluateAttributeAtSample EvaluateAttributeSnapped GetRenderTargetSampleCount "
+        "GetRenderTargetSamplePosition textureSamples textureNumSamples",
+        reason=_SAMPLES,
+    ),
+    _same(
+        "EmitVertex EmitStreamVertex EndPrimitive EndStreamPrimitive Process2DQuadTessFactorsAvg "
+        "Process2DQuadTessFactorsMax Process2DQuadTessFactorsMin ProcessIsolineTessFactors "
+        "ProcessQuadTessFactorsAvg ProcessQuadTessFactorsMax ProcessQuadTessFactorsMin "
+        "ProcessTriTessFactorsAvg ProcessTriTessFactorsMax ProcessTriTessFactorsMin",
+        reason=_STAGES,
+    ),
+    _same(
+        "allInvocations allInvocationsEqual anyInvocation quadBroadcast quadSwapDiagonal quadSwapX "
+        "quadSwapY subgroupAdd subgroupAll subgroupAnd subgroupAny subgroupBallot "
+        "subgroupBroadcast subgroupBroadcastFirst subgroupElect subgroupExclusiveAdd "
+        "subgroupExclusiveMul subgroupInclusiveAdd subgroupInclusiveMul subgroupMax subgroupMin "
+        "subgroupMul subgroupOr subgroupShuffle subgroupShuffleDown subgroupShuffleUp "
+        "subgroupShuffleXor subgroupXor",
+        reason=_NEIGHBOURS,
+    ),
+    _same(
+        "AllMemoryBarrier AllMemoryBarrierWithGroupSync DeviceMemoryBarrier "
+        "DeviceMemoryBarrierWithGroupSync GroupMemoryBarrier GroupMemoryBarrierWithGroupSync "
+        "InterlockedAdd InterlockedAnd InterlockedCompareExchange InterlockedCompareStore "
+        "InterlockedExchange InterlockedMax InterlockedMin InterlockedOr InterlockedXor "
+        "arrayLength atomicAdd atomicAnd atomicCompSwap atomicCompareExchangeWeak atomicCounter "
+        "atomicCounterAdd atomicCounterAnd atomicCounterCompSwap atomicCounterDecrement "
+        "atomicCounterExchange atomicCounterIncrement atomicCounterMax atomicCounterMin "
+        "atomicCounterOr atomicCounterSubtract atomicCounterXor atomicExchange atomicLoad "
+        "atomicMax atomicMin atomicOr atomicStore atomicSub atomicXor barrier bufferArrayView "
+        "bufferLength bufferView groupMemoryBarrier imageAtomicAdd imageAtomicAnd "
+        "imageAtomicCompSwap imageAtomicExchange imageAtomicMax imageAtomicMin imageAtomicOr "
+        "imageAtomicXor imageLoad imageSamples imageSize imageStore memoryBarrier "
+        "memoryBarrierAtomicCounter memoryBarrierBuffer memoryBarrierImage memoryBarrierShared "
+        "storageBarrier textureBarrier textureStore workgroupBarrier workgroupUniformLoad",
+        reason=_MEMORY,
+    ),
+    _same("printf errorf abort", reason="shaders have nobody to tell"),
+)
+
+FUNCTIONS: Mapping[str, Instead] = MappingProxyType(
+    {name: instead for group in _FUNCTIONS for name, instead in group}
+)
+"""Functions of other languages, by their names there."""
+
+
+def _vectors(prefix: str, ours: str, suffixes: str = "234") -> Mapping[str, str]:
+    return {f"{prefix}{n}": f"{ours}{n}" for n in suffixes}
+
+
+TYPES: Mapping[str, str] = MappingProxyType(
+    {
+        **_vectors("float", "vec"),
+        **_vectors("half", "vec"),
+        **_vectors("int", "ivec"),
+        **_vectors("uint", "uvec"),
+        **_vectors("bool", "bvec"),
+        **{f"vec{n}f": f"vec{n}" for n in (2, 3, 4)},
+        **{f"vec{n}h": f"vec{n}" for n in (2, 3, 4)},
+        **{f"vec{n}i": f"ivec{n}" for n in (2, 3, 4)},
+        **{f"vec{n}u": f"uvec{n}" for n in (2, 3, 4)},
+        **{f"{word}{n}x{n}": f"mat{n}" for n in (2, 3, 4) for word in ("float", "half", "mat")},
+        **{f"mat{n}x{n}f": f"mat{n}" for n in (2, 3, 4)},
+        "f32": "float", "f16": "float", "half": "float", "double": "float", "i32": "int",
+        "u32": "uint", "dword": "uint", "sampler2D": "texture2d", "Texture2D": "texture2d",
+        "texture_2d": "texture2d", "color": "rgb", "colour": "rgb",
+    }
+)  # fmt: skip
+"""Types of other languages, and the nearest one here."""
+
+VALUES: Mapping[str, str] = MappingProxyType(
+    {
+        "gl_FragCoord": "frag_coord", "SV_Position": "frag_coord",
+        "gl_FrontFacing": "front_facing", "SV_IsFrontFace": "front_facing",
+        "gl_Position": "clip_position", "gl_FragColor": "color",
+    }
+)  # fmt: skip
+"""What other pipelines supply or take."""
+
+_HOST = "a value from the host is a parameter: `param name : type`"
+_LOOP = "there are no statements; `sum i in 0..n : e` and `iterate` repeat"
+
+KEYWORDS: Mapping[str, str] = MappingProxyType(
+    {
+        "uniform": _HOST, "cbuffer": _HOST,
+        "varying": "`@vertex e` is computed at the vertices and interpolated",
+        "out": "a pass writes to `target name : format = e`",
+        "return": "a function is one expression: `fn f(x: float) -> float = x * x`",
+        "void": "a function is one expression: `fn f(x: float) -> float = x * x`",
+        "for": _LOOP, "while": _LOOP, "do": _LOOP,
+        "switch": "there are no statements; `if c then a else b` chooses",
+        "discard": "a pass says `discard when condition`",
+        "sampler": "a texture is `map name : texture2d`",
+        **dict.fromkeys(
+            ("static", "inline", "precise", "highp", "mediump", "lowp", "invariant", "flat"),
+            "an equation is `name = expression`; the compiler sees to the rest",
+        ),
+    }
+)  # fmt: skip
+"""Words with which statements and declarations begin elsewhere."""

@@ -1,0 +1,97 @@
+"""The hyperbolic functions and their inverses."""
+
+from __future__ import annotations
+
+import math
+
+from .facts import Fact
+from .intervals import around
+from .row import WGSL_ACCURACY, Accuracy, Builtin, nowhere
+
+_FLOATS = ("T -> T",)
+_TANH = Accuracy("the worse of abs 1e-5 and inherited", WGSL_ACCURACY)
+_FLAT = 16.0
+"""From here on tanh is 1 in float32; further out, the quotient of exponentials would overflow."""
+_FARTHEST = 9.0
+"""atanh of the greatest float32 below 1 is 8.66."""
+
+
+def _tangent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return around(Fact(-1.0, 1.0), 1e-5)
+
+
+def _cosine(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact(1.0 - 2.0**-20, math.inf)
+
+
+def _not_negative(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact(-(2.0**-20), math.inf)
+
+
+def _inverse_tangent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact(-_FARTHEST, _FARTHEST)
+
+
+def _is_near(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].within(-_FLAT, _FLAT)
+
+
+ROWS = (
+    Builtin(
+        name="sinh",
+        signatures=_FLOATS,
+        doc="Hyperbolic sine, (exp(x) - exp(-x)) / 2. Beyond 88 the result leaves float32.",
+        cost=10,
+    ),
+    Builtin(
+        name="cosh",
+        signatures=_FLOATS,
+        doc="Hyperbolic cosine, (exp(x) + exp(-x)) / 2. Beyond 88 the result leaves float32.",
+        range=_cosine,
+        cost=10,
+    ),
+    Builtin(
+        name="tanh",
+        signatures=_FLOATS,
+        doc="Hyperbolic tangent, sinh(x) / cosh(x).",
+        domain=_is_near,
+        outside="-1 or 1 beyond -16 to 16, also where exponentials leave float32.",
+        expansion="tanh",
+        range=_tangent,
+        accuracy=_TANH,
+        cost=14,
+        samples=((0.0,), (20.0,), (-1e30,)),
+    ),
+    Builtin(
+        name="asinh",
+        signatures=_FLOATS,
+        doc="The x whose hyperbolic sine this is: log(x + sqrt(x * x + 1)).",
+        domain=nowhere,
+        outside="Also where the square leaves float32, and without loss for negative operands.",
+        expansion="asinh",
+        cost=14,
+        samples=((0.0,), (-3.0,), (1e30,), (-1e30,)),
+    ),
+    Builtin(
+        name="acosh",
+        signatures=_FLOATS,
+        doc="The x of 0 or more whose hyperbolic cosine this is: log(x + sqrt(x * x - 1)).",
+        domain=nowhere,
+        outside="0 for operands below 1.",
+        expansion="acosh",
+        range=_not_negative,
+        cost=14,
+        samples=((1.0,), (0.0,), (2.0,), (1e30,)),
+    ),
+    Builtin(
+        name="atanh",
+        signatures=_FLOATS,
+        doc="The x whose hyperbolic tangent this is: log((1 + x) / (1 - x)) / 2.",
+        domain=nowhere,
+        outside="The operand is clamped to -0.99999994 to 0.99999994, the last floats within.",
+        expansion="atanh",
+        range=_inverse_tangent,
+        cost=12,
+        samples=((0.0,), (0.5,), (1.0,), (-7.0,)),
+    ),
+)

@@ -1,0 +1,101 @@
+"""Several small numbers in the 32 bits of a `uint`, the first in the lowest ones."""
+
+from __future__ import annotations
+
+from .bits import BITS
+from .facts import Fact
+from .row import Accuracy, Builtin, RangeRule, nowhere
+
+_PACKED = Accuracy("correct, but for the choice at a half", "by its expansion")
+_UNPACKED = Accuracy("2.5 ulp", "by its expansion, a division")
+_EXACT = Accuracy("exact", "integers and bit patterns")
+_LARGEST_HALF = 65504.0
+UNIT, SIGNED_UNIT = (0.0, 1.0), (-1.0, 1.0)
+
+
+def _any_bits(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return Fact(0.0, 2.0**BITS - 1, kind="uint")
+
+
+def _between(lo: float, hi: float) -> RangeRule:
+    fact = Fact(lo, hi)
+    return lambda _facts, _same: fact
+
+
+def _pack(name: str, vector: str, doc: str, outside: str) -> Builtin:
+    return Builtin(
+        name=name,
+        signatures=(f"{vector} -> uint",),
+        doc=doc,
+        domain=nowhere,
+        outside=outside,
+        expansion=name,
+        range=_any_bits,
+        accuracy=_PACKED,
+        cost=12,
+        samples=((0.0,), (1.0,), (-1.0,), (2.0,), (0.5,)),
+    )
+
+
+def _unpack(
+    name: str, vector: str, doc: str, ends: tuple[float, float], accuracy: Accuracy = _UNPACKED
+) -> Builtin:
+    return Builtin(
+        name=name,
+        signatures=(f"uint -> {vector}",),
+        doc=doc,
+        domain=nowhere,
+        outside="Every pattern of bits has a value.",
+        expansion=name,
+        range=_between(*ends),
+        accuracy=accuracy,
+        cost=8,
+        samples=((0,), (0xFFFFFFFF,), (0x80FF7F01,)),
+    )
+
+
+_TO_255 = "Lanes are clamped to 0 to 1."
+_TO_127 = "Lanes are clamped to -1 to 1."
+
+ROWS = (
+    _pack("pack_unorm4x8", "vec4", "Four lanes as bytes: round(x * 255).", _TO_255),
+    _pack("pack_snorm4x8", "vec4", "Four lanes as signed bytes: round(x * 127).", _TO_127),
+    _pack("pack_unorm2x16", "vec2", "Two lanes in 16 bits each: round(x * 65535).", _TO_255),
+    _pack("pack_snorm2x16", "vec2", "Two lanes in 16 signed bits each: round(x * 32767).", _TO_127),
+    _pack(
+        "pack_half2x16",
+        "vec2",
+        "Two lanes as floats of 16 bits (IEEE 754 binary16), rounded to the nearest, ties to even.",
+        "Lanes are clamped to -65504 to 65504, the largest such floats; zeros have no sign.",
+    ),
+    _unpack("unpack_unorm4x8", "vec4", "Four bytes as lanes: byte / 255.", UNIT),
+    _unpack(
+        "unpack_snorm4x8", "vec4", "Four signed bytes as lanes: max(byte / 127, -1).", SIGNED_UNIT
+    ),
+    _unpack("unpack_unorm2x16", "vec2", "Two times 16 bits as lanes: bits / 65535.", UNIT),
+    _unpack(
+        "unpack_snorm2x16",
+        "vec2",
+        "Two times 16 signed bits as lanes: max(bits / 32767, -1).",
+        SIGNED_UNIT,
+    ),
+    _unpack(
+        "unpack_half2x16",
+        "vec2",
+        "Two floats of 16 bits; infinities and NaN are 0.",
+        (-_LARGEST_HALF, _LARGEST_HALF),
+        _EXACT,
+    ),
+    Builtin(
+        name="quantize_half",
+        signatures=("T -> T",),
+        doc="What `pack_half2x16` and `unpack_half2x16` leave of a value.",
+        domain=nowhere,
+        outside="Clamped to -65504 to 65504.",
+        expansion="quantize_half",
+        range=_between(-_LARGEST_HALF, _LARGEST_HALF),
+        accuracy=_EXACT,
+        cost=12,
+        samples=((0.1,), (1e-6,), (70000.0,), (2049.0,), (1e-9,)),
+    ),
+)

@@ -1,0 +1,34 @@
+// Confetti: vertex shader, by Burnish.
+// Paper that somebody has strewn with squares.
+
+cbuffer View : register(b0, space0) {
+    column_major float4x4 view_projection;  /// World to clip space
+    float3 eye;  /// Where the viewer stands
+};
+
+cbuffer MaterialDerived : register(b1, space2) {
+    float place_to_float;
+    uint drawn_shift_left;
+};
+
+cbuffer Draw : register(b0, space3) {
+    column_major float4x4 object_to_world;
+};
+
+struct VertexInput {
+    [[vk::location(0)]] float3 vertex_position : VERTEX_POSITION;
+    [[vk::location(2)]] float2 vertex_uv : VERTEX_UV;
+};
+
+struct VertexOutput {
+    [[vk::location(0)]] float2 place : TEXCOORD0;
+    float4 clip_position : SV_Position;
+};
+
+VertexOutput main(VertexInput input) {
+    float3 position = mul(object_to_world, float4(input.vertex_position, 1.0)).xyz;
+    VertexOutput output;
+    output.place = input.vertex_uv * place_to_float;
+    output.clip_position = mul(view_projection, float4(position, 1.0));
+    return output;
+}
