@@ -4,7 +4,7 @@ A texture's numbers are what its file says, unless the caller calls them sRGB: o
 whether a picture shows colours or holds data, such as normals or roughness.
 
 An array of textures has layers, a volume has slices, a cube has the faces +x, -x, +y, -y, +z, -z.
-Seen from inside a cube with y up, the first row of a side's face is on top, and a face is seen reversed
+Seen from inside a cube with y up, the first row of a side's face is on top, and a face is reversed
 where the world is right-handed: that is how Direct3D, Vulkan, OpenGL, WebGPU and files of cube
 maps turn them.
 """
