@@ -12,19 +12,22 @@ from typing import TYPE_CHECKING, Any, Literal
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.diagnostics.nearest import suggestion
-from .compiler.diagnostics.source import Span
+from .compiler.diagnostics.source import Source, Span
 from .compiler.frontend import Frontend
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
+from .compiler.places import located
 from .compiler.semantics.shader import Shader
 from .frozen import frozen
 from .targets import registry
 from .targets.emit.description import Profile, Target
+from .targets.emit.directives import Directed, directed
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
 from .targets.emit.limits import excesses, lacks
 from .targets.emit.reflection import backend_table
 
 if TYPE_CHECKING:
+    from .compiler.passes.proofs import Proof
     from .targets.runner.instances.instance import Instance, MissingValuesError
     from .targets.runner.instances.values import ParameterError
     from .targets.runner.textures.texture import PictureError, Texture
@@ -62,7 +65,10 @@ class OutputFile:
     checkers: tuple[str, ...] = ()
     """The downstream compilers that have to accept it."""
     spans: Mapping[int, Span] = field(default_factory=dict)
-    """Source map: by 1-based line of ``text``, what in the material it computes."""
+    """Source map: by 1-based line of ``text``, what in the material its statement computes, or
+    what it is there for. Every statement has its place."""
+    sources: tuple[Source, ...] = ()
+    """The files that line directives in ``text`` name; by number, they count from 1."""
 
 
 @dataclass(frozen=True)
@@ -97,18 +103,38 @@ class CompiledMaterial:
         tables = {
             f"{target.name}:{profile.name}": backend_table(
                 self._staged.program, target, profile, emission, self._files(target, profile),
-                flip_y=self._flip_y,
+                flip_y=self._flip_y, source_maps=self._source_maps(target, profile),
             )
             for target, profile, emission in self._emissions
         }  # fmt: skip
         derived = {value.parameter: value.expression for value in self._staged.derived}
         return reflect(self.shader, self._staged.program, tables, derived)
 
+    @property
+    def staged(self) -> Staged:
+        """The program that was written in each language, and how the passes came to it."""
+        return self._staged
+
+    @cached_property
+    def proofs(self) -> tuple[Proof, ...]:
+        """Why operations go without a guard, are left away altogether, or keep their guard."""
+        from .compiler.passes.proofs import Proofs
+
+        evidence = self._staged.evidence
+        return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.judgements))
+
     def instance(self) -> Instance:
         """Named values to draw the material with, at first its defaults."""
         from .targets.runner.instances.instance import Instance
 
         return Instance(self.reflection)
+
+    def _source_maps(self, target: Target, profile: Profile) -> dict[str, Mapping[int, Span]]:
+        return {
+            file.name: file.spans
+            for file in self.files
+            if (file.target, file.profile) == (target.name, profile.name)
+        }
 
     def _files(self, target: Target, profile: Profile) -> dict[str, str]:
         return {
@@ -152,6 +178,7 @@ def compile(
     hoist: bool = True,
     flip_y: bool = False,
     single_file: bool = False,
+    line_directives: bool = False,
 ) -> CompileResult:
     """Compile a file, or a text, for some targets.
 
@@ -159,6 +186,8 @@ def compile(
     ``targets`` are names such as ``"wgsl"``, with a profile where wanted: ``"glsl:es300"``. All
     concrete materials are compiled unless ``material`` names one; ``rig`` and ``pass_`` are only
     needed where a file has several. With ``hoist=False`` the shaders compute everything themselves.
+    With ``line_directives``, texts say by ``#line`` which line of the material each statement is
+    for, where the language has that.
 
     Raises ``CompileError``, whose ``diagnostics`` are all the errors found.
     """
@@ -171,7 +200,9 @@ def compile(
     shaders = [] if module is None else frontend.shaders(module, material, rig, pass_)
     if report.failed:
         raise CompileError(report.diagnostics)
-    options = EmitOptions(flip_y=flip_y, single_file=single_file)
+    options = EmitOptions(flip_y, single_file, line_directives)
+    if line_directives:
+        _warn_of_targets_without_lines(chosen, report)
     compiled = tuple(_compiled(shader, chosen, Options(hoist), options) for shader in shaders)
     for material_ in compiled:
         _check_limits(material_, report)
@@ -259,7 +290,7 @@ def _compiled(
         for target, profile in chosen
     )
     files = tuple(
-        _output(shader, target, profile, file)
+        _output(shader, target, profile, file, emit_options)
         for target, profile, emission in emissions
         for file in emission.files
     )
@@ -282,18 +313,30 @@ def _check_limits(material: CompiledMaterial, report: Report) -> None:
             )  # fmt: skip
 
 
-def _output(shader: Shader, target: Target, profile: Profile, file: EmittedFile) -> OutputFile:
-    default, name = profile is target.profiles[0], shader.name
-    spans = shader.notes.spans
+def _warn_of_targets_without_lines(chosen: list[tuple[Target, Profile]], report: Report) -> None:
+    for name in dict.fromkeys(target.name for target, _ in chosen if not target.line_directive):
+        report.add(rules.NO_LINE_DIRECTIVES, None, target=name)
+
+
+def _output(
+    shader: Shader, target: Target, profile: Profile, file: EmittedFile, options: EmitOptions
+) -> OutputFile:
+    default = profile is target.profiles[0]
+    parts = (shader.name, file.suffix) if default else (shader.name, profile.name, file.suffix)
+    name, spans = ".".join(parts), located(shader, file.origins)
+    shown = Directed(file.text, spans, ())
+    if options.line_directives and target.line_directive:
+        shown = directed(file.text, spans, target.line_directive, name)
     return OutputFile(
-        name=f"{name}.{file.suffix}" if default else f"{name}.{profile.name}.{file.suffix}",
+        name=name,
         target=target.name,
         profile=profile.name,
         stage=file.stage,
         entry_points=file.entries,
-        text=file.text,
+        text=shown.text,
         checkers=profile.checkers,
-        spans={line: spans[node] for line, node in file.origins.items() if node in spans},
+        spans=shown.spans,
+        sources=shown.sources,
     )
 
 

@@ -19,6 +19,7 @@ from .commands.conform import conform
 from .commands.console import FAILED
 from .commands.doctor import doctor
 from .commands.explain import explain
+from .commands.graph import graph
 from .commands.render import render
 from .commands.targets import targets
 
@@ -61,5 +62,5 @@ def main() -> None:
     """
 
 
-for _command in (compile_, check, render, conform, targets, doctor, explain):
+for _command in (compile_, check, graph, render, conform, targets, doctor, explain):
     main.add_command(_command)

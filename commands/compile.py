@@ -34,6 +34,7 @@ class Request(NamedTuple):
     hoist: bool
     flip_y: bool
     single_file: bool
+    line_directives: bool
 
 
 def _split(_context: click.Context, _option: click.Parameter, given: Iterable[str]) -> Any:
@@ -66,6 +67,11 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
 @click.option("--watch", is_flag=True, help="Compile again whenever a source changes.")
 @click.option("--single-file", is_flag=True, help="Both stages in one text: vs_main and fs_main.")
 @click.option("--flip-y", is_flag=True, help="Turn the picture over, for drawing into textures.")
+@click.option(
+    "--line-directives",
+    is_flag=True,
+    help="Name lines of the material by #line, where a target has it, for other tools' messages.",
+)
 @hoist_option
 def compile_(watch: bool, **chosen: Any) -> None:
     """Compile the materials of FILE.
@@ -118,6 +124,7 @@ def _compiled(request: Request) -> CompileResult:
         hoist=request.hoist,
         flip_y=request.flip_y,
         single_file=request.single_file,
+        line_directives=request.line_directives,
     )
 
 

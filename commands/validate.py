@@ -8,6 +8,7 @@ from ..api import OutputFile
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import Diagnostic, Label, Report
 from ..compiler.diagnostics.source import Source, Span
+from ..targets.emit.directives import plain
 from ..targets.toolchain import Job, Message, Toolchain, Verdict
 
 _STAGES = {"vertex": "vert", "fragment": "frag"}
@@ -45,13 +46,28 @@ def _tell(file: OutputFile, verdict: Verdict, report: Report) -> None:
 def _relay(file: OutputFile, checker: str, message: Message, report: Report) -> None:
     """Report a tool's message at the Burnish text that the line in question came from."""
     rule = rules.REJECTED if message.severity == "error" else rules.DOUBTED
-    emitted = _emitted(file, message)
-    span = file.spans.get(message.line) if message.line else None
+    directed = _directed(file, message)
+    emitted = None if directed else _emitted(file, message)
+    span = directed or (file.spans.get(message.line) if message.line else None)
     labels = [Label(emitted, "became this")] if span and emitted else []
     report.add(
         rule, span or emitted, labels=labels,
         checker=checker, file=file.name, text=_line(message.text),
     )  # fmt: skip
+
+
+def _directed(file: OutputFile, message: Message) -> Span | None:
+    """The place in Burnish text that a message names by the text's own line directives."""
+    named = {plain(source.name): source for source in file.sources}
+    named |= {str(number): source for number, source in enumerate(file.sources, start=1)}
+    source, line = named.get(message.source), message.line
+    if source is None or line is None or line > len(source.line_starts):
+        return None
+    for span in file.spans.values():
+        if span.source.name == source.name and source.position(span.start)[0] == line:
+            return span
+    start = source.line_starts[line - 1]
+    return Span(source, start, start + len(source.line(line)))
 
 
 def _emitted(file: OutputFile, message: Message) -> Span | None:

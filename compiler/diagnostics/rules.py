@@ -561,6 +561,21 @@ EXTERN_PLACE_TAKEN = _error(
     "Each block of the host's has a group and binding of its own.",
 )
 
+# Tools
+
+NO_LINE_DIRECTIVES = _warning(
+    "B0450",
+    "{target} has no line directives, so its text is written without",
+    "The source map in the reflection says of every target's text which line of the material each "
+    "statement is for.",
+)
+TOO_LARGE_TO_DRAW = _error(
+    "B0451",
+    "{name} has {count} values to draw, and a picture holds {limit}",
+    "Nobody reads a larger one. `--format dot` and `--format text` have no limit; without `--all` "
+    "there are only the values that have names.",
+)
+
 # --- B05: stages and rates -----------------------------------------------------------------------
 
 UNKNOWN_RATE = _error(

@@ -1,11 +1,19 @@
-"""Range analysis: what is known of every value, from declared ranges and the builtins' rules."""
+"""Range analysis: what is known of every value, from declared ranges and the builtins' rules.
+
+Every rule has a name (``rulebook.py``). Facts are kept, but not how they came about: ``proofs.py``
+asks again for the few that a person wants to have explained.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact, Kind
+from ...stdlib.builtins.intervals import outward
+from . import rulebook
+from .conditions import learnt
 from .leaves import Parameter
 from .meaning import Meaning
 from .node import Folding, Formal, Iterating, Node, reachable
@@ -16,9 +24,12 @@ class Ranges:
     """Facts of nodes, worked out on demand and kept; for graphs whose binders are open.
 
     Semantics asks while binders are still closed: then nothing is known of their variables.
+
+    Rules in ``without`` are not applied: tests take each away to see what it is good for.
     """
 
-    def __init__(self, roots: Iterable[Node]) -> None:
+    def __init__(self, roots: Iterable[Node], without: frozenset[str] = frozenset()) -> None:
+        self.without = without
         self._facts: dict[int, Fact] = {}
         self._sources: dict[Formal, list[Node]] = {}
         """The arguments that a formal stands for, over all applies."""
@@ -46,47 +57,70 @@ class Ranges:
 
     def of(self, node: Node) -> Fact:
         """What is known of ``node``."""
-        known = self._facts.get(node.id)
+        facts = self._facts
+        known = facts.get(node.id)
         if known is not None:
             return known
         pending = [node]
         while pending:
             top = pending[-1]
-            if top.id in self._facts:
+            if top.id in facts:
                 pending.pop()
                 continue
-            missing = [need for need in self._needs(top) if need.id not in self._facts]
+            needs = self.needs(top)
+            missing = [need for need in needs if need.id not in facts]
             if missing:
                 pending.extend(missing)
                 continue
             pending.pop()
-            self._facts[top.id] = self._derive(top).as_kind(_kind(top))
-        return self._facts[node.id]
+            facts[top.id] = self.derived(top, [facts[need.id] for need in needs])
+        return facts[node.id]
+
+    def needs(self, node: Node) -> Sequence[Node]:
+        """The values from whose facts that of ``node`` is derived."""
+        if node.op == "formal":
+            assert isinstance(node.data, Formal)
+            return self._sources.get(node.data, ())
+        return node.operands
+
+    def derived(self, node: Node, known: Sequence[Fact]) -> Fact:
+        """What follows for ``node`` when so much is known of what it needs."""
+        rule = self._rule(node)
+        fact = UNKNOWN
+        if rule is not None and rule.name(node) not in self.without:
+            fact = rule.derive(self, node, known)
+        return fact.as_kind(_kind(node))
 
     def assume(self, node: Node, fact: Fact) -> None:
         """Take over what is known of a node's value otherwise than through its operands."""
         known = self._facts.get(node.id)
         self._facts[node.id] = fact if known is None else known.meet(fact)
 
-    def _needs(self, node: Node) -> tuple[Node, ...] | list[Node]:
-        if node.op == "formal":
-            assert isinstance(node.data, Formal)
-            return self._sources.get(node.data, [])
-        return node.operands
+    def reason(self, node: Node) -> str | None:
+        """The name of the rule that gives the fact of ``node``."""
+        rule = self._rule(node)
+        if node.op == "select" and self.of(node) != self.of(node.operands[1]).union(
+            self.of(node.operands[2])
+        ):
+            return rulebook.OWN_CONDITION
+        return None if rule is None else rule.name(node)
 
-    def _derive(self, node: Node) -> Fact:
-        rule = _RULES.get(node.op)
-        if rule is not None:
-            return rule(node, [self._facts[operand.id] for operand in node.operands])
-        if node.op == "formal":
-            return self._formal(node)
-        return UNKNOWN
+    def _rule(self, node: Node) -> _Rule | None:
+        if node.op == "formal" and node.data in self._indices:
+            return _FOLD_INDEX
+        return _RULES.get(node.op)
 
-    def _formal(self, node: Node) -> Fact:
-        assert isinstance(node.data, Formal)
-        if node.data in self._indices:
-            return Fact(0.0, float(max(self._indices[node.data] - 1, 0)))
-        return _union([self._facts[source.id] for source in self._sources.get(node.data, [])])
+    def bound_of(self, index: Formal) -> int:
+        """How many values a fold's index takes at most."""
+        return self._indices[index]
+
+
+@frozen
+class _Rule:
+    """How the fact of an operation follows from those of what it needs."""
+
+    name: Callable[[Node], str]
+    derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]
 
 
 def _kind(node: Node) -> Kind:
@@ -96,7 +130,7 @@ def _kind(node: Node) -> Kind:
     return "matrix" if isinstance(type_, Matrix) else scalar_kind(type_) or "float"
 
 
-def _union(facts: list[Fact]) -> Fact:
+def _union(facts: Sequence[Fact]) -> Fact:
     if not facts:
         return UNKNOWN
     result = facts[0]
@@ -105,7 +139,7 @@ def _union(facts: list[Fact]) -> Fact:
     return result
 
 
-def _constant(node: Node, _operands: list[Fact]) -> Fact:
+def _constant(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     if isinstance(node.type, Matrix):
         return UNKNOWN
     lanes = node.data if isinstance(node.data, tuple) else (node.data,)
@@ -113,33 +147,46 @@ def _constant(node: Node, _operands: list[Fact]) -> Fact:
     return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= 2.0**-126 for n in numbers))
 
 
-def _parameter(node: Node, _operands: list[Fact]) -> Fact:
+def _parameter(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     assert isinstance(node.data, Parameter)
     return node.data.fact
 
 
-def _call(node: Node, operands: list[Fact]) -> Fact:
+def _contract(node: Node) -> str:
+    assert isinstance(node.data, Parameter)
+    return rulebook.UNIT if node.data.fact.unit else rulebook.DECLARED
+
+
+def _call(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     same = len(node.operands) > 1 and len({operand.id for operand in node.operands}) == 1
-    return BUILTINS[str(node.data)].range(tuple(operands), same)
+    same = same and rulebook.SAME not in ranges.without
+    return BUILTINS[str(node.data)].range(tuple(known), same)
 
 
-def _joined(_node: Node, operands: list[Fact]) -> Fact:
-    joined = _union(operands)
-    return Fact(joined.lo, joined.hi, joined.excludes_zero, kind=joined.kind)
+def _joined(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    """A vector is as long as its longest part, at least."""
+    joined = _union(known)
+    longest = max(max(part.length, part.least) for part in known)
+    return Fact(joined.lo, joined.hi, joined.excludes_zero, length=longest, kind=joined.kind)
 
 
-def _elements(_node: Node, operands: list[Fact]) -> Fact:
+def _elements(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
     """What holds of each element."""
-    return _union(operands)
+    return _union(known)
 
 
-def _lanes(_node: Node, operands: list[Fact]) -> Fact:
-    (whole,) = operands
+def _filled(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    (lane,) = known
+    return Fact(lane.lo, lane.hi, lane.nonzero, length=lane.least, kind=lane.kind)
+
+
+def _lanes(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    (whole,) = known
     return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
 
 
-def _index(node: Node, operands: list[Fact]) -> Fact:
-    whole = operands[0]
+def _index(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
+    whole = known[0]
     if isinstance(node.operands[0].type, Matrix):
         return UNKNOWN
     if isinstance(node.operands[0].type, Array):
@@ -147,7 +194,7 @@ def _index(node: Node, operands: list[Fact]) -> Fact:
     return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
 
 
-def _member(node: Node, _operands: list[Fact]) -> Fact:
+def _member(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     """A member of a light of many: its parameter carries a fact for each member."""
     source = node.operands[0]
     while source.op in ("index", "as"):
@@ -157,33 +204,45 @@ def _member(node: Node, _operands: list[Fact]) -> Fact:
     return UNKNOWN
 
 
-def _ascribed(node: Node, operands: list[Fact]) -> Fact:
+def _ascribed(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     """Only what has unit length is ever called a direction."""
     contract = isinstance(node.data, Meaning) and node.data.kind == "direction"
-    return operands[0].meet(UNIT) if contract else operands[0]
+    return known[0].meet(UNIT) if contract else known[0]
 
 
-def _select(_node: Node, operands: list[Fact]) -> Fact:
-    return operands[1].union(operands[2])
+def _select(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
+    """One of the sides, of which its own condition may tell something.
+
+    ``if x < 0.01 then 0.01 else x`` is at least 0.01.
+    """
+    condition, then, otherwise = node.operands
+    sides = [known[1], known[2]]
+    if rulebook.OWN_CONDITION not in ranges.without:
+        for i, (side, holds) in enumerate(((then, True), (otherwise, False))):
+            if side.op != "constant":
+                for told in learnt(ranges.of, condition, holds, ranges.without):
+                    if told.about is side:
+                        sides[i] = sides[i].meet(told.fact)
+    return sides[0].union(sides[1])
 
 
-def _interpolate(node: Node, operands: list[Fact]) -> Fact:
+def _interpolate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     """A mean of three vertices' values stays between them, but is no longer of unit length.
 
     Rounding may take it a little past either end.
     """
-    (at_vertex,) = operands
+    (at_vertex,) = known
     if node.data == "flat":
         return at_vertex
     slack = 1e-5 * max(abs(at_vertex.lo), abs(at_vertex.hi))
     if slack == float("inf"):
-        return UNKNOWN
+        return Fact(0.0) if at_vertex.lo >= 0 else UNKNOWN
     return Fact(at_vertex.lo - slack if at_vertex.lo else 0.0, at_vertex.hi + slack)
 
 
-def _fold(node: Node, operands: list[Fact]) -> Fact:
+def _fold(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     assert isinstance(node.data, Folding)
-    _count, start, body = operands
+    _count, start, body = known
     if node.data.operator == "min":
         return Fact(min(start.lo, body.lo), start.hi)
     if node.data.operator == "max":
@@ -193,35 +252,60 @@ def _fold(node: Node, operands: list[Fact]) -> Fact:
     if node.data.operator == "add":
         lo = start.lo + min(0.0, body.lo * node.data.bound) if node.data.bound else start.lo
         hi = start.hi + max(0.0, body.hi * node.data.bound) if node.data.bound else start.hi
-        return Fact(lo, hi)
+        # Each turn rounds once more.
+        return outward(lo, hi, float(node.data.bound))
     return Fact(0.0) if start.lo >= 0 and body.lo >= 0 else UNKNOWN
 
 
-def _iterate(node: Node, operands: list[Fact]) -> Fact:
+def _fold_name(node: Node) -> str:
+    assert isinstance(node.data, Folding)
+    return _FOLDS.get(node.data.operator, rulebook.EXTREME)
+
+
+_FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
+
+
+def _iterate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     """A state is what it was at the start, or what a turn has made of it."""
     assert isinstance(node.data, Iterating)
-    return operands[1].union(operands[-1]) if node.data.states == 1 else UNKNOWN
+    return known[1].union(known[-1]) if node.data.states == 1 else UNKNOWN
 
 
-def _apply(_node: Node, operands: list[Fact]) -> Fact:
-    return operands[0]
+def _fold_index(ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
+    assert isinstance(node.data, Formal)
+    return Fact(0.0, float(max(ranges.bound_of(node.data) - 1, 0)))
 
 
-_RULES: Mapping[str, Callable[[Node, list[Fact]], Fact]] = {
-    "constant": _constant,
-    "parameter": _parameter,
-    "call": _call,
-    "native": _call,
-    "as": _ascribed,
-    "vector": _joined,
-    "splat": _lanes,
-    "swizzle": _lanes,
-    "index": _index,
-    "member": _member,
-    "select": _select,
-    "interpolate": _interpolate,
-    "fold": _fold,
-    "iterate": _iterate,
-    "array": _elements,
-    "apply": _apply,
+def _any_argument(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    return _union(known)
+
+
+def _apply(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
+    return known[0]
+
+
+def _named(name: str, derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]) -> _Rule:
+    return _Rule(lambda _node: name, derive)
+
+
+_FOLD_INDEX = _named(rulebook.INDEX, _fold_index)
+_BUILTIN = _Rule(lambda node: str(node.data), _call)
+_RULES: Mapping[str, _Rule] = {
+    "constant": _named(rulebook.CONSTANT, _constant),
+    "parameter": _Rule(_contract, _parameter),
+    "as": _named(rulebook.UNIT, _ascribed),
+    "call": _BUILTIN,
+    "native": _BUILTIN,
+    "vector": _named(rulebook.JOINED, _joined),
+    "splat": _named(rulebook.FILLED, _filled),
+    "swizzle": _named(rulebook.PICKED, _lanes),
+    "index": _named(rulebook.ELEMENT, _index),
+    "member": _named(rulebook.MEMBER, _member),
+    "select": _named(rulebook.EITHER, _select),
+    "interpolate": _named(rulebook.INTERPOLATED, _interpolate),
+    "fold": _Rule(_fold_name, _fold),
+    "iterate": _named(rulebook.STATE, _iterate),
+    "array": _named(rulebook.ELEMENTS, _elements),
+    "formal": _named(rulebook.ARGUMENT, _any_argument),
+    "apply": _named(rulebook.BODY, _apply),
 }

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from ..ir import build
+from ..ir.conditions import OPPOSITES
 from ..ir.node import Node, Op
 from ..ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from ..reference.operations import constant_lanes
@@ -249,9 +250,6 @@ def _negated(decide: Callable[[Simplifier, Node, Node], bool | None]) -> Builtin
     return _comparison(opposite)
 
 
-OPPOSITES = {"lt": "ge", "ge": "lt", "gt": "le", "le": "gt", "eq": "ne", "ne": "eq"}
-
-
 def _not(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
     (operand,) = operands
     if _is_call(operand, "not"):
@@ -299,3 +297,8 @@ BUILTIN_RULES: Mapping[str, BuiltinRule] = {
     "and": _connective(False),
     "or": _connective(True),
 }
+
+DECIDED = frozenset(
+    ("min", "max", "clamp", "saturate", "abs", "normalize", "lt", "ge", "le", "gt", "eq", "ne")
+)
+"""Builtins whose rules leave the operation away where ranges show what it comes to."""

@@ -10,26 +10,19 @@ from __future__ import annotations
 from collections.abc import Hashable
 
 from ...frozen import frozen
-from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins import BUILTINS, Builtin
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
-from ..ir.node import Formal, Formals, Graph, Node, Op
+from ..ir.node import Graph, Node, Op
 from ..ir.ranges import Ranges
-from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
+from ..ir.types import Type
 from ..semantics.shader import Notes
-from .expand import Template, template
-from .paths import Paths
-from .simplify import Simplifier
+from .expanding import Expanding
+from .judgement import Outcome
+from .paths import Paths, Told
 
 BRANCH = "branch"
 """Data of a select that has to become a branch: one of its sides is safe only behind it."""
-
-
-VARYING = frozenset({"interpolate", "attribute", "formal", "input", "resource"})
-"""What may differ between the vertices or pixels of a draw."""
-
-OUTLINED = 3
-"""Expansions of at least so many operations become functions where they are used repeatedly."""
 
 
 @frozen
@@ -51,7 +44,7 @@ def _interval(fact: Fact) -> str:
     return f"[{fact.lo:g}, {fact.hi:g}]"
 
 
-class Guarding(Simplifier):
+class Guarding(Expanding):
     """Builds nodes without any ``call``: natives and expansions."""
 
     def __init__(self, graph: Graph, ranges: Ranges, notes: Notes, paths: Paths) -> None:
@@ -60,36 +53,50 @@ class Guarding(Simplifier):
         self._branches: set[int] = set()
         self.kept: dict[int, Guard] = {}
         """By the id of the ``call`` that was expanded."""
-        self._at: Span | None = None
-        self._expanded: dict[int, Node] = {}
-        self._varying: dict[int, bool] = {}
-        self._functions: dict[tuple[Template, tuple[Type | Node, ...]], tuple[Node, Formals]] = {}
+        self._asked: Node | None = None
+        """What is being replaced, with operands as they were."""
+
+    def judge(
+        self,
+        builtin: str,
+        operands: tuple[Node, ...],
+        outcome: Outcome,
+        told: tuple[Told, ...] = (),
+    ) -> None:
+        """As in any simplifier; but what is left away by now was part of an expansion."""
+        if outcome != "dropped":
+            super().judge(builtin, operands, outcome, told)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """As ``Simplifier.rule``, with what is known on the path to ``node``.
 
         A guard that stays is put down to the source of ``node``.
         """
-        self._at = self.notes.spans.get(node.id, self._at)
         if node.id in self._branches:
             return self.make("select", node.type, operands, BRANCH)
-        if node.op == "call" and self._safe_on_path(node, operands):
+        if node.op == "call" and BUILTINS[str(node.data)].expansion and self._is_safe(node):
             return self.graph.node("native", node.type, operands, node.data)
+        self._asked = node
         return super().rule(graph, node, operands)
 
-    def _safe_on_path(self, node: Node, operands: tuple[Node, ...]) -> bool:
-        """Whether conditions prove what ranges alone do not; their selects then have to branch."""
+    def _is_safe(self, node: Node) -> bool:
+        """Whether ranges or conditions around ``node`` prove it harmless.
+
+        Its operands may have been expanded by now. They are the same values, of which more is known
+        in the form that they had before.
+        """
         row = BUILTINS[str(node.data)]
-        if not row.expansion:
-            return False
-        plain = tuple([self.ranges.of(operand) for operand in operands])
-        if row.domain(plain):
-            return False
+        self.at = self.notes.spans.get(node.id, self.at)
+        if row.domain(tuple(self.ranges.of(operand) for operand in node.operands)):
+            self.judge(row.name, node.operands, "native")
+            return True
         known = [self._paths.known(node, operand) for operand in node.operands]
-        facts = tuple(fact.meet(more) for fact, (more, _) in zip(plain, known, strict=True))
-        if not row.domain(facts):
+        if not row.domain(tuple(more.fact for more in known)):
             return False
-        self._branches.update(select.id for _, selects in known for select in selects)
+        # What is known behind a condition helps only where its select becomes a branch.
+        self._branches.update(select.id for more in known for select in more.selects)
+        told = tuple(one for more in known for one in more.told)
+        self.judge(row.name, node.operands, "native", told)
         return True
 
     def make(
@@ -102,91 +109,21 @@ class Guarding(Simplifier):
         row = BUILTINS[str(node.data)]
         if not row.expansion:
             return self.graph.node("native", node.type, node.operands, node.data)
-        facts = tuple([self.ranges.of(operand) for operand in node.operands])
+        facts = tuple(self.ranges.of(operand) for operand in node.operands)
         if row.domain(facts):
+            self.judge(row.name, node.operands, "native")
             return self.graph.node("native", node.type, node.operands, node.data)
-        if node.id not in self._expanded:
-            if row.outside:
-                self.kept[node.id] = Guard(row.name, facts, self._at)
-            self._expanded[node.id] = self._expand(node)
-            self.ranges.assume(self._expanded[node.id], row.range(facts, False))
-        return self._expanded[node.id]
+        if node.id not in self.expanded:
+            self._keep(node, row)
+        return self.expansion(node)
 
-    def _expand(self, node: Node) -> Node:
-        found = template(str(node.data), tuple(operand.type for operand in node.operands))
-        if not found.lanewise:
-            return self._applied(found, node.operands)
-        assert isinstance(node.type, Vector)
-        lanes = tuple(
-            self._applied(found, tuple(self._lane(operand, i) for operand in node.operands))
-            for i in range(node.type.size)
-        )
-        return self.make("vector", with_width(node.type.kind, len(lanes)), lanes)
-
-    def _applied(self, found: Template, operands: tuple[Node, ...]) -> Node:
-        """The expansion of one operation: a function's call, or written out.
-
-        Where an operand is constant over the draw, parts of the expansion are too and may leave the
-        shader, so it is written out. So are functions that turn out to be called once (``inline``).
-        """
-        if len(found.operations) < OUTLINED or not all(map(self._varies, operands)):
-            return self._instantiate(found, operands)
-        # Textures are no arguments everywhere, so each has a function of its own.
-        named = [(Formal(n), o) for n, o in zip(found.parameters, operands, strict=True)]
-        passed = [(formal, o) for formal, o in named if not isinstance(o.type, Texture)]
-        key = found, tuple(o if isinstance(o.type, Texture) else o.type for o in operands)
-        if key not in self._functions:
-            leaves = tuple(
-                o if isinstance(o.type, Texture) else self.graph.node("formal", o.type, (), formal)
-                for formal, o in named
-            )
-            body = self._instantiate(found, leaves)
-            self.notes.functions.setdefault(body.id, f"safe_{found.name}")
-            self.notes.docs.setdefault(body.id, found.doc)
-            self._functions[key] = body, tuple(formal for formal, _ in passed)
-        body, formals = self._functions[key]
-        return self.graph.node("apply", body.type, (body, *(o for _, o in passed)), formals)
-
-    def _varies(self, root: Node) -> bool:
-        """Whether a value may differ between vertices or pixels."""
-        pending = [root]
-        while pending:
-            node = pending[-1]
-            missing = [o for o in node.operands if o.id not in self._varying]
-            if node.id not in self._varying and missing and node.op not in VARYING:
-                pending += missing
-                continue
-            pending.pop()
-            self._varying[node.id] = node.op in VARYING or any(
-                self._varying[operand.id] for operand in node.operands
-            )
-        return self._varying[root.id]
-
-    def written_out(self, found: Template, operands: tuple[Node, ...]) -> Node:
-        """The value of a template for these operands, lane by lane where it is one of scalars."""
-        size = max(width(operand.type) for operand in operands)
-        if not found.lanewise:
-            return self._instantiate(found, operands)
-        lanes = tuple(
-            self._instantiate(found, tuple(self._lane(operand, i) for operand in operands))
-            for i in range(size)
-        )
-        kind = scalar_kind(lanes[0].type)
-        assert kind is not None
-        return self.make("vector", with_width(kind, size), lanes)
-
-    def _lane(self, operand: Node, lane: int) -> Node:
-        if not isinstance(operand.type, Vector):
-            return operand
-        return self.make("swizzle", Scalar(operand.type.kind), (operand,), (lane,))
-
-    def _instantiate(self, found: Template, operands: tuple[Node, ...]) -> Node:
-        values = list(operands)
-        for step in found.operations:
-            inner = tuple(values[i] for i in step.operands)
-            values.append(self.make(step.op, step.type, inner, step.data))
-            if self._at is not None:
-                self.notes.spans.setdefault(values[-1].id, self._at)
-            if step.role and values[-1].operands:
-                self.notes.roles.setdefault(values[-1].id, step.role)
-        return values[found.result]
+    def _keep(self, node: Node, row: Builtin) -> None:
+        """Remember that a guard stays, and what was known of the operands."""
+        asked = self._asked
+        operands = node.operands
+        if not self.expanding and asked is not None and asked.data == node.data:
+            operands = asked.operands
+        self.judge(row.name, operands, "guarded")
+        if row.outside:
+            facts = tuple(self.ranges.of(operand) for operand in operands)
+            self.kept[node.id] = Guard(row.name, facts, self.at)

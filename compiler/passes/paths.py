@@ -2,21 +2,26 @@
 
 In ``if x > 0 then 1 / x else 0`` the divisor is known to be positive wherever the quotient is used.
 That holds for a node only if *all* of its uses lie behind the condition, and helps only if the node
-is computed there: so the select has to become a branch, which ``Path.selects`` are marked for.
+is computed there: so the select has to become a branch (``Known.selects``).
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from itertools import islice
 
 from ...frozen import frozen
-from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
+from ...stdlib.builtins.facts import Fact
+from ..ir import rulebook
+from ..ir.conditions import Learnt, learnt
 from ..ir.node import Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.types import Scalar
-from .arithmetic import OPPOSITES
 from .uniformity import needing_uniform_flow
+
+WIDEST = 24
+"""Values between an operand and a condition's; beyond that, nothing is worked out anew."""
+
 
 FARTHEST = 16
 """Conditions looked at on the way out; farther ones rarely say anything more."""
@@ -43,30 +48,71 @@ class Path:
             path = path.parent
 
 
+@frozen
+class Told:
+    """Something learnt of a value, and the select whose condition it is learnt from."""
+
+    select: Node
+    learnt: Learnt
+
+
+@frozen
+class Known:
+    """What holds of a value on a path, and what that follows from."""
+
+    fact: Fact
+    told: tuple[Told, ...]
+
+    @property
+    def selects(self) -> Iterator[Node]:
+        """The selects that have to become branches, if this is made use of."""
+        return (one.select for one in self.told)
+
+
 class Paths:
     """The innermost region that encloses all uses of each node."""
 
     def __init__(self, roots: Iterable[Node], ranges: Ranges) -> None:
         self._ranges = ranges
         self._of: dict[int, Path | None] = {}
+        self._told_at: dict[Path, dict[int, list[Told]]] = {}
         wanted = list(roots)
         nodes = reachable(wanted)
         if any(node.op == "select" for node in nodes):
             self._find(wanted, nodes, needing_uniform_flow(wanted))
 
-    def known(self, user: Node, operand: Node) -> tuple[Fact, tuple[Node, ...]]:
-        """What holds of ``operand`` where ``user`` is computed, and the selects that say so."""
-        path = self._of.get(user.id)
-        fact = UNKNOWN
-        selects: list[Node] = []
-        for step in path.outward() if path is not None else ():
-            if len(selects) == FARTHEST:
-                break
-            learnt = self._learnt(step.select.operands[0], step.holds, operand)
-            if learnt is not UNKNOWN:
-                fact = fact.meet(learnt)
-                selects.append(step.select)
-        return fact, tuple(selects)
+    def known(self, user: Node, operand: Node) -> Known:
+        """What holds of ``operand`` where ``user`` is computed.
+
+        Conditions speak of the operand itself, or of values from which it is computed.
+        """
+        told = self._told(self._of.get(user.id))
+        cone = _cone(operand, told.keys()) if told else []
+        facts: dict[int, Fact] = {}
+        used: list[Told] = []
+        for node in cone:
+            fact = self._ranges.of(node)
+            if any(need.id in facts for need in node.operands):
+                inner = [facts.get(o.id, self._ranges.of(o)) for o in node.operands]
+                fact = fact.meet(self._ranges.derived(node, inner))
+            for one in told.get(node.id, ()):
+                fact = fact.meet(one.learnt.fact)
+                used.append(one)
+            facts[node.id] = fact
+        return Known(facts.get(operand.id, self._ranges.of(operand)), tuple(used))
+
+    def _told(self, path: Path | None) -> dict[int, list[Told]]:
+        """What the conditions around a region tell, by the id of what they tell it about."""
+        if path is None or rulebook.AROUND in self._ranges.without:
+            return {}
+        if path not in self._told_at:
+            told: dict[int, list[Told]] = {}
+            for step in islice(path.outward(), FARTHEST):
+                condition = step.select.operands[0]
+                for one in learnt(self._ranges.of, condition, step.holds, self._ranges.without):
+                    told.setdefault(one.about.id, []).append(Told(step.select, one))
+            self._told_at[path] = told
+        return self._told_at[path]
 
     def _find(self, roots: list[Node], nodes: list[Node], together: frozenset[int]) -> None:
         """Paths of all nodes; what needs all pixels, and its operands, come before all branches."""
@@ -85,44 +131,20 @@ class Paths:
                 known = operand.id in self._of
                 self._of[operand.id] = _common(self._of[operand.id], path) if known else path
 
-    def _learnt(self, condition: Node, holds: bool, about: Node) -> Fact:
-        """What ``condition`` being ``holds`` says about a value."""
-        fact = UNKNOWN
-        pending = [(condition, holds)]
-        while pending:
-            node, truth = pending.pop()
-            if node.op not in ("call", "native"):
-                continue
-            name = str(node.data)
-            if name == "not":
-                pending.append((node.operands[0], not truth))
-            elif (name, truth) in (("and", True), ("or", False)):
-                pending.extend((operand, truth) for operand in node.operands)
-            elif name in OPPOSITES and about in node.operands:
-                fact = fact.meet(self._compared(name if truth else OPPOSITES[name], node, about))
-        return fact
 
-    def _compared(self, name: str, node: Node, about: Node) -> Fact:
-        left, right = node.operands
-        if about is right:
-            name, left, right = _MIRRORED[name], right, left
-        bound = self._ranges.of(right)
-        match name:
-            case "gt":
-                return Fact(bound.lo, math.inf, nonzero=bound.lo >= 0)
-            case "lt":
-                return Fact(-math.inf, bound.hi, nonzero=bound.hi <= 0)
-            case "ge":
-                return Fact(bound.lo, math.inf, nonzero=bound.lo >= SMALLEST_NORMAL)
-            case "le":
-                return Fact(-math.inf, bound.hi, nonzero=bound.hi <= -SMALLEST_NORMAL)
-            case "eq":
-                return bound
-            case _:
-                return Fact(nonzero=True) if (bound.lo, bound.hi) == (0.0, 0.0) else UNKNOWN
-
-
-_MIRRORED = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le", "eq": "eq", "ne": "ne"}
+def _cone(operand: Node, about: Collection[int]) -> list[Node]:
+    """The values between ``operand`` and what something is told about, operands first."""
+    near: dict[int, Node] = {operand.id: operand}
+    front = [operand]
+    while front and len(near) < WIDEST:
+        front = [o for node in front for o in node.operands if o.id not in near]
+        near |= {node.id: node for node in front}
+    chosen: dict[int, Node] = {}
+    for id_ in sorted(near):
+        node = near[id_]
+        if id_ in about or any(o.id in chosen for o in node.operands):
+            chosen[id_] = node
+    return list(chosen.values())
 
 
 def _common(left: Path | None, right: Path | None) -> Path | None:

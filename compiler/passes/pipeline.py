@@ -15,10 +15,12 @@ from ..layout import STANDARD_GROUPS, layout_blocks
 from ..semantics.shader import Notes, Shader
 from .checkpoint import passed
 from .dissolve import dissolve
+from .expanding import write_out
 from .fuse import fuse
 from .guard import Guard, Guarding
 from .hoist import Derived, hoist
 from .inline import inline
+from .judgement import Judgement
 from .lift import lift
 from .naming import Naming
 from .opening import open_binders
@@ -37,6 +39,18 @@ class Options:
 
     hoist: bool = True
     """Compute what depends on parameters only on the host side."""
+    without: frozenset[str] = frozenset()
+    """Rules of range analysis to do without (``rulebook.py``), to see what they are good for."""
+
+
+@frozen
+class Evidence:
+    """What ``proofs.py`` explains: decisions of the passes, on the grounds of these ranges."""
+
+    judgements: tuple[Judgement, ...]
+    ranges: Ranges
+    notes: Notes
+    """As they were when the last decision was made: later passes name values of their own."""
 
 
 @frozen
@@ -46,6 +60,7 @@ class Staged:
     program: Program
     derived: tuple[Derived, ...]
     guards: tuple[Guard, ...]
+    evidence: Evidence
 
 
 @frozen
@@ -78,9 +93,13 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
     roots = passed("dissolve", "opened", dissolve(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
-    ranges = Ranges(roots)
-    roots = _simplified(graph, roots, notes, ranges)
-    roots, guards = _guarded(graph, roots, notes, ranges)
+    ranges = Ranges(roots, options.without)
+    simplifier = Simplifier(graph, ranges, notes)
+    roots = _simplified(graph, roots, notes, simplifier)
+    roots, guarding = _guarded(graph, roots, notes, ranges)
+    evidence = Evidence(
+        (*simplifier.judgements.values(), *guarding.judgements.values()), ranges, notes.copy()
+    )
     roots = passed("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
@@ -90,12 +109,14 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     roots = passed("separate", "stored", separate(graph, roots, notes.follow))
     program = _program(shader, results.of(roots), derived)
-    return Staged(program, derived, guards)
+    guards = tuple(guarding.kept.values())
+    return Staged(program, derived, guards, evidence)
 
 
-def _simplified(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
+def _simplified(
+    graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier
+) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    simplifier = Simplifier(graph, ranges, notes)
     roots = passed("simplify", "opened", rewrite(graph, roots, simplifier.rule, notes.follow))
     roots = passed("fuse", "opened", fuse(graph, roots, notes, simplifier))
     return passed("inline", "opened", inline(graph, roots, notes, simplifier))
@@ -103,11 +124,12 @@ def _simplified(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -
 
 def _guarded(
     graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges
-) -> tuple[list[Node], tuple[Guard, ...]]:
+) -> tuple[list[Node], Guarding]:
+    roots = passed("write_out", "opened", write_out(graph, roots, notes, ranges))
     guarding = Guarding(graph, ranges, notes, Paths(roots, ranges))
     roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
     roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))
-    return roots, tuple(guarding.kept.values())
+    return roots, guarding
 
 
 # --- the program ---------------------------------------------------------------------------------

@@ -10,8 +10,10 @@ from collections.abc import Callable, Hashable, Iterable, Mapping
 from math import isfinite
 
 from ...stdlib.builtins import BUILTINS
+from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.binding import substitute
+from ..ir.conditions import OPPOSITES
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
@@ -20,9 +22,11 @@ from ..reference.evaluate import evaluate
 from ..reference.namespace import Lanes
 from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
-from .arithmetic import BUILTIN_RULES, OPPOSITES, uniform_lane
+from .arithmetic import BUILTIN_RULES, DECIDED, uniform_lane
 from .bits import BIT_RULES
 from .cost import cost_of
+from .judgement import Judgement, Outcome
+from .paths import Told
 
 LARGEST_FLOAT = 3.4028234663852886e38
 UNROLLED = 2
@@ -48,9 +52,28 @@ class Simplifier:
         self.graph = graph
         self.ranges = ranges
         self.notes = notes
+        self.at: Span | None = None
+        """The source of what is being built."""
+        self.expanding = 0
+        """How many expansions deep."""
+        self.judgements: dict[Hashable, Judgement] = {}
+
+    def judge(
+        self,
+        builtin: str,
+        operands: tuple[Node, ...],
+        outcome: Outcome,
+        told: tuple[Told, ...] = (),
+    ) -> None:
+        """Remember what became of a builtin that stands in somebody's text."""
+        if not self.expanding:
+            key = builtin, operands, outcome
+            if key not in self.judgements:
+                self.judgements[key] = Judgement(builtin, operands, self.at, outcome, told)
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """For ``rewrite``: the same operation in its simplest form."""
+        self.at = self.notes.spans.get(node.id, self.at)
         return self.make(node.op, node.type, operands, node.data)
 
     def make(
@@ -82,7 +105,10 @@ def _builtin(op: Op) -> OpRule:
         if folded is not None:
             return folded
         special = BUILTIN_RULES.get(name) or BIT_RULES.get(name)
-        return special(s, op, type_, operands) if special is not None else None
+        simpler = special(s, op, type_, operands) if special is not None else None
+        if simpler is not None and name in DECIDED and simpler.data != "saturate":
+            s.judge(name, operands, "dropped")
+        return simpler
 
     return rule
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program, Varying
@@ -124,6 +125,27 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
             for name, row in table.vertex_inputs.items()
         },
         "host_uniforms": list(table.host_uniforms),
+        "source_maps": {
+            name: _source_map(spans) for name, spans in sorted(table.source_maps.items())
+        },
+    }
+
+
+def _source_map(spans: Mapping[int, Span]) -> dict[str, Any]:
+    """Rows of a line of the text, and of source, line, column and length in Burnish."""
+    sources = tuple({span.source.name: None for span in spans.values()})
+    numbers = {source: number for number, source in enumerate(sources)}
+    return {
+        "sources": list(sources),
+        "lines": [
+            [
+                line,
+                numbers[span.source.name],
+                *span.source.position(span.start),
+                span.end - span.start,
+            ]
+            for line, span in sorted(spans.items())
+        ],
     }
 
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import Literal
 
 from ...frozen import EMPTY, frozen
+from ..diagnostics.source import Span
 from ..ir.program import StageName
 
 
@@ -69,5 +70,7 @@ class BackendTable:
     """Whether the text negates clip y."""
     front_face: Literal["ccw", "cw"] = "ccw"
     """What a host has to set as front: clockwise where the text turns the picture over."""
+    source_maps: Mapping[str, Mapping[int, Span]] = EMPTY
+    """By file name, what in Burnish text each line of the file is for."""
     first_row: Literal["top", "bottom"] = "top"
     """Which row of the picture comes first in the framebuffer's memory."""

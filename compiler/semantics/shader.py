@@ -109,6 +109,13 @@ class Notes:
     roles: dict[int, str] = field(default_factory=dict)
     """What a value without a name is to the named one that it is a part of."""
 
+    def copy(self) -> Notes:
+        """The notes as they are now."""
+        return Notes(
+            dict(self.names), dict(self.spans), dict(self.docs), dict(self.functions),
+            dict(self.variables), dict(self.roles),
+        )  # fmt: skip
+
     def follow(self, old: Node, new: Node) -> None:
         """Hand what is noted of a node on to one that replaces it, which keeps what it has."""
         tables: tuple[dict[int, Any], ...] = (

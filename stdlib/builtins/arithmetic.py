@@ -114,6 +114,7 @@ ROWS = (
         doc="Quotient, lane by lane. Integers are cut towards zero.",
         operator="/",
         domain=_divides,
+        needs="the divisor is not 0, and no integer overflows",
         outside=(
             "A float over zero is 0. An integer over zero is the integer, "
             "and the lowest integer over -1 is itself, both as in WGSL."
@@ -131,6 +132,7 @@ ROWS = (
         doc="Remainder of the floored quotient; it has the sign of the divisor.",
         operator="%",
         domain=_counts,
+        needs="integers, the first not negative, the divisor 1 or more",
         outside="Modulo zero is 0.",
         expansion="modulo",
         range=_remainder,

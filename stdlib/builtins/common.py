@@ -16,7 +16,7 @@ _PAIRS = ("N, N -> N", "N, L -> N")
 
 def _absolute(facts: tuple[Fact, ...], _same: bool) -> Fact:
     (x,) = facts
-    return Fact(x.least, x.most, x.nonzero, x.unit).as_kind(x.kind)
+    return Fact(x.least, x.most, x.nonzero, x.unit, x.length).as_kind(x.kind)
 
 
 def _sign(facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -181,6 +181,7 @@ ROWS = (
         meaning="limits",
         doc="The first value, kept between the second and the third.",
         domain=_ordered,
+        needs="the lower limit is at most the upper one",
         outside="Limits the wrong way round give the upper one: min(max(x, low), high).",
         expansion="clamp",
         range=_clamped,
@@ -226,6 +227,7 @@ ROWS = (
         meaning="numbers",
         doc="A smooth rise from 0 at the first edge to 1 at the second.",
         domain=_apart,
+        needs="the first edge lies below the second",
         outside="Equal edges make it step; edges the wrong way round mirror the curve.",
         expansion="smoothstep",
         range=_ramped,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from .facts import SMALLEST_NORMAL, Fact
-from .intervals import around, monotone, outward
+from .intervals import around, monotone, outward, products
 from .row import WGSL_ACCURACY, Accuracy, Builtin, nowhere
 
 _FLOATS = ("T -> T",)
@@ -68,10 +68,14 @@ def _log2(x: Fact, scale: float) -> Fact:
 
 def _power(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y = facts
-    if x.hi > 1 or y.lo < 0:
-        return Fact(0.0, math.inf)
-    # exp2(y * log2(x)), where log2 near 1 is wrong by up to 2^-21.
-    return Fact(0.0, max(1.0, _power_of_two(y, 2.0**-21).hi))
+    if x.lo < SMALLEST_NORMAL or not math.isfinite(x.hi * y.most):
+        most = max(1.0, _power_of_two(y, 2.0**-21).hi) if x.hi <= 1 and y.lo >= 0 else math.inf
+        return Fact(0.0, most)
+    # exp2(y * log2(x)), where log2 is wrong by up to 2^-21 near 1, and by 3 ULP elsewhere.
+    logs = Fact(math.log2(x.lo), math.log2(x.hi))
+    lo, hi = products(logs, y)
+    error = y.most * (2.0**-21 + logs.most * 2.0**-21)
+    return _power_of_two(Fact(lo - error, hi + error), 1.0)
 
 
 def _not_negative(facts: tuple[Fact, ...]) -> bool:
@@ -79,12 +83,12 @@ def _not_negative(facts: tuple[Fact, ...]) -> bool:
 
 
 def _normal(facts: tuple[Fact, ...]) -> bool:
-    return facts[0].lo >= SMALLEST_NORMAL
+    return facts[0].positive
 
 
 def _has_power(facts: tuple[Fact, ...]) -> bool:
     x, y = facts
-    return x.lo >= SMALLEST_NORMAL or (x.lo >= 0 and y.lo >= SMALLEST_NORMAL)
+    return x.positive or (x.lo >= 0 and y.positive)
 
 
 ROWS = (
@@ -93,6 +97,7 @@ ROWS = (
         signatures=_FLOATS,
         doc="Square root.",
         domain=_not_negative,
+        needs="the operand is 0 or more",
         outside="0 for a negative operand.",
         expansion="sqrt",
         range=_root,
@@ -104,6 +109,7 @@ ROWS = (
         signatures=_FLOATS,
         doc="One over the square root.",
         domain=_normal,
+        needs="the operand is above 0",
         outside="Operands below the smallest normal number, 2^-126, count as that: 2^63.",
         expansion="inversesqrt",
         range=_inverse_root,
@@ -116,6 +122,7 @@ ROWS = (
         signatures=("T, T -> T", "T, S -> T"),
         doc="The first value to the power of the second.",
         domain=_has_power,
+        needs="the base is above 0, or it is 0 or more and the exponent above 0",
         outside=(
             "A negative base counts as 0. 0 to the power of 0 is 1, to any other power 0; "
             "magnitudes below 2^-126 count as 0."
@@ -146,6 +153,7 @@ ROWS = (
         signatures=_FLOATS,
         doc="Natural logarithm.",
         domain=_normal,
+        needs="the operand is above 0",
         outside="Operands below the smallest normal number, 2^-126, count as that.",
         expansion="log",
         range=_logarithm,
@@ -169,6 +177,7 @@ ROWS = (
         signatures=_FLOATS,
         doc="Logarithm to base 2.",
         domain=_normal,
+        needs="the operand is above 0",
         outside="Operands below the smallest normal number, 2^-126, count as that: -126.",
         expansion="log2",
         range=_logarithm2,

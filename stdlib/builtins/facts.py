@@ -1,4 +1,4 @@
-"""What range analysis knows of a value: an interval, and whether a vector is of unit length."""
+"""What range analysis knows of a value: an interval, and how long a vector is."""
 
 from __future__ import annotations
 
@@ -36,6 +36,8 @@ class Fact:
     unit: bool = False
     """The value is a vector of length one (by contract or by construction), up to rounding. It is
     shorter only where ``normalize`` was given a vector too short to have a direction."""
+    length: float = 0.0
+    """The value is a vector at least so long, in exact numbers."""
     kind: Kind = "float"
     """What the lanes are. The analysis stamps it from the value's type (``as_kind``); rules read
     it, since integers wrap and a product of matrices is not a product lane by lane."""
@@ -44,6 +46,11 @@ class Fact:
     def excludes_zero(self) -> bool:
         """Whether no lane can be zero, nor so small that a device may flush it to zero."""
         return self.nonzero or self.lo >= SMALLEST_NORMAL or self.hi <= -SMALLEST_NORMAL
+
+    @property
+    def positive(self) -> bool:
+        """Whether every lane is above zero, and not so small that a device may flush it."""
+        return self.lo >= SMALLEST_NORMAL or (self.nonzero and self.lo >= 0)
 
     @property
     def least(self) -> float:
@@ -66,9 +73,9 @@ class Fact:
             return self
         lo, hi = _LIMITS[kind]
         if self.within(lo, hi):
-            return Fact(self.lo, self.hi, self.nonzero, self.unit, kind)
+            return Fact(self.lo, self.hi, self.nonzero, self.unit, self.length, kind)
         if (self.lo, self.hi) == (-math.inf, math.inf):
-            return Fact(lo, hi, self.nonzero, self.unit, kind)
+            return Fact(lo, hi, self.nonzero, self.unit, self.length, kind)
         return Fact(lo, hi, kind=kind)
 
     def union(self, other: Fact) -> Fact:
@@ -78,6 +85,7 @@ class Fact:
             max(self.hi, other.hi),
             self.excludes_zero and other.excludes_zero,
             self.unit and other.unit,
+            min(self.length, other.length),
             self.kind,
         )
 
@@ -87,7 +95,8 @@ class Fact:
         if lo > hi:
             return self
         nonzero = self.excludes_zero or other.excludes_zero
-        return Fact(lo, hi, nonzero, self.unit or other.unit, self.kind)
+        length = max(self.length, other.length)
+        return Fact(lo, hi, nonzero, self.unit or other.unit, length, self.kind)
 
 
 UNKNOWN = Fact()

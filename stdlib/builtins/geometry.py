@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from .facts import UNIT, UNIT_SLACK, UNKNOWN, Fact
 from .intervals import around, product, products, squares
 from .row import Builtin, nowhere
@@ -15,6 +13,8 @@ _WHOLE_PAIR = tuple(
     for lanes in (2, 3, 4)
 )
 _NARROWEST, _WIDEST = 2, 4
+_SHORTEST = 2.0**-60
+"""A length whose square is far from what a device may flush to zero."""
 
 
 def _is_float(facts: tuple[Fact, ...]) -> bool:
@@ -30,6 +30,8 @@ def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
     error = product(_WIDEST * product(x.most, y.most), 2.0**-20)
     total = around(Fact(lo, hi), error)
     total = Fact(max(total.lo, 0.0), total.hi) if lo >= 0 else total
+    if same and x.length:
+        total = total.meet(Fact(product(x.length, x.length) * (1.0 - 2.0**-20)))
     return total.meet(UNIT_PRODUCT) if x.unit and y.unit else total
 
 
@@ -48,7 +50,9 @@ def _outer(facts: tuple[Fact, ...], _same: bool) -> Fact:
 def _norm(facts: tuple[Fact, ...], _same: bool) -> Fact:
     (x,) = facts
     # The diagonal of the box is at most twice its side, in four dimensions.
-    return Fact(0.0, 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + 2.0**-20))
+    longest = 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + 2.0**-20)
+    shortest = x.length * (1.0 - 2.0**-20) if x.length >= _SHORTEST else 0.0
+    return Fact(min(shortest, longest), longest)
 
 
 def _apart(facts: tuple[Fact, ...], same: bool) -> Fact:
@@ -72,12 +76,9 @@ def _turned(facts: tuple[Fact, ...], _same: bool) -> Fact:
     return Fact(-normal.most, normal.most, normal.nonzero, normal.unit)
 
 
-def _coefficients(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact(0.0, math.inf)
-
-
-def _has_unit_length(facts: tuple[Fact, ...]) -> bool:
-    return facts[0].unit
+def _has_direction(facts: tuple[Fact, ...]) -> bool:
+    (x,) = facts
+    return x.unit or x.length >= _SHORTEST
 
 
 ROWS = (
@@ -122,7 +123,8 @@ ROWS = (
         signatures=("V -> V",),
         meaning="unit",
         doc="The vector of length one in the same direction.",
-        domain=_has_unit_length,
+        domain=_has_direction,
+        needs="the vector has a length above 0",
         outside=(
             "v * inversesqrt(max(dot(v, v), 2^-126)): 0 for the zero vector, and continuous; "
             "a vector shorter than 2^-63 stays shorter than one."
@@ -166,7 +168,6 @@ ROWS = (
         domain=nowhere,
         outside="(1, max(nl, 0), 0 where nl < 0 or nh < 0 else pow(nh, power), 1).",
         expansion="lit",
-        range=_coefficients,
         cost=12,
         samples=((0.5, 0.5, 8.0), (-0.5, 0.5, 8.0), (0.5, -0.5, 8.0), (0.0, 0.0, 0.0)),
     ),

@@ -2,17 +2,7 @@
 
 from __future__ import annotations
 
-from .facts import UNKNOWN, Fact
 from .row import EXACT, Builtin, nowhere
-
-
-def _same_components(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return facts[0]
-
-
-def _unknown_components(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return UNKNOWN.as_kind("matrix")
-
 
 ROWS = (
     Builtin(
@@ -20,7 +10,6 @@ ROWS = (
         signatures=("M -> M",),
         meaning="numbers",
         doc="Rows and columns exchanged.",
-        range=_same_components,
         accuracy=EXACT,
         cost=1,
     ),
@@ -38,7 +27,6 @@ ROWS = (
         domain=nowhere,
         outside="Not every backend has it; it is written out.",
         expansion="outer",
-        range=_unknown_components,
         accuracy=EXACT,
         cost=4,
     ),
@@ -49,7 +37,6 @@ ROWS = (
         domain=nowhere,
         outside="Not every backend has it; it is written out.",
         expansion="hadamard",
-        range=_unknown_components,
         accuracy=EXACT,
         cost=4,
     ),
@@ -61,7 +48,6 @@ ROWS = (
         domain=nowhere,
         outside="The zero matrix where the determinant is below 2^-126 in magnitude.",
         expansion="inverse",
-        range=_unknown_components,
         cost=60,
     ),
 )

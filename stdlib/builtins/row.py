@@ -87,6 +87,8 @@ class Builtin:
     operator: str = ""
     """Infix or prefix spelling common to all targets; empty for functions."""
     domain: Domain = everywhere
+    needs: str = ""
+    """What ``domain`` asks of the operands, in words, for proofs."""
     outside: str = ""
     """The meaning outside the naive domain, for the manual."""
     expansion: str = ""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from .facts import SMALLEST_NORMAL, Fact
-from .intervals import outward
+from .intervals import outward, quotients
 from .row import WGSL_ACCURACY, Accuracy, Builtin, RangeRule
 
 _FLOATS = ("T -> T",)
@@ -23,6 +24,32 @@ def _between(lo: float, hi: float) -> RangeRule:
     return lambda _facts, _same: fact
 
 
+def _sine(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _wave(facts[0], -math.pi / 2, math.pi / 2, math.sin)
+
+
+def _cosine(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    return _wave(facts[0], math.pi, 0.0, math.cos)
+
+
+def _wave(x: Fact, lowest: float, highest: float, wave: Callable[[float], float]) -> Fact:
+    """Bounds on a wave with these extremes; its accuracy is promised within -pi to pi only."""
+    lo, hi = -1.0, 1.0
+    if x.within(-math.pi, math.pi):
+        ends = wave(x.lo), wave(x.hi)
+        lo = -1.0 if x.lo <= lowest <= x.hi else min(ends)
+        hi = 1.0 if x.lo <= highest <= x.hi else max(ends)
+    return Fact(lo - _WAVE_ERROR, hi + _WAVE_ERROR)
+
+
+def _tangent(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    sine, cosine = _sine(facts, False), _cosine(facts, False)
+    if cosine.lo <= 0:
+        return Fact()
+    ends = quotients(sine, cosine, SMALLEST_NORMAL)
+    return outward(min(ends), max(ends), 2.5)
+
+
 def _scaled(factor: float) -> RangeRule:
     return lambda facts, _same: outward(facts[0].lo * factor, facts[0].hi * factor, 1.0)
 
@@ -33,7 +60,7 @@ def _has_arc(facts: tuple[Fact, ...]) -> bool:
 
 def _has_direction(facts: tuple[Fact, ...]) -> bool:
     y, x = facts
-    return y.excludes_zero or x.lo >= SMALLEST_NORMAL
+    return y.excludes_zero or x.positive
 
 
 ROWS = (
@@ -42,7 +69,7 @@ ROWS = (
         signatures=_FLOATS,
         meaning="numbers",
         doc="Sine. Its accuracy is promised within -pi to pi only.",
-        range=_between(-1.0 - _WAVE_ERROR, 1.0 + _WAVE_ERROR),
+        range=_sine,
         accuracy=_WAVE,
         cost=4,
     ),
@@ -51,7 +78,7 @@ ROWS = (
         signatures=_FLOATS,
         meaning="numbers",
         doc="Cosine. Its accuracy is promised within -pi to pi only.",
-        range=_between(-1.0 - _WAVE_ERROR, 1.0 + _WAVE_ERROR),
+        range=_cosine,
         accuracy=_WAVE,
         cost=4,
     ),
@@ -60,6 +87,7 @@ ROWS = (
         signatures=_FLOATS,
         meaning="numbers",
         doc="Tangent, sin(x) / cos(x). Near its poles the result may leave float32.",
+        range=_tangent,
         cost=9,
     ),
     Builtin(
@@ -68,6 +96,7 @@ ROWS = (
         meaning="angle",
         doc="The angle between -pi/2 and pi/2 that has this sine.",
         domain=_has_arc,
+        needs="the operand lies within -1..1",
         outside="The operand is clamped to -1 to 1.",
         expansion="asin",
         range=_between(-math.pi / 2 - _ARC_ERROR, math.pi / 2 + _ARC_ERROR),
@@ -81,6 +110,7 @@ ROWS = (
         meaning="angle",
         doc="The angle between 0 and pi that has this cosine.",
         domain=_has_arc,
+        needs="the operand lies within -1..1",
         outside="The operand is clamped to -1 to 1.",
         expansion="acos",
         range=_between(-_ARC_ERROR, math.pi + _ARC_ERROR),
@@ -103,6 +133,7 @@ ROWS = (
         meaning="angle",
         doc="atan2(y, x): the angle between -pi and pi from the x axis to the point (x, y).",
         domain=_has_direction,
+        needs="the first operand is not 0, or the second is above 0",
         outside=(
             "atan2(0, 0) is 0, and atan2(0, x) of a negative x is pi. For an x below 2^-126, "
             "a y of -0.0 or below that magnitude counts as 0."

@@ -268,6 +268,9 @@ class Target:
     """The same for render targets."""
     fixed_names: tuple[str, ...] = ()
     """Names that the skeleton uses itself."""
+    line_directive: str = ""
+    """Says which line of which file the next one is, by ``{line}`` and the file's ``{name}`` or
+    ``{number}``; empty where the language has no such thing."""
 
     def profile(self, name: str = "") -> Profile:
         """The profile called ``name``, or the default; ``KeyError`` if there is none."""

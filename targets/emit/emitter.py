@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Literal
 
 from ...compiler.ir.leaves import Resource
+from ...compiler.ir.node import Node
 from ...compiler.ir.program import Block, Program, Stage, StageName, StoredMember
 from ...compiler.ir.types import Struct
 from ...frozen import frozen
@@ -16,8 +17,8 @@ from .context import Context
 from .definitions import with_definitions
 from .description import Profile, Target
 from .names import Names, name_program
+from .origins import Marks
 from .stage import StagePrinter
-from .statements import Traced
 from .textures import helpers, opening_lines
 from .views import BlockView, EntryView, FileView, MemberView, StructView, TextureView
 
@@ -33,6 +34,8 @@ class EmitOptions:
     """Negate clip-space y: for passes that draw into textures where row 0 is the bottom one."""
     single_file: bool = False
     """One text with ``vs_main`` and ``fs_main``; see ``Profile.single_file``."""
+    line_directives: bool = False
+    """``#line`` directives, where the language has them."""
 
 
 @frozen
@@ -45,8 +48,8 @@ class EmittedFile:
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
-    origins: Mapping[int, int]
-    """By 1-based line of ``text``, the id of the node that the line computes."""
+    origins: Mapping[int, Node]
+    """By 1-based line of ``text``, what the statement in it computes or is for."""
 
 
 @frozen
@@ -100,13 +103,11 @@ class _Emitter:
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
         names = {stage.name: _SINGLE_ENTRIES[stage.name] if single else "main" for stage in stages}
-        printers = [StagePrinter(self._context, stage) for stage in stages]
+        marks = Marks()
         entries = [
-            printer.entry(names[stage.name])
-            for printer, stage in zip(printers, stages, strict=True)
+            StagePrinter(self._context, stage, marks).entry(names[stage.name]) for stage in stages
         ]
-        text = self._text(stages, entries)
-        traced = [line for printer in printers for line in printer.traced]
+        text, origins = marks.read(self._text(stages, entries))
         extension = self._target.extension
         first = stages[0].name
         return EmittedFile(
@@ -114,7 +115,7 @@ class _Emitter:
             stage="both" if single else first,
             entries=names,
             text=text,
-            origins=dict(_origins(text, traced)),
+            origins=origins,
         )
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
@@ -192,13 +193,3 @@ class _Emitter:
             yield TextureView(
                 sampler, types.sampler(resource), slots.samplers[resource.name], is_sampler=True
             )
-
-
-def _origins(text: str, traced: Iterable[Traced]) -> Iterator[tuple[int, int]]:
-    """Line numbers of traced lines; skeletons keep their order, whatever they put around them."""
-    remaining = iter(traced)
-    expected = next(remaining, None)
-    for number, line in enumerate(text.split("\n"), start=1):
-        if expected is not None and line.strip() == expected:
-            yield number, expected.node
-            expected = next(remaining, None)

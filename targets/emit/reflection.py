@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...compiler.diagnostics.source import Span
 from ...compiler.ir.program import Block, Program, StoredMember
 from ...compiler.reflection.tables import (
     BackendTable,
@@ -24,6 +25,7 @@ def backend_table(
     files: Mapping[str, str],
     *,
     flip_y: bool,
+    source_maps: Mapping[str, Mapping[int, Span]],
 ) -> BackendTable:
     """What a host has to know of an emission; ``files`` are file names by stage (or ``both``)."""
     names, bindings = emission.names, emission.bindings
@@ -69,6 +71,7 @@ def backend_table(
         flip_y=flip_y,
         front_face="cw" if turned else "ccw",
         first_row="bottom" if profile.rows_up != turned else "top",
+        source_maps=source_maps,
     )  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Stage
 from .comments import comment_line, comment_lines
 from .context import Context
@@ -9,7 +10,8 @@ from .description import FieldRole
 from .expressions import Expressions
 from .leaves import Leaves
 from .namer import Namer
-from .statements import Statements, Traced
+from .origins import Marks
+from .statements import Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
 
 
@@ -20,6 +22,7 @@ class StagePrinter:
         self,
         context: Context,
         stage: Stage,
+        marks: Marks,
     ) -> None:
         names = context.names
         self._context = context
@@ -34,8 +37,7 @@ class StagePrinter:
             function.body: (names.function(stage.name, function.body), function)
             for function in stage.functions
         }
-        self.traced: list[Traced] = []
-        """The lines that compute nodes, in the order of the text."""
+        self._marks = marks
 
     def entry(self, name: str) -> EntryView:
         """The entry point, called ``name``."""
@@ -44,7 +46,6 @@ class StagePrinter:
         expressions, statements = self._body(namer)
         functions = [self._function(function) for function in stage.functions]
         lines = statements.lines(stage.region)
-        self.traced += statements.traced
         outputs = [self._field(field, self._output_role) for field in stage.outputs]
         return EntryView(
             stage=stage.name,
@@ -55,17 +56,21 @@ class StagePrinter:
             functions=functions,
             lines=lines,
             stores=[
-                StoreView(field.name, expressions.text(node))
+                StoreView(field.name, self._value(expressions, node))
                 for field, node in zip(outputs, stage.results, strict=True)
             ],
-            position="" if stage.position is None else expressions.text(stage.position),
-            discard="" if stage.discard is None else expressions.text(stage.discard),
+            position=self._value(expressions, stage.position),
+            discard=self._value(expressions, stage.discard),
         )
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
         """Printers for one function body."""
         expressions = Expressions(self._context, self._leaves, self._functions)
-        return expressions, Statements(self._context, expressions, namer)
+        return expressions, Statements(self._context, expressions, namer, self._marks)
+
+    def _value(self, expressions: Expressions, node: Node | None) -> str:
+        """The text of a value that a statement of the skeleton is for; empty for none."""
+        return "" if node is None else self._marks.mark(expressions.text(node), node)
 
     def _function(self, function: Function) -> FunctionView:
         namer = self._locals()
@@ -75,7 +80,6 @@ class StagePrinter:
             expressions.formals[formal] = name
         types = [type_ for _formal, type_ in function.parameters]
         lines = statements.lines(function.region)
-        self.traced += statements.traced
         return FunctionView(
             comments=comment_lines(function.doc),
             type=self._types.type(function.value.type),
@@ -85,7 +89,7 @@ class StagePrinter:
                 for name, type_ in zip(names, types, strict=True)
             ),
             lines=lines,
-            value=expressions.text(function.value),
+            value=self._value(expressions, function.value),
         )
 
     def _locals(self) -> Namer:

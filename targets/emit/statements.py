@@ -14,6 +14,7 @@ from .context import Context
 from .expressions import Expressions
 from .literals import literal
 from .namer import Namer
+from .origins import Marks
 from .precedence import Binding
 
 INDENT = "    "
@@ -22,31 +23,18 @@ Lines: TypeAlias = Iterator["str | Lines"]
 """Lines of a block, and the lines of blocks inside it."""
 
 
-class Traced(str):
-    """A line that computes a node."""
-
-    __slots__ = ("node",)
-
-    def __new__(cls, text: str, node: int) -> Traced:
-        line = super().__new__(cls, text)
-        line.node = node
-        return line
-
-    node: int
-    """The node's id."""
-
-
 class Statements:
     """Prints the statements of one function body."""
 
-    def __init__(self, context: Context, expressions: Expressions, namer: Namer) -> None:
+    def __init__(
+        self, context: Context, expressions: Expressions, namer: Namer, marks: Marks
+    ) -> None:
         self._forms = context.target.forms
         self._literals = context.target.literals
         self._types = context.types
         self._expressions = expressions
         self._namer = namer
-        self.traced: list[Traced] = []
-        """The lines that compute nodes, in the order of the text."""
+        self._mark = marks.mark
 
     def lines(self, region: Region) -> list[str]:
         """The statements of ``region``; what they bind stays bound."""
@@ -57,8 +45,6 @@ class Statements:
             if item is None:
                 open_.pop()
             elif isinstance(item, str):
-                if isinstance(item, Traced):
-                    self.traced.append(item)
                 lines.append(INDENT * (len(open_) - 1) + item)
             else:
                 open_.append(item)
@@ -83,7 +69,7 @@ class Statements:
         self._expressions.bound[let.node.id] = name
         typed = self._types.declare(name, let.node.type)
         text = self._form(let.node).format(name=name, typed=typed, value=value)
-        yield Traced(text, let.node.id)
+        yield self._mark(text, let.node)
 
     def _form(self, node: Node) -> str:
         """How a value that stays as it is gets its name."""
@@ -100,10 +86,11 @@ class Statements:
         short = otherwise.op == "constant" and not branch.otherwise.statements
         if short:
             value = self._expressions.text(otherwise)
-            yield self._forms.variable_set.format(name=name, typed=typed, value=value)
+            text = self._forms.variable_set.format(name=name, typed=typed, value=value)
         else:
-            yield self._forms.variable.format(name=name, typed=typed)
-        yield f"if ({test}) {{"
+            text = self._forms.variable.format(name=name, typed=typed)
+        yield self._mark(text, branch.node)
+        yield self._mark(f"if ({test}) {{", condition)
         yield self._block(branch.then, name, then)
         if not short:
             yield "} else {"
@@ -124,7 +111,9 @@ class Statements:
 
     def _variable(self, name: str, node: Node, value: str) -> str:
         typed = self._types.declare(name, node.type)
-        return self._forms.variable_set.format(name=name, typed=typed, value=value)
+        return self._mark(
+            self._forms.variable_set.format(name=name, typed=typed, value=value), node
+        )
 
     def _opened(self, loop: Loop | Iterate, count: str, going: Node | None = None) -> str:
         """A loop's first line; what is declared from now on is inside of it.
@@ -139,18 +128,19 @@ class Statements:
         kind = loop.count.type.kind if isinstance(loop.count.type, Scalar) else "int"
         if going is not None:
             count += f" && {self._expressions.operand(going).within(Binding.AND)}"
-        return self._forms.loop.format(
+        text = self._forms.loop.format(
             index=index,
             index_typed=self._types.declare(index, loop.count.type),
             zero=literal(0, kind, self._literals),
             count=count,
         )
+        return self._mark(text, loop.node)
 
     def _turn(self, loop: Loop, name: str) -> Lines:
         with self._inside():
             yield from self._region(loop.body)
             combined = self._expressions.accumulated(loop.operator, name, loop.value)
-            yield Traced(combined, loop.value.id)
+            yield self._mark(combined, loop.value)
 
     def _iterate(self, loop: Iterate) -> Lines:
         """States as variables; a loop that a condition in its middle leaves."""
@@ -180,19 +170,19 @@ class Statements:
             yield from self._region(loop.head)
             if loop.head.statements:
                 going = expressions.operand(loop.going).within(Binding.POSTFIX)
-                yield f"if (!{going}) {{ break; }}"
+                yield self._mark(f"if (!{going}) {{ break; }}", loop.going)
             yield from self._region(loop.body)
-            kept: list[tuple[str, str]] = []
+            kept: list[tuple[str, str, Node]] = []
             for state, name in zip(loop.states, names, strict=True):
                 value = expressions.text(state.next)
                 if state.kept:
                     waiting = self._namer.declare(f"{name}_next")
                     yield self._variable(waiting, state.next, value)
-                    kept.append((name, waiting))
+                    kept.append((name, waiting, state.next))
                 else:
-                    yield Traced(f"{name} = {value};", state.next.id)
-            for name, waiting in kept:
-                yield f"{name} = {waiting};"
+                    yield self._mark(f"{name} = {value};", state.next)
+            for name, waiting, node in kept:
+                yield self._mark(f"{name} = {waiting};", node)
 
     def _count(self, loop: Loop | Iterate) -> str:
         """How often to turn: never more than the bound, whatever the host has set."""
@@ -206,7 +196,7 @@ class Statements:
         """A nested region that ends in giving ``value`` to the variable ``name``."""
         with self._inside():
             yield from self._region(region)
-            yield Traced(f"{name} = {self._expressions.text(value)};", value.id)
+            yield self._mark(f"{name} = {self._expressions.text(value)};", value)
 
     @contextmanager
     def _inside(self) -> Iterator[None]:

@@ -203,4 +203,5 @@ TARGET = Target(
     varying_prefix="v_",
     output_prefix="out_",
     fixed_names=("main", "viewport_height"),
+    line_directive="#line {line} {number}",
 )

@@ -172,6 +172,7 @@ SM6 = Profile(
 TARGET = Target(
     name="hlsl",
     registers=True,
+    line_directive='#line {line} "{name}"',
     title="HLSL",
     folder=FOLDER,
     template="shader.hlsl.j2",

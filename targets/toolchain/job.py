@@ -36,6 +36,9 @@ class Message:
     """1-based line of the emitted text; None when the tool names no place."""
     column: int | None
     text: str
+    source: str = ""
+    """The file that the line is of, as the tool calls it; by it and the text's line directives,
+    one may tell that it is not the text itself."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,13 +11,13 @@ from .job import Message, Severity
 
 _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
-_GLSLANG = re.compile(r"(ERROR|WARNING): (?:[^:\s]+:(\d+): )?(.*)")
-_GLSLANG_HLSL = re.compile(r"\S+\((\d+)\): error at column (\d+), (.*)")
+_GLSLANG = re.compile(r"(ERROR|WARNING): (?:([^:\s]+):(\d+): )?(.*)")
+_GLSLANG_HLSL = re.compile(r"(\S.*)\((\d+)\): error at column (\d+), (.*)")
 _GLSLANG_FATAL = "Entry point not found"
 """glslang only warns of this in HLSL, and goes on to compile nothing."""
 _GLSLANG_NOISE = re.compile(r"\d+ compilation errors\.|'' : compilation terminated")
 
-_DXC = re.compile(r"(?:\S+?:(\d+):(?:(\d+):)? )?(?:fatal )?(error|warning): (.*)")
+_DXC = re.compile(r"(?:(\S.*?):(\d+):(?:(\d+):)? )?(?:fatal )?(error|warning): (.*)")
 _DXC_NOISE = re.compile(r"DXIL\.dll not found|validation errors$")
 
 _NAGA_HEAD = re.compile(r"(error|warning): (.*)")
@@ -33,12 +33,14 @@ def read_glslang(log: str) -> tuple[Message, ...]:
 def _glslang_messages(log: str) -> Iterator[Message]:
     for line in log.splitlines():
         if found := _GLSLANG_HLSL.match(line):
-            yield Message("error", int(found[1]), int(found[2]), found[3].strip())
+            place = int(found[2]), int(found[3])
+            yield Message("error", *place, found[4].strip(), found[1])
         elif found := _GLSLANG.match(line):
-            severity, number, text = found.groups()
+            severity, source, number, text = found.groups()
             fatal = severity == "ERROR" or _GLSLANG_FATAL in text
             if not _GLSLANG_NOISE.match(text):
-                yield Message(_severity(fatal), _number(number), None, text.strip())
+                where = _number(number), None
+                yield Message(_severity(fatal), *where, text.strip(), source or "")
 
 
 def read_dxc(log: str) -> tuple[Message, ...]:
@@ -49,10 +51,14 @@ def read_dxc(log: str) -> tuple[Message, ...]:
     """
     return tuple(
         Message(
-            _severity(found[3] == "error"), _number(found[1]), _number(found[2]), found[4].strip()
+            severity=_severity(found[4] == "error"),
+            line=_number(found[2]),
+            column=_number(found[3]),
+            text=found[5].strip(),
+            source=found[1] or "",
         )
         for line in log.splitlines()
-        if (found := _DXC.match(line)) and not _DXC_NOISE.match(found[4])
+        if (found := _DXC.match(line)) and not _DXC_NOISE.match(found[5])
     )
 
 

@@ -164,7 +164,11 @@ def known(draw: st.DrawFn, shape: Shape) -> tuple[Fact, Lanes]:
     if shape.kind == "float" and shape.width > 1 and not shape.columns and draw(st.booleans()):
         return UNIT, draw(directions(shape.width))
     fact, lanes = draw(known_lanes(shape.kind, shape.lanes))
-    return fact.as_kind("matrix") if shape.columns else fact, shaped(lanes, shape)
+    if shape.columns:
+        return fact.as_kind("matrix"), shaped(lanes, shape)
+    if shape.kind == "float" and shape.width > 1 and draw(st.booleans()):
+        fact = changed(fact, length=math.hypot(*lanes) * draw(st.sampled_from([0.5, 1.0])))
+    return fact, shaped(lanes, shape)
 
 
 @st.composite
@@ -205,6 +209,7 @@ def assert_holds(fact: Fact, lanes: list[float]) -> None:
         assert fact.lo <= lane <= fact.hi
         assert not fact.nonzero or abs(lane) >= SMALLEST_NORMAL
     assert not fact.unit or math.hypot(*lanes) <= UNIT.hi
+    assert not fact.length or math.hypot(*lanes) >= fact.length * (1 - 1e-6)
 
 
 @rows

@@ -52,6 +52,34 @@ def test_without_a_source_map_the_emitted_line_is_shown() -> None:
     assert {str(diagnostic.span) for diagnostic in found} == {f"M.frag.wgsl:{line}:16"}
 
 
+def test_what_has_no_line_directives_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text(PLAIN)
+    result = invoke("compile", file, "-t", "glsl,wgsl", "--line-directives", "-o", tmp_path / "out")
+    assert result.exit_code == 0
+    assert "warning[B0450]: wgsl has no line directives" in result.stderr
+    assert "#line" in (tmp_path / "out" / "Plain.frag.glsl").read_text("utf-8")
+    assert "#line" not in (tmp_path / "out" / "Plain.frag.wgsl").read_text("utf-8")
+
+
+@pytest.mark.parametrize("target", ["glsl", "glsl:es300", "hlsl"])
+def test_texts_with_line_directives_are_accepted(target: str) -> None:
+    (material,) = burnish.compile(SOURCE, [target], line_directives=True)
+    assert all("#line" in file.text for file in material.files)
+    assert validate(material.files) == ()
+
+
+@pytest.mark.parametrize("target", ["glsl", "glsl:es300", "hlsl"])
+def test_a_refusal_of_a_text_with_line_directives_is_told_at_the_material(target: str) -> None:
+    (material,) = burnish.compile(SOURCE, [target], line_directives=True)
+    file = next(file for file in material.files if file.stage == "fragment")
+    spoilt = file.text.replace("sin(", "nonsense(")
+    assert spoilt != file.text
+    found = validate([changed(file, text=spoilt)])
+    assert {diagnostic.rule.code for diagnostic in found} == {"B0703"}
+    assert {str(diagnostic.span) for diagnostic in found} == {"<text>:1:21"}
+
+
 def test_a_missing_tool_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("BURNISH_TOOLS", str(tmp_path / "none"))
     monkeypatch.setenv("PATH", "")

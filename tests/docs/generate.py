@@ -9,6 +9,7 @@ from pathlib import Path
 
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
+from burnish.compiler.ir.rulebook import RULES
 from burnish.stdlib.builtins import (
     BUILTINS,
     Builtin,
@@ -281,6 +282,13 @@ def _places() -> Iterator[tuple[str, ...]]:
         yield f"`{name}`", *map(str, bits), f"{row.edge_slack:.1e}" if row.edge_slack else "0"
 
 
+def graph_page() -> str:
+    """The page on graphs as it is, with the rules of range analysis as they are today."""
+    page = (DOCS / "graph.md").read_text(encoding="utf-8")
+    rows = ((f"`{name}`", words) for name, words in RULES.items())
+    return _spliced(page, "rules", _table(("rule", "what it says"), rows))
+
+
 def _spliced(page: str, name: str, text: str) -> str:
     """The page with ``text`` between its marks for ``name``."""
     marked = re.compile(f"(?<=<!-- {name} -->\n).*?(?=<!-- end -->)", re.DOTALL)
@@ -294,6 +302,7 @@ def _table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
 
 PAGES: Mapping[str, Callable[[], str]] = {
     "language.md": language_page,
+    "graph.md": graph_page,
     "builtins.md": builtins_page,
     "diagnostics.md": diagnostics_page,
     "conformance.md": conformance_page,

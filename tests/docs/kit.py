@@ -10,7 +10,8 @@ What stands behind a block's language says how it is tried:
 ```wgsl from=plastic:fragment    lines of the text that the example becomes; `…` stands for others
 ```text from=B0203               how the error of the block before is shown
 ```python                        run, together with the page's other ones, among the examples
-```console                       lines that begin with `$ burnish` are run there as well
+```console                       lines that begin with `$ burnish` are run there as well; what is
+                                 quoted below one is in what it prints, with `…` for other lines
 ```
 """
 

@@ -82,8 +82,13 @@ def test_excerpt(block: Block) -> None:
     (material,) = burnish.compile(EXAMPLES / f"{example}.burnish", (block.language,)).materials
     assert stage in ("vertex", "fragment")
     text = material.text(block.language, "vertex" if stage == "vertex" else "fragment")
-    parts = [part.strip("\n") for part in re.split(r"^\s*…$", block.text, flags=re.MULTILINE)]
-    places = [text.find(part) for part in parts]
+    assert_in_order(block.text, text)
+
+
+def assert_in_order(quoted: str, text: str) -> None:
+    """A text has the quoted lines, with others where there is a `…` alone on a line."""
+    parts = [part.strip("\n") for part in re.split(r"^\s*…$", quoted, flags=re.MULTILINE)]
+    places = [text.find(part) for part in parts if part]
     assert -1 not in places, parts[places.index(-1)]
     assert all(before <= after for before, after in pairwise(places))
 
@@ -132,8 +137,11 @@ def test_python(page: Path) -> None:
 @pytest.mark.usefixtures("among_examples")
 @pytest.mark.parametrize("block", all_blocks("console"), ids=str)
 def test_console(block: Block) -> None:
-    for line in block.text.splitlines():
+    """Every command succeeds, and prints what is quoted below it; `…` stands for other lines."""
+    for part in re.split(r"^(?=\$)", block.text, flags=re.MULTILINE):
+        line, _, quoted = part.partition("\n")
         command = shlex.split(line.partition("#")[0])
         if command[:2] == ["$", "burnish"] and "--watch" not in command:
             result = CliRunner().invoke(main, command[2:])
             assert result.exit_code == 0, result.output
+            assert_in_order(quoted, result.stdout)

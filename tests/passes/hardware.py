@@ -59,4 +59,5 @@ def fact(type_: Type, value: Lanes) -> Fact | None:
     kind = "matrix" if isinstance(type_, Matrix) else scalar_kind(type_) or "float"
     nonzero = all(abs(lane) >= SMALLEST_NORMAL for lane in lanes)
     unit = isinstance(type_, Vector) and abs(math.hypot(*lanes) - 1.0) <= UNIT_SLACK
-    return Fact(min(lanes), max(lanes), nonzero, unit, kind)
+    length = math.hypot(*lanes) if isinstance(type_, Vector) else 0.0
+    return Fact(min(lanes), max(lanes), nonzero, unit, length, kind)

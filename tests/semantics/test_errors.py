@@ -25,6 +25,8 @@ SECTIONS = ("B02", "B03", "B04", "B05", "B06", "B07")
 NOT_OF_A_SOURCE = {
     "no_clip_position": "the library's `Surface` has one",
     "unsupported": "about an option of the command line, in tests/cli",
+    "no_line_directives": "about an option of the command line, in tests/cli",
+    "too_large_to_draw": "what `burnish graph` says, in tests/cli",
     "rejected": "what a downstream compiler says, in tests/toolchain",
     "doubted": "what a downstream compiler says, in tests/toolchain",
     "tool_broke": "about a downstream compiler, in tests/toolchain",

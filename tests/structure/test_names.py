@@ -69,5 +69,10 @@ def test_the_demo_compiles_with_everything_renamed(
     for before, after in zip(expected.files, found.files, strict=True):
         assert WORDS.search(before.text) is None or after.text != before.text
         assert restored(after.text) == before.text
+    for backend in (
+        *found.reflection["backends"].values(),
+        *expected.reflection["backends"].values(),
+    ):
+        backend.pop("source_maps")  # The example lies elsewhere now.
     assert json.loads(restored(json.dumps(found.reflection))) == expected.reflection
     assert json.dumps(found.reflection) != json.dumps(expected.reflection)

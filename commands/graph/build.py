@@ -1,0 +1,334 @@
+"""From a compiled material to what a picture of it shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from ...compiler.diagnostics.source import Span
+from ...compiler.formula import Formulas
+from ...compiler.ir.leaves import Parameter
+from ...compiler.ir.node import Folding, Formal, Iterating, Node
+from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region, Stage
+from ...compiler.passes.pipeline import Staged
+from ...compiler.passes.schedule import operands_of, visible
+from ...compiler.semantics.shader import Notes, Shader
+from ...frozen import frozen
+from .model import KINDS, Box, Cluster, Kind, Picture
+
+LEAVES = frozenset({"parameter", "attribute", "input", "resource", "formal"})
+ADDED = "each"
+"""What a loop adds in each turn, or multiplies."""
+RESULTS = frozenset({"clip_position"})
+"""What the vertex stage delivers besides what crosses."""
+
+
+def picture(shader: Shader, staged: Staged, *, everything: bool) -> Picture:
+    """The values that have names, or with ``everything`` each one, where they are computed."""
+    return _Building(shader, staged, everything).picture()
+
+
+class _Building:
+    def __init__(self, shader: Shader, staged: Staged, everything: bool) -> None:
+        self._shader = shader
+        self._staged = staged
+        self._everything = everything
+        self._notes: Notes = shader.notes
+        self._formulas = Formulas(self._notes)
+        self._derived = {d.parameter: d.expression for d in staged.derived}
+        self._crossings = dict(_crossings(staged.program.fragment, self._notes))
+        self._guarded = {guard.span for guard in staged.guards if guard.span is not None}
+
+    def picture(self) -> Picture:
+        program = self._staged.program
+        found = Picture(
+            f"{program.name}, pass {self._shader.pass_name}, rig {self._shader.rig_name}"
+        )
+        if self._derived:
+            found.clusters.append(self._host())
+        found.clusters += self._vertex(program.vertex)
+        found.clusters += self._fragment(program.fragment)
+        for stage in program.stages:
+            for function in stage.functions:
+                found.clusters += self._function(stage, function)
+        found.crossings = list(dict.fromkeys(self._between(found)))
+        return found
+
+    def _between(self, found: Picture) -> Iterator[tuple[str, str]]:
+        """From what the host computes to its uses, and from the vertices to the fragments."""
+        keys = [box.key for box in found.boxes]
+        for parameter in self._derived:
+            ending = f".derived.{parameter.name}"
+            yield from ((f"host.{parameter.name}", key) for key in keys if key.endswith(ending))
+        boxed = set(keys)
+        for node in visible(self._staged.program.fragment.results):
+            if node.op == "interpolate" and (key := f"fragment.{node.id}") in boxed:
+                yield self._key("vertex", node.operands[0]), key
+
+    # --- clusters --------------------------------------------------------------------------------
+
+    def _host(self) -> Cluster:
+        cluster = Cluster("host, once for each change of a parameter", is_stage=True)
+        for parameter, expression in self._derived.items():
+            key = f"host.{parameter.name}"
+            box = self._box(key, "derived", parameter.name, expression)
+            box.formula = self._formulas.computed(expression)
+            box.note = f"group {parameter.group}"
+            cluster.boxes.append(box)
+            for leaf in visible((expression,)):
+                if leaf.op == "parameter":
+                    inner = self._leaf("host", leaf)
+                    if all(known.key != inner.key for known in cluster.boxes):
+                        cluster.boxes.append(inner)
+                    cluster.edges.append((inner.key, key))
+        return cluster
+
+    def _vertex(self, stage: Stage) -> Iterator[Cluster]:
+        assert stage.position is not None
+        results = {stage.position.id: "clip_position"}
+        roots = [stage.position]
+        for varying in self._staged.program.varyings:
+            for value in varying.values:
+                roots.append(value)
+                if value.op not in LEAVES:
+                    results.setdefault(value.id, self._crossing(value))
+        yield from self._stage("vertex", "vertex stage", stage.region, roots, results)
+
+    def _fragment(self, stage: Stage) -> Iterator[Cluster]:
+        roots = list(stage.results)
+        results = {
+            node.id: field.name for field, node in zip(stage.outputs, stage.results, strict=True)
+        }
+        if stage.discard is not None:
+            roots.append(stage.discard)
+            results[stage.discard.id] = "discard"
+        yield from self._stage("fragment", "fragment stage", stage.region, roots, results)
+
+    def _function(self, stage: Stage, function: Function) -> Iterator[Cluster]:
+        arguments = ", ".join(formal.name for formal, _ in function.parameters)
+        title = f"{stage.name} function {function.name}({arguments})"
+        prefix = f"{stage.name}.{function.body.id}"
+        results = {function.value.id: "return"}
+        yield from self._stage(prefix, title, function.region, [function.value], results)
+
+    def _stage(
+        self, prefix: str, title: str, region: Region, roots: list[Node], results: dict[int, str]
+    ) -> Iterator[Cluster]:
+        """A body's cluster, and one for each loop in it."""
+        names = dict(_statements(region))
+        order = visible(roots)
+        loops = {node: own for node in order if (own := _variables(node))}
+        every = frozenset().union(*loops.values()) if loops else frozenset()
+        inside = {node.id: node.variables & every for node in order}
+        whole = _Part(prefix, title, names, inside, frozenset(), frozenset())
+        yield self._cluster(whole, roots, results)
+        for loop, own in loops.items():
+            count = self._formulas.text(loop.operands[0])
+            title = f"each turn of {names.get(loop.id, 'a loop')}, up to {count}"
+            around = inside[loop.id] | own
+            part = _Part(f"{prefix}.loop.{loop.id}", title, names, inside, own, around)
+            results = _turn(loop)
+            bodies = [node for node in loop.operands if node.id in results]
+            yield self._cluster(part, bodies, results)
+
+    def _cluster(self, part: _Part, roots: list[Node], results: dict[int, str]) -> Cluster:
+        cluster = Cluster(part.title, part.prefix in ("vertex", "fragment"))
+        edges: dict[tuple[str, str], None] = {}
+        for node in part.reached(roots):
+            if part.is_outer(node):
+                name = part.names.get(node.id) or self._shown_name(node)
+                box = self._value(part.prefix, node, name or self._formulas.computed(node))
+                if node.op not in LEAVES and node.op != "interpolate":
+                    box.kind, box.note = "argument", "computed before the loop"
+                cluster.boxes.append(box)
+            elif node.id in results or self._has_box(part, node):
+                name = part.names.get(node.id) or self._shown_name(node)
+                box = self._value(part.prefix, node, results.get(node.id) or name or "")
+                if node.id in results and node.op not in LEAVES:
+                    crosses = part.prefix == "vertex" and box.name not in RESULTS
+                    box.kind = "crossing" if crosses else "result"
+                    box.note = "varying" if crosses else KINDS["result"]
+                cluster.boxes.append(box)
+                if node.op not in LEAVES and node.op != "interpolate":
+                    self._inside(part, node, box, edges, results)
+        cluster.edges = list(edges)
+        return cluster
+
+    def _has_box(self, part: _Part, node: Node) -> bool:
+        if part.is_deeper(node):
+            return False
+        return node.id in part.names or self._shown_name(node) is not None
+
+    # --- boxes -----------------------------------------------------------------------------------
+
+    def _crossing(self, value: Node) -> str:
+        """What a value is called that crosses to the fragments."""
+        return self._formulas.name(value) or self._crossings.get(value.id, "crossing")
+
+    def _shown_name(self, node: Node) -> str | None:
+        """What a value that gets a box is called; ``None`` for what is part of its user."""
+        if node.op == "interpolate":
+            return self._crossing(node.operands[0])
+        if node.op in LEAVES:
+            return self._formulas.name(node) or str(node.data)
+        if node.op == "constant":
+            return None
+        name = self._notes.names.get(node.id)
+        if name is None and self._everything:
+            return self._formulas.computed(node)
+        return name
+
+    def _value(self, prefix: str, node: Node, name: str) -> Box:
+        if node.op in LEAVES:
+            return self._leaf(prefix, node)
+        if node.op == "interpolate":
+            box = self._box(self._key(prefix, node), "crossing", name, node)
+            box.note = "varying, flat" if node.data == "flat" else "varying, interpolated"
+            return box
+        kinds: dict[str, Kind] = {"fold": "loop", "iterate": "loop", "apply": "call"}
+        return self._box(self._key(prefix, node), kinds.get(node.op, "value"), name, node)
+
+    def _leaf(self, prefix: str, node: Node) -> Box:
+        kinds: dict[str, Kind] = {
+            "attribute": "attribute", "input": "input", "resource": "texture", "formal": "argument"
+        }  # fmt: skip
+        name = self._formulas.name(node) or str(node.data)
+        kind = kinds.get(node.op, "group")
+        if isinstance(node.data, Parameter):
+            group = node.data.group
+            kind = "derived" if node.data.derived else group if group in KINDS else "group"
+        box = self._box(self._key(prefix, node), kind, name, node)
+        box.note = KINDS[kind]
+        return box
+
+    def _box(self, key: str, kind: Kind, name: str, node: Node) -> Box:
+        return Box(key, kind, name, str(node.type), place=self._place(node))
+
+    def _key(self, prefix: str, node: Node) -> str:
+        if isinstance(node.data, Parameter) and node.op == "parameter":
+            word = "derived" if node.data.derived else "parameter"
+            return f"{prefix}.{word}.{node.data.name}"
+        return f"{prefix}.{node.id}"
+
+    def _place(self, node: Node) -> str:
+        span = self._notes.spans.get(node.id)
+        return "" if span is None else str(span)
+
+    def _formula(self, root: Node, names: Mapping[int, str]) -> str:
+        def name(node: Node) -> str | None:
+            if root.op == "fold" and node is root.operands[2]:
+                return ADDED
+            if node.op == "interpolate":
+                return self._shown_name(node)
+            return None if node is root else names.get(node.id) or self._formulas.name(node)
+
+        return self._formulas.computed(root, name)
+
+    def _inside(
+        self, part: _Part, root: Node, box: Box, edges: dict[tuple[str, str], None],
+        results: dict[int, str],
+    ) -> None:  # fmt: skip
+        """What a formula is made of: other boxes, by arrows, and values without names."""
+        box.formula = self._formula(root, part.names)
+        spans: set[Span | None] = {self._notes.spans.get(root.id)}
+        pending = list(operands_of(root))
+        seen: set[int] = set()
+        while pending:
+            node = pending.pop()
+            if node.id in seen or node.op == "constant":
+                continue
+            seen.add(node.id)
+            if part.is_outer(node) or node.id in results or self._has_box(part, node):
+                edges[self._key(part.prefix, node), box.key] = None
+                continue
+            spans.add(self._notes.spans.get(node.id))
+            pending += operands_of(node)
+        box.guarded = not self._guarded.isdisjoint(spans)
+
+
+@frozen
+class _Part:
+    """What one cluster shows: a body, or what a loop does in each turn."""
+
+    prefix: str
+    title: str
+    names: Mapping[int, str]
+    """The names that statements of the whole body bind."""
+    inside: Mapping[int, frozenset[Formal]]
+    """The variables of loops that each value depends on."""
+    own: frozenset[Formal]
+    """The variables of the loop: its index, and its states."""
+    around: frozenset[Formal]
+    """Those of loops around it too."""
+
+    def is_outer(self, node: Node) -> bool:
+        """Whether a value is computed before the loop."""
+        return bool(self.own) and self.own.isdisjoint(self.inside[node.id])
+
+    def is_deeper(self, node: Node) -> bool:
+        """Whether a value belongs to a loop inside."""
+        return not self.inside[node.id] <= self.around
+
+    def reached(self, roots: Iterable[Node]) -> list[Node]:
+        """The values of this part, and those from outside that it uses, operands first."""
+        seen: dict[int, Node] = {}
+        pending = list(roots)
+        while pending:
+            node = pending.pop()
+            if node.id not in seen and node.op != "constant":
+                seen[node.id] = node
+                if not self.is_outer(node):
+                    pending += operands_of(node)
+        return [seen[id_] for id_ in sorted(seen)]
+
+
+def _variables(node: Node) -> frozenset[Formal]:
+    """What a loop binds: its index and its states; nothing for any other value."""
+    if isinstance(node.data, Folding) and node.data.index is not None:
+        return frozenset({node.data.index})
+    if isinstance(node.data, Iterating):
+        return frozenset(node.data.formals or ())
+    return frozenset()
+
+
+def _turn(loop: Node) -> dict[int, str]:
+    """What a turn comes to, by the ids of its values: what it adds, or the states that follow."""
+    if not isinstance(loop.data, Iterating):
+        return {loop.operands[2].id: ADDED}
+    going, *following = loop.operands[1 + loop.data.states :]
+    names = [formal.name for formal in (loop.data.formals or ())[1:]]
+    named = {node.id: f"next {name}" for node, name in zip(following, names, strict=True)}
+    return named if going.op == "constant" else {going.id: "while", **named}
+
+
+def _crossings(stage: Stage, notes: Notes) -> Iterator[tuple[int, str]]:
+    """What crosses is called after the named value that it is a part of."""
+    users: dict[int, str] = {}
+    for node in reversed(visible(stage.results, into_bodies=True)):
+        within = notes.names.get(node.id) or users.get(node.id)
+        if within is None:
+            continue
+        if node.op == "interpolate":
+            own = notes.names.get(node.id)
+            yield node.operands[0].id, own or f"{within}_crossing"
+        for operand in node.operands:
+            users.setdefault(operand.id, within)
+
+
+def _statements(region: Region) -> Iterator[tuple[int, str]]:
+    """The names that statements bind, inside of loops and branches too."""
+    pending = [region]
+    while pending:
+        for statement in pending.pop().statements:
+            if not isinstance(statement, Iterate):
+                yield statement.node.id, statement.name
+            elif len(statement.states) == 1:
+                yield statement.node.id, statement.states[0].name
+            match statement:
+                case Branch(then=then, otherwise=otherwise):
+                    pending += [then, otherwise]
+                case Loop(body=body):
+                    pending.append(body)
+                case Iterate(head=head, body=body):
+                    pending += [head, body]
+                case Let():
+                    pass

@@ -1,0 +1,168 @@
+"""``burnish graph``: what a material computes, where, and why it is safe."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import click
+
+from ..console import FAILED, show
+from ..options import file_argument, pass_option, rig_option, search_option
+
+if TYPE_CHECKING:
+    from ...api import CompiledMaterial
+    from .model import Picture
+
+STDOUT = "-"
+FORMATS = ("svg", "dot", "text")
+LARGEST = 600
+"""Boxes of a picture that people can still look at."""
+
+
+class Request(NamedTuple):
+    """What the command line asks for."""
+
+    file: Path
+    output: str
+    """A file, or ``-``."""
+    form: str | None
+    """One of ``FORMATS``; by default what the file's name ends in, or text."""
+    why: bool
+    everything: bool
+    material: str | None
+    rig: str | None
+    pass_: str | None
+    search_path: tuple[Path, ...]
+    hoist: bool
+
+
+@click.command()
+@file_argument
+@click.option(
+    "-o",
+    "--output",
+    metavar="FILE",
+    default=STDOUT,
+    show_default=True,
+    help="Where to put it: a name that ends in .svg or .dot, or `-` to print it.",
+)
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(FORMATS),
+    help="A picture, a text for Graphviz, or one for people; by default what FILE's name says.",
+)
+@click.option("--why", is_flag=True, help="Instead, say why guards went, and why others stay.")
+@click.option("--all", "everything", is_flag=True, help="Every value, and not only named ones.")
+@click.option("--material", metavar="NAME", help="Which of the file's materials.")
+@rig_option
+@pass_option
+@search_option
+@click.option(
+    "--hoist/--no-hoist",
+    default=True,
+    help="Leave what depends on parameters only to the host, or compute it in the shader.",
+    show_default=True,
+)
+def graph(**chosen: Any) -> None:
+    """Show what the materials of FILE compute, and where.
+
+    The host, the stages, functions and loops each have a frame of their own; boxes are values, with
+    the parameters and textures they read. A shield marks what keeps a guard. In a browser, resting
+    on a box tells where it is written.
+
+    \b
+    Example:
+        burnish graph plastic.burnish
+        burnish graph plastic.burnish -o plastic.svg
+        burnish graph plastic.burnish --why
+    """
+    from ...compiler.diagnostics.diagnostic import CompileError
+
+    request = Request(**chosen)
+    try:
+        _deliver(request, _materials(request))
+    except CompileError as error:
+        show(error.diagnostics)
+        click.get_current_context().exit(FAILED)
+
+
+def _materials(request: Request) -> tuple[CompiledMaterial, ...]:
+    from ... import api
+
+    result = api.compile(
+        request.file,
+        (),
+        material=request.material,
+        rig=request.rig,
+        pass_=request.pass_,
+        search_path=request.search_path,
+        hoist=request.hoist,
+    )
+    show(result.diagnostics)
+    return result.materials
+
+
+def _deliver(request: Request, materials: tuple[CompiledMaterial, ...]) -> None:
+    form = _form(request)
+    if form != "text" and len(materials) > 1:
+        names = ", ".join(material.name for material in materials)
+        message = f"a picture shows one material, and there are {names}; choose one"
+        raise click.BadParameter(message, param_hint="--material")
+    text = "\n".join(_written(material, request, form) for material in materials)
+    if request.output == STDOUT:
+        click.echo(text.encode(), nl=False)
+        return
+    from ..output import write_all
+
+    path = Path(request.output)
+    write_all(path.parent, {path.name: text})
+
+
+def _form(request: Request) -> str:
+    """The format that is asked for, by name or by the file's ending."""
+    if request.why:
+        if request.form not in (None, "text"):
+            raise click.UsageError("proofs are text: --why goes with no other --format")
+        return "text"
+    ending = Path(request.output).suffix.removeprefix(".")
+    known = {"svg": "svg", "dot": "dot", "gv": "dot", "txt": "text"}
+    if request.form is None and request.output != STDOUT and ending not in known:
+        message = f"`{request.output}` ends in none of .svg, .dot, .txt; say which --format"
+        raise click.BadParameter(message, param_hint="--output")
+    return request.form or known.get(ending, "text")
+
+
+def _written(material: CompiledMaterial, request: Request, form: str) -> str:
+    if request.why:
+        from .why import written
+
+        title = f"{material.name}, pass {material.shader.pass_name}, rig {material.shader.rig_name}"
+        return written(title, material.proofs)
+    from .build import picture
+
+    found = picture(material.shader, material.staged, everything=request.everything)
+    if form == "text":
+        from .text import written as as_text
+
+        return as_text(found)
+    if form == "dot":
+        from .dot import written as as_dot
+
+        return as_dot(found)
+    _insist_on_size(material.name, found)
+    from .svg import drawn
+
+    return drawn(found)
+
+
+def _insist_on_size(name: str, found: Picture) -> None:
+    from ...compiler.diagnostics import rules
+    from ...compiler.diagnostics.diagnostic import CompileError, Report
+
+    count = len(found.boxes)
+    if count > LARGEST:
+        report = Report()
+        report.add(rules.TOO_LARGE_TO_DRAW, None, name=name, count=count, limit=LARGEST)
+        raise CompileError(report.diagnostics)

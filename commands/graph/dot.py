@@ -1,0 +1,47 @@
+"""The graph for Graphviz."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .model import Box, Picture
+from .svg import COLORS
+
+
+def written(picture: Picture) -> str:
+    """A digraph with a cluster for each stage, function and loop."""
+    lines = [
+        f"digraph {_quoted(picture.title)} {{",
+        f"  label={_quoted(picture.title)}; labelloc=t; rankdir=LR;",
+        '  node [shape=box, style="filled,rounded", fontname="monospace", fontsize=10];',
+        '  graph [fontname="monospace", color="#c3ccd5"];',
+    ]
+    for number, cluster in enumerate(picture.clusters):
+        lines.append(f"  subgraph cluster_{number} {{")
+        lines.append(f"    label={_quoted(cluster.title)};")
+        lines += [
+            f"    {_quoted(box.key)} [{', '.join(_attributes(box))}];" for box in cluster.boxes
+        ]
+        lines += [f"    {_quoted(a)} -> {_quoted(b)};" for a, b in cluster.edges]
+        lines.append("  }")
+    for source, target in picture.crossings:
+        lines.append(f'  {_quoted(source)} -> {_quoted(target)} [color="#12857a"];')
+    return "\n".join([*lines, "}"]) + "\n"
+
+
+def _attributes(box: Box) -> Iterator[str]:
+    colors = COLORS[box.kind]
+    label = f"{box.name}: {box.type}" + (f"\n{box.formula}" if box.formula else "")
+    yield f"label={_quoted(label)}"
+    yield f'fillcolor="{colors.fill}"'
+    yield f'color="{colors.line}"'
+    if box.kind == "result":
+        yield 'fontcolor="#ffffff"'
+    if box.guarded:
+        yield "penwidth=2"
+    yield f"tooltip={_quoted(' '.join(filter(None, (box.note, box.place))))}"
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
+    return f'"{escaped}"'

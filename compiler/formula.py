@@ -1,0 +1,135 @@
+"""Values as a person would write them: short formulas in Burnish's notation, for explanations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from ..stdlib.builtins import BUILTINS
+from .ir.leaves import Attribute, Parameter, Resource
+from .ir.node import Folding, Formal, Node
+from .ir.types import Scalar
+from .semantics.shader import Notes
+
+DEEPEST = 5
+"""Levels of a formula that are written out; the rest is ``…``."""
+LONGEST = 60
+"""Characters of a formula, about."""
+
+_WORDS = {"and": "and", "or": "or", "not": "not ", "mod": "mod"}
+_FOLDS = {"add": "sum", "mul": "product"}
+_CONVERSION = "to_"
+"""Conversions are written as their type: ``to_int`` is ``int``."""
+_LANES = "xyzw"
+_TIGHTNESS = {
+    "or": 1, "and": 2, "eq": 3, "ne": 3, "lt": 3, "le": 3, "gt": 3, "ge": 3,
+    "add": 4, "sub": 4, "mul": 5, "div": 5, "mod": 5,
+}  # fmt: skip
+
+
+class Formulas:
+    """Writes formulas, in the user's names where there are any."""
+
+    def __init__(self, notes: Notes) -> None:
+        self._notes = notes
+
+    def text(self, node: Node) -> str:
+        """A value: its name, or how it is computed."""
+        return self.name(node) or self.computed(node)
+
+    def name(self, node: Node) -> str | None:
+        """What somebody has called a value."""
+        match node.data:
+            case Parameter(name=name) | Attribute(name=name) | Resource(name=name):
+                return name
+            case Formal(name=name) if node.op == "formal":
+                return name
+        return self._notes.names.get(node.id)
+
+    def computed(self, node: Node, inner: Callable[[Node], str | None] | None = None) -> str:
+        """How a value is computed; ``inner`` may give texts for the values inside."""
+        text = self._formula(node, DEEPEST, inner or self.name)
+        return text if len(text) <= LONGEST else self._formula(node, 2, inner or self.name)
+
+    def call(self, builtin: str, operands: Sequence[Node]) -> str:
+        """An operation on some values."""
+        return self._call(builtin, operands, DEEPEST - 1, self.name)
+
+    def _inner(
+        self, node: Node, depth: int, named: Callable[[Node], str | None], tightness: int = 0
+    ) -> str:
+        name = named(node)
+        if name is not None:
+            return name
+        if depth <= 0 and node.operands:
+            return "…"
+        text = self._formula(node, depth, named)
+        loose = node.op in ("call", "native") and _TIGHTNESS.get(str(node.data), 9) < tightness
+        return f"({text})" if loose or (tightness and node.op in ("select", "fold")) else text
+
+    def _formula(self, node: Node, depth: int, named: Callable[[Node], str | None]) -> str:
+        def part(operand: Node, tightness: int = 0) -> str:
+            return self._inner(operand, depth - 1, named, tightness)
+
+        operands = node.operands
+        match node.op:
+            case "call" | "native":
+                return self._call(str(node.data), operands, depth - 1, named)
+            case "constant":
+                return _constant(node)
+            case "swizzle":
+                assert isinstance(node.data, tuple)
+                return f"{part(operands[0], 9)}.{''.join(_LANES[lane] for lane in node.data)}"
+            case "index":
+                return f"{part(operands[0], 9)}[{part(operands[1])}]"
+            case "member":
+                return f"{part(operands[0], 9)}.{node.data}"
+            case "select":
+                condition, then, otherwise = map(part, operands)
+                return f"if {condition} then {then} else {otherwise}"
+            case "interpolate":
+                return f"@vertex {part(operands[0], 9)}"
+            case "fold":
+                assert isinstance(node.data, Folding)
+                word = _FOLDS.get(node.data.operator, node.data.operator)
+                index = node.data.index.name if node.data.index else "i"
+                return f"{word} {index} in 0..{part(operands[0])} : {part(operands[2])}"
+            case "iterate":
+                return f"iterate up to {part(operands[0])} from {part(operands[1])}"
+            case "apply":
+                name = self._notes.functions.get(operands[0].id, "shade")
+                return f"{name}({', '.join(map(part, operands[1:]))})"
+            case "vector" | "splat" | "matrix":
+                return f"{node.type}({', '.join(map(part, operands))})"
+            case _:
+                return str(node.data if node.data is not None else node.op)
+
+    def _call(
+        self, name: str, operands: Sequence[Node], depth: int, named: Callable[[Node], str | None]
+    ) -> str:
+        tightness = _TIGHTNESS.get(name)
+        sign = _WORDS.get(name) or BUILTINS[name].operator
+        if tightness and len(operands) == 2:
+            left = self._inner(operands[0], depth, named, tightness)
+            right = self._inner(operands[1], depth, named, tightness + 1)
+            return f"{left} {sign} {right}"
+        if sign and len(operands) == 1:
+            return f"{sign}{self._inner(operands[0], depth, named, 6)}"
+        texts = [self._inner(operand, depth, named) for operand in operands]
+        if name == "sample":
+            return f"{texts[0]}({', '.join(texts[1:])})"
+        return f"{name.removeprefix(_CONVERSION)}({', '.join(texts)})"
+
+
+_BOOLS: Mapping[bool, str] = {True: "true", False: "false"}
+
+
+def _constant(node: Node) -> str:
+    lanes = node.data if isinstance(node.data, tuple) else (node.data,)
+    texts = [_BOOLS[lane] if isinstance(lane, bool) else _number(lane) for lane in lanes]
+    if isinstance(node.type, Scalar):
+        return texts[0]
+    return f"{node.type}({texts[0] if len(set(texts)) == 1 else ', '.join(texts)})"
+
+
+def _number(lane: object) -> str:
+    return f"{lane:g}" if isinstance(lane, int | float) else "…"

@@ -1,0 +1,75 @@
+"""The rules of range analysis by name: what a proof cites, and what tests switch off one by one.
+
+A builtin's own rule, the ``range`` column of its row, goes by the builtin's name. All others are
+listed here, with what a proof says of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.row import anything
+
+CONSTANT = "constant"
+DECLARED = "declared range"
+UNIT = "unit direction"
+MEMBER = "light's parameter"
+SAME = "same operands"
+JOINED = "joined lanes"
+FILLED = "filled lanes"
+PICKED = "picked lanes"
+ELEMENT = "element"
+EITHER = "either side"
+OWN_CONDITION = "own condition"
+INTERPOLATED = "interpolated"
+SUM = "sum"
+PRODUCT = "product"
+EXTREME = "least or greatest"
+STATE = "state"
+ELEMENTS = "elements"
+INDEX = "fold index"
+ARGUMENT = "argument"
+BODY = "function body"
+ABOVE = "condition: above"
+BELOW = "condition: below"
+EQUALS = "condition: equal"
+DIFFERS = "condition: different"
+BOTH = "condition: several"
+NEGATION = "condition: negated"
+AROUND = "condition around"
+
+RULES: Mapping[str, str] = {
+    CONSTANT: "the number itself",
+    DECLARED: "a parameter keeps to its declared range",
+    UNIT: "a direction has length one",
+    MEMBER: "each light's parameter keeps to what is declared",
+    SAME: "both operands are one value",
+    JOINED: "between the least and the greatest of its lanes",
+    FILLED: "the same number in every lane",
+    PICKED: "lanes of a vector within these bounds",
+    ELEMENT: "an element of an array or vector within these bounds",
+    EITHER: "one of the two sides",
+    OWN_CONDITION: "its own condition bounds the side",
+    INTERPOLATED: "a mean of three vertices' values",
+    SUM: "so many terms at most, each within these bounds",
+    PRODUCT: "no factor is negative",
+    EXTREME: "the least or the greatest of some values, the start among them",
+    STATE: "what it was at the start, or what a turn has made of it",
+    ELEMENTS: "between the least and the greatest of its elements",
+    INDEX: "the index counts from 0 to below the bound",
+    ARGUMENT: "one of the arguments that are passed",
+    BODY: "what the function returns",
+    ABOVE: "the condition says that it is above",
+    BELOW: "the condition says that it is below",
+    EQUALS: "the condition says that it is equal",
+    DIFFERS: "the condition says that it is different",
+    BOTH: "a conjunction holds, or a disjunction does not: all of its parts tell something",
+    NEGATION: "a negated condition tells the opposite",
+    AROUND: "an `if` around the value",
+}
+
+
+def rule_names() -> tuple[str, ...]:
+    """Every rule that there is, builtins' last."""
+    return (*RULES, *(name for name, row in BUILTINS.items() if row.range is not anything))

@@ -1,0 +1,221 @@
+"""Why an operation goes without its guard, or keeps it: worked out anew for a person who asks.
+
+The analysis keeps facts, not derivations. A proof follows the facts back to where they come from,
+and leaves away what does not matter: an operand counts only if the conclusion would fail without.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+
+from ...frozen import changed, frozen
+from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.facts import UNKNOWN, Fact
+from ..diagnostics.source import Span
+from ..formula import Formulas
+from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.node import Node
+from ..ir.ranges import Ranges
+from ..semantics.shader import Notes
+from .judgement import Judgement, Outcome
+from .paths import Told
+
+LONGEST = 16
+"""Steps of one proof that are shown."""
+
+WIDEST = 400
+"""Values that are searched for what is unknown of them."""
+
+
+@frozen
+class Step:
+    """One link of the chain: what is known of a value, and by which rule."""
+
+    depth: int
+    """How far from the operation; what a step rests on follows it, one deeper."""
+    text: str
+    fact: str
+    rule: str
+    """Its name in the ``rulebook``, or a builtin's; empty where nothing is known."""
+    span: Span | None
+    where: str = ""
+    """The condition behind which it holds."""
+
+
+@frozen
+class Proof:
+    """What became of one operation, and what shows that it had to."""
+
+    builtin: str
+    outcome: Outcome
+    text: str
+    span: Span | None
+    needs: str
+    """What has to hold of the operands, in words."""
+    steps: tuple[Step, ...]
+    omitted: int = 0
+    """Further steps that there are."""
+    missing: tuple[str, ...] = ()
+    """What is not known and would have to be, of a guard that stays."""
+    otherwise: str = ""
+    """The defined result that the guard is for."""
+
+
+class Proofs:
+    """Explains judgements."""
+
+    def __init__(self, ranges: Ranges, notes: Notes) -> None:
+        """``notes`` as they were when the judgements were made."""
+        self._ranges = ranges
+        self._notes = notes
+        self._formulas = Formulas(notes)
+
+    def explain(self, judgements: Iterable[Judgement]) -> Iterator[Proof]:
+        """Each judgement with its reasons; those with the same words once."""
+        seen: set[tuple[object, ...]] = set()
+        for judgement in judgements:
+            proof = self._proof(judgement)
+            place = None if proof.span is None else (proof.span.source.name, proof.span.start)
+            words = (place, proof.builtin, proof.outcome, *(step.fact for step in proof.steps))
+            if words not in seen:
+                seen.add(words)
+                yield proof
+
+    def _proof(self, judgement: Judgement) -> Proof:
+        row = BUILTINS[judgement.builtin]
+        guarded = judgement.outcome == "guarded"
+        chosen = judgement.operands if guarded else self._decisive(judgement)
+        chosen = [operand for operand in chosen if operand.op != "constant"]
+        steps = [step for operand in chosen for step in self._chain(operand, guarded)]
+        steps += self._conditions(judgement.told)
+        return Proof(
+            builtin=row.name,
+            outcome=judgement.outcome,
+            text=self._formulas.call(row.name, judgement.operands),
+            span=judgement.span,
+            needs=row.needs,
+            steps=tuple(steps[:LONGEST]),
+            omitted=max(0, len(steps) - LONGEST),
+            missing=tuple(self._unknown(judgement.operands)) if guarded else (),
+            otherwise=row.outside if guarded else "",
+        )
+
+    def _decisive(self, judgement: Judgement) -> list[Node]:
+        """The operands without whose facts the conclusion would fail."""
+        facts = [self._ranges.of(operand) for operand in judgement.operands]
+        if judgement.outcome == "dropped":
+            return [o for o, f in zip(judgement.operands, facts, strict=True) if _tells(f)]
+        domain = BUILTINS[judgement.builtin].domain
+        if judgement.told or not domain(tuple(facts)):
+            return []
+        return [
+            operand
+            for i, operand in enumerate(judgement.operands)
+            if not domain(tuple(_without(facts, i)))
+        ]
+
+    def _chain(self, root: Node, shallow: bool) -> Iterator[Step]:
+        """What is known of a value and, unless ``shallow``, what that rests on."""
+        seen: set[int] = set()
+        pending = [(root, 1)]
+        while pending:
+            node, depth = pending.pop()
+            fact = self._ranges.of(node)
+            if node.id in seen or not (_tells(fact) or depth == 1):
+                continue
+            seen.add(node.id)
+            rule = self._ranges.reason(node) if _tells(fact) else None
+            yield Step(
+                depth, self._formulas.text(node), described(fact), rule or "",
+                self._notes.spans.get(node.id),
+            )  # fmt: skip
+            if not shallow:
+                pending += [(need, depth + 1) for need in reversed(self._supports(node, fact))]
+
+    def _supports(self, node: Node, fact: Fact) -> list[Node]:
+        """What the fact of a value rests on; constants speak for themselves."""
+        needs = self._ranges.needs(node)
+        known = [self._ranges.of(need) for need in needs]
+        return [
+            need
+            for i, need in enumerate(needs)
+            if need.op != "constant"
+            and _tells(known[i])
+            and self._ranges.derived(node, _without(known, i)) != fact
+        ]
+
+    def _conditions(self, told: Sequence[Told]) -> Iterator[Step]:
+        for one in dict.fromkeys(one.learnt for one in told):
+            holds = "holds" if one.holds else "does not hold"
+            yield Step(
+                depth=1,
+                text=self._formulas.text(one.about),
+                fact=described(one.fact),
+                rule=one.rule,
+                span=self._notes.spans.get(one.condition.id),
+                where=f"{self._formulas.text(one.condition)} {holds}",
+            )
+
+    def _unknown(self, operands: Sequence[Node]) -> Iterator[str]:
+        """The leaves about which nothing is known, with what could be done about it."""
+        pending = [o for o in reversed(operands) if not self._ranges.of(o).unit]
+        seen: set[int] = set()
+        told: set[str] = set()
+        while pending and len(seen) < WIDEST:
+            node = pending.pop()
+            if node.id in seen:
+                continue
+            seen.add(node.id)
+            text = "" if _tells(self._ranges.of(node)) else self._leaf(node)
+            if text and text not in told:
+                told.add(text)
+                yield text
+            pending += [o for o in reversed(node.operands) if not _tells(self._ranges.of(o))]
+
+    def _leaf(self, node: Node) -> str:
+        match node.data:
+            case Parameter(name=name, type=type_) if str(type_) in ("float", "int", "uint"):
+                return f"`{name}` has no declared range"
+            case Parameter(name=name):
+                return f"`{name}` may be anything"
+            case Attribute(name=name):
+                return f"`{name}` comes from the mesh"
+            case Resource(name=name):
+                return f"`{name}` may hold anything"
+            case _:
+                return ""
+
+
+def _tells(fact: Fact) -> bool:
+    """Whether a fact says more than the type does."""
+    return described(fact) not in ("anything", "any int", "any uint", "true or false")
+
+
+def _without(facts: Sequence[Fact], position: int) -> list[Fact]:
+    """The same with nothing known of one."""
+    return [UNKNOWN.as_kind(fact.kind) if i == position else fact for i, fact in enumerate(facts)]
+
+
+def described(fact: Fact) -> str:
+    """A fact in words."""
+    if fact.unit:
+        return "of length one"
+    if fact.kind != "float" and changed(fact, nonzero=False) == UNKNOWN.as_kind(fact.kind):
+        word = "true or false" if fact.kind == "bool" else f"any {fact.kind}"
+        return f"{word} but 0" if fact.nonzero else word
+    lo, hi = fact.lo + 0.0, fact.hi + 0.0  # no zero has a sign
+    if lo == hi:
+        return f"{lo:g}"
+    if fact.length and not fact.excludes_zero:
+        return f"a vector of length {fact.length:g} or more"
+    spared = fact.nonzero and lo <= 0 <= hi
+    match math.isfinite(lo), math.isfinite(hi):
+        case True, True:
+            return f"{lo:g}..{hi:g}" + (", not 0" if spared else "")
+        case True, False:
+            return f"> {lo:g}" if spared and lo == 0 else f"≥ {lo:g}"
+        case False, True:
+            return f"< {hi:g}" if spared and hi == 0 else f"≤ {hi:g}"
+        case _:
+            return "not 0" if fact.nonzero else "anything"

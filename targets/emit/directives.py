@@ -1,0 +1,70 @@
+"""``#line`` directives, by which a downstream compiler speaks of lines of the material.
+
+They are put into a finished text. Where a target numbers its files, 0 is the text itself, and a
+comment at its end lists the others.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from ...compiler.diagnostics.source import Source, Span
+from ...frozen import frozen
+from .comments import comment_line
+
+_NEUTRAL = re.compile(r"[{}\s]*(else[{}\s]*)?$")
+"""Lines about which no compiler has anything to say."""
+
+
+@frozen
+class Directed:
+    """A text with directives, and its source map."""
+
+    text: str
+    spans: Mapping[int, Span]
+    sources: tuple[Source, ...]
+    """The files that directives name; in a target that numbers them, from 1."""
+
+
+def directed(text: str, spans: Mapping[int, Span], form: str, name: str) -> Directed:
+    """``text``, called ``name``, with ``form`` before each line where the numbering changes.
+
+    ``form`` is a template of a ``line`` and either a file's ``name`` or its ``number``.
+    """
+    sources = tuple({span.source.name: span.source for span in spans.values()}.values())
+    numbers = {source.name: number for number, source in enumerate(sources, start=1)}
+    lines: list[str] = []
+    moved: dict[int, Span] = {}
+    expected: tuple[str, int] = ("", 1)
+    for number, line in enumerate(text.split("\n"), start=1):
+        span = spans.get(number)
+        if span is not None:
+            wanted = (span.source.name, span.source.position(span.start)[0])
+        elif not expected[0] or _NEUTRAL.match(line):
+            wanted = expected
+        else:
+            wanted = ("", len(lines) + 2)
+        if wanted != expected:
+            file, place = wanted
+            number_of_file = numbers.get(file, 0)
+            lines.append(form.format(line=place, name=plain(file or name), number=number_of_file))
+        lines.append(line)
+        if span is not None:
+            moved[len(lines)] = span
+        expected = (wanted[0], wanted[1] + 1)
+    if "{number}" in form:
+        lines[-1:] = [*_list(sources), lines[-1]]
+    return Directed("\n".join(lines), moved, sources)
+
+
+def _list(sources: tuple[Source, ...]) -> Iterator[str]:
+    yield ""
+    yield "// The files that #line numbers; 0 is this text."
+    for number, source in enumerate(sources, start=1):
+        yield comment_line(f"{number} {source.name}", "//")
+
+
+def plain(name: str) -> str:
+    """A file's name as it may stand between quotation marks."""
+    return "".join(c if c.isprintable() and c != '"' else "?" for c in name.replace("\\", "/"))

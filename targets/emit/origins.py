@@ -1,0 +1,65 @@
+"""Which line of a text computes which value: marks that pass through the skeletons with the text.
+
+A mark is a number between two characters of the private use area, which neither names nor comments
+can contain. It stands in a statement, wherever a skeleton puts that.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from ...compiler.ir.node import Node
+
+_OPEN, _CLOSE = "\ue000", "\ue001"
+_MARK = re.compile(f"{_OPEN}([0-9]+){_CLOSE}")
+_NO_STATEMENT = re.compile(r"\s*(//.*|[{}\s]*|\} else \{)$")
+
+
+class Marks:
+    """The values that the statements of one text compute."""
+
+    def __init__(self) -> None:
+        self._nodes: list[Node] = []
+
+    def mark(self, text: str, node: Node) -> str:
+        """``text`` with a mark that it computes ``node``."""
+        self._nodes.append(node)
+        return f"{_OPEN}{len(self._nodes) - 1}{_CLOSE}{text}"
+
+    def read(self, text: str) -> tuple[str, Mapping[int, Node]]:
+        """The text without its marks, and what each statement is for, by 1-based line.
+
+        Statements that skeletons add, such as ``return output;``, belong to what stands before them
+        in their function, or else behind.
+        """
+        lines = text.split("\n")
+        own = {
+            number: self._nodes[int(found[1])]
+            for number, line in enumerate(lines, start=1)
+            if _OPEN in line and (found := _MARK.search(line))
+        }
+        cleaned = [_MARK.sub("", line) if _OPEN in line else line for line in lines]
+        return "\n".join(cleaned), dict(_completed(cleaned, own))
+
+
+def _completed(lines: Sequence[str], own: Mapping[int, Node]) -> Iterator[tuple[int, Node]]:
+    """What every statement of a function that has any mark is for."""
+    for first, last in _top_level(lines):
+        node = next((own[number] for number in range(first, last) if number in own), None)
+        if node is None:
+            continue
+        for number in range(first, last):
+            line = lines[number - 1]
+            if line.startswith(" ") and not _NO_STATEMENT.match(line):
+                node = own.get(number, node)
+                yield number, node
+
+
+def _top_level(lines: Sequence[str]) -> Iterator[tuple[int, int]]:
+    """The lines up to, but without, each brace that closes something in the first column."""
+    first = 1
+    for number, line in enumerate(lines, start=1):
+        if line.startswith("}"):
+            yield first, number
+            first = number + 1

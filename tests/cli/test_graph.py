@@ -1,0 +1,101 @@
+"""``burnish graph``: formats, output whole or not at all, and what cannot be drawn."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from .kit import PLAIN, invoke, tree
+
+SOURCE = """
+material Plain {
+    param gain : float
+    param size : float in 1..4 = 2
+
+    safe  = uv.x / size
+    risky = uv.y / gain
+    color = vec3(safe, risky, safe * risky)
+}
+"""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "plain.burnish"
+    path.write_text(SOURCE)
+    return path
+
+
+def test_text_is_printed(file: Path) -> None:
+    result = invoke("graph", file)
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert result.stdout.startswith("Plain, pass Forward, rig Daylight\n\nhost, once for")
+    assert "= vertex_uv.x / size" in result.stdout
+
+
+def test_reasons_are_told(file: Path) -> None:
+    result = invoke("graph", file, "--why")
+    assert result.exit_code == 0
+    assert "  uv.x / size   (" in result.stdout
+    assert "- size is 1..4  [declared range]" in result.stdout
+    assert "missing: `gain` has no declared range" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("name", "begin"), [("a.svg", "<svg "), ("a.dot", "digraph "), ("a.txt", "Plain,")]
+)
+def test_a_file_s_name_says_the_format(file: Path, name: str, begin: str) -> None:
+    result = invoke("graph", file, "-o", file.parent / "new" / name)
+    assert (result.exit_code, result.output) == (0, "")
+    assert (file.parent / "new" / name).read_text("utf-8").startswith(begin)
+    assert tree(file.parent / "new") == {name}
+
+
+def test_an_unknown_ending_is_refused(file: Path) -> None:
+    result = invoke("graph", file, "-o", file.parent / "a.png")
+    assert result.exit_code == 2
+    assert "ends in none of .svg, .dot, .txt; say which --format" in result.stderr
+    assert tree(file.parent) == {"plain.burnish"}
+
+
+def test_a_folder_is_no_file_to_write(file: Path) -> None:
+    (file.parent / "a.svg").mkdir()
+    result = invoke("graph", file, "-o", file.parent / "a.svg")
+    assert result.exit_code == 1
+    assert "error[B0009]" in result.stderr
+    assert "it is a folder" in result.stderr
+
+
+def test_errors_of_the_material_are_told_and_nothing_is_written(file: Path) -> None:
+    file.write_text("material Plain { color = nonsense }")
+    result = invoke("graph", file, "-o", file.parent / "a.svg")
+    assert result.exit_code == 1
+    assert "error[B0201]" in result.stderr
+    assert tree(file.parent) == {"plain.burnish"}
+
+
+def test_a_picture_shows_one_material(file: Path) -> None:
+    file.write_text(PLAIN + PLAIN.replace("Plain", "Other"))
+    refused = invoke("graph", file, "-o", file.parent / "a.svg")
+    assert refused.exit_code == 2
+    assert "a picture shows one material, and there are Plain, Other; choose one" in refused.stderr
+    chosen = invoke("graph", file, "-o", file.parent / "a.svg", "--material", "Other")
+    assert chosen.exit_code == 0
+    assert invoke("graph", file).stdout.count("vertex stage") == 2
+
+
+def test_reasons_are_no_picture(file: Path) -> None:
+    result = invoke("graph", file, "--why", "--format", "svg")
+    assert result.exit_code == 2
+    assert "proofs are text" in result.stderr
+
+
+def test_what_is_too_large_to_draw_is_said(file: Path) -> None:
+    steps = "\n".join(f"x{i + 1} = sin(x{i}) * x{i}" for i in range(3000))
+    file.write_text(f"material Long {{ x0 = uv.x\n{steps}\ncolor = vec3(x3000) }}")
+    result = invoke("graph", file, "-o", file.parent / "a.svg")
+    assert result.exit_code == 1
+    assert "error[B0451]: Long has 30" in result.stderr
+    assert tree(file.parent) == {"plain.burnish"}
+    assert "x2999" in invoke("graph", file, "--format", "dot").stdout

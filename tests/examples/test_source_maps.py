@@ -1,0 +1,35 @@
+"""Every statement of every emitted text has its place in Burnish text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import pytest
+
+from .kit import VARIANTS, Variant
+
+FUNCTION = re.compile(r"(?!struct|cbuffer|layout|uniform)\S.*\{$")
+NO_STATEMENT = re.compile(r"\s*(//.*|\}|\} else \{|)$")
+
+
+def statements(text: str) -> Iterator[int]:
+    """The numbers of all lines inside of functions that say something, by their looks."""
+    inside = False
+    for number, line in enumerate(text.split("\n"), start=1):
+        if line.startswith("}"):
+            inside = False
+        elif inside and not NO_STATEMENT.match(line):
+            yield number
+        elif FUNCTION.match(line):
+            inside = True
+
+
+@pytest.mark.parametrize("variant", VARIANTS, ids=str)
+def test_every_statement_has_a_place(variant: Variant) -> None:
+    for material in variant.compile():
+        for file in material.files:
+            found = list(statements(file.text))
+            assert found
+            assert found == sorted(file.spans), file.name
+            assert all(span.start < span.end for span in file.spans.values())
