@@ -27,6 +27,8 @@ class Meanings:
 
     def of(self, node: Node) -> Meaning | None:
         """What ``node`` means; ``None`` for a bare number."""
+        if node.op not in _RULES:
+            return None
         if node.id in self._known:
             return self._known[node.id]
         pending = [node]
@@ -44,6 +46,10 @@ class Meanings:
             found = None if rule is None else rule(top, [self._known[o.id] for o in top.operands])
             self._known[top.id] = found if isinstance(found, Meaning) else None
         return self._known[node.id]
+
+    def keep(self, node: Node, meaning: Meaning | None) -> None:
+        """Remember what was worked out for ``node`` already."""
+        self._known[node.id] = meaning
 
     def ascribed(self, node: Node, meaning: Meaning | None) -> Node:
         """The value of ``node`` with a meaning given to it; ``None`` makes it a bare number."""
