@@ -63,7 +63,7 @@ def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> l
     wanted = list(roots)
     if not any(node.op == "as" for node in reachable(wanted)):
         return wanted
-    return rewrite(graph, wanted, lambda _g, n, ops: ops[0] if n.op == "as" else None, moved)
+    return rewrite(graph, wanted, lambda _graph, _node, operands: operands[0], moved, ("as",))
 
 
 def combined(node: Node, meanings: Iterable[Meaning | None]) -> Found:
