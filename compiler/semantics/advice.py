@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...stdlib.builtins import BUILTINS
 from ..diagnostics.nearest import suggestion
-from ..ir.types import BOOL, Array, Matrix, Scalar, Type, Vector, scalar_kind, width
+from ..ir.types import BOOL, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ..syntax import ast
 from .typenames import NAMED
 
@@ -17,12 +17,15 @@ if TYPE_CHECKING:
 _FEW = 8
 """As many names can be listed."""
 
+READ = "a texture is read: `name(coordinate)`"
 _LANES = "xyzw"
 _COLORS = "rgba"
 
 
 def fitting_type(found: Type, wanted: Type) -> str:
     """How to make a value of a type that is not the wanted one fit."""
+    if isinstance(found, Texture):
+        return "" if isinstance(wanted, Texture) else READ
     if wanted == BOOL and isinstance(found, Vector) and found.kind == "bool":
         return "`all(…)` or `any(…)` makes one truth of them"
     if wanted == BOOL:
@@ -52,6 +55,8 @@ def _of_lanes(found: Vector, wanted: Scalar | Vector) -> str:
 def joined_types(operator: str, left: Type, right: Type) -> str:
     """How to mend an operator between truths and numbers, or a vector in front of a matrix."""
     kinds = [scalar_kind(type_) for type_ in (left, right) if isinstance(type_, Scalar | Vector)]
+    if isinstance(left, Texture) or isinstance(right, Texture):
+        return READ
     if operator in ("and", "or"):
         return "`and` and `or` join truths: a comparison, as in `x > 0`, makes one of a number"
     if len(kinds) == 2 and "bool" in kinds and kinds != ["bool", "bool"]:
@@ -61,11 +66,24 @@ def joined_types(operator: str, left: Type, right: Type) -> str:
     return ""
 
 
+def _is_called(name: str) -> bool:
+    """Whether a name is that of a builtin function."""
+    row = BUILTINS.get(name)
+    return row is not None and not row.operator and row.method is None
+
+
+def is_read(name: str) -> bool:
+    """Whether textures are read by a method of this name."""
+    return any(row.method == name for row in BUILTINS.values())
+
+
 def missing_member(type_: Type, name: str) -> str:
     """What to write in place of ``v.name``, which there is not."""
+    if isinstance(type_, Texture):
+        return f"reads are called: `{name}(…)`" if is_read(name) else READ
     if isinstance(type_, Array):
         return "elements are read by their number, `a[i]`; the length is that of the declared type"
-    if name in BUILTINS and not BUILTINS[name].operator:
+    if _is_called(name):
         return f"functions are called with what they are of: `{name}(…)`"
     if isinstance(type_, Matrix):
         return "columns are read by their number, `m[i]`, and rows of them behind that, `m[i][j]`"
@@ -112,6 +130,6 @@ def uncalled(name: str) -> str:
     """What to write for a function or type without arguments; empty if it is neither."""
     if name in NAMED:
         return f"`{name}` is a type: `{name}(…)` makes a value of it"
-    if name in BUILTINS and not BUILTINS[name].operator:
+    if _is_called(name):
         return f"`{name}` is a function: `{name}(…)`"
     return ""

@@ -47,7 +47,7 @@ def meant(
     return contracted(low, node, declared, span, written)
 
 
-def is_apart(low: Lowering, node: Node | Failure, declared: Declared) -> TypeGuard[Node]:
+def is_apart(node: Node | Failure, low: Lowering, declared: Declared) -> TypeGuard[Node]:
     """Whether a value of another type means another kind of the same thing: both are geometry."""
     if isinstance(node, Failure) or coerce(low.graph, node, declared.type) is not None:
         return False

@@ -198,11 +198,20 @@ def _slot_value(
             rules.ABSTRACT_SLOT, instance.record.symbol.declaration.name.span,
             name=name, record=instance.record.name,
             labels=[Label(member.name.span, "declared here without a value")],
+            hint=_declaring(low, member, definition.owner.module),
         )  # fmt: skip
         return FAILURE
     scope = Scope(definition.owner.module, instance, definition.level, instance.surface or instance)
     result: Node | Failure = yield _defined(low, instance, name, member.value, scope)
     return result
+
+
+def _declaring(low: Lowering, member: ast.Slot, module: Module) -> str:
+    """How a texture is declared, for one that is declared as a slot."""
+    declared = None if member.type is None else declared_type(low, member.type, module)
+    if declared is None or not isinstance(declared.type, Texture):
+        return ""
+    return f"declare a texture with `map {member.name.text} : {declared.text}`"
 
 
 def _leaf(

@@ -96,6 +96,8 @@ class Lowering:
         self.recursive: set[Symbol] = set()
         """Functions that call themselves, which has been reported."""
         self.structs: dict[Symbol, Declared | None] = {}
+        self.declared: dict[ast.TypeName, Declared | None] = {}
+        """Written types that were looked up already."""
         self.variables: dict[int, Declared] = {}
         """How the slots of `light` are declared, by the variables that stand for them in terms."""
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
@@ -117,6 +119,21 @@ class Lowering:
             return value
         self.report.add(rules.NOT_A_VALUE, expression.span)
         return FAILURE
+
+    def part(self, value: Value, name: ast.Name) -> Step[Value]:
+        """``value.name``."""
+        match value:
+            case Failure():
+                return FAILURE
+            case Node():
+                return _component(self, value, name)
+            case LightVariable():
+                result: Value = yield lookup.light_slot(self, value, name)
+            case Inherited(instance, level):
+                result = yield lookup.inherited(self, instance, level, name)
+            case Instance():
+                result = yield lookup.slot_or_report(self, value, name.text, name.span)
+        return result
 
     def typed(
         self, expression: ast.Expression, scope: Scope, wanted: Type, declared: str
@@ -146,7 +163,7 @@ class Lowering:
         scope: Scope | None = None,
     ) -> Node | Failure:
         """The value of ``written`` as what was declared: its type, its meaning, its contract."""
-        if fitting.is_apart(self, node, declared):
+        if fitting.is_apart(node, self, declared):
             return fitting.meant(self, node, declared, written.span, written, scope)
         fitted = self.fit(node, declared.type, declared.text, written.span)
         if isinstance(fitted, Failure):
@@ -230,18 +247,7 @@ def _reference(low: Lowering, e: ast.Reference, scope: Scope) -> Step[Value]:
 
 def _field(low: Lowering, e: ast.Field, scope: Scope) -> Step[Value]:
     value: Value = yield low.expression(e.operand, scope)
-    name = e.name.text
-    match value:
-        case Failure():
-            return FAILURE
-        case Node():
-            return _component(low, value, e.name)
-        case LightVariable():
-            result: Value = yield lookup.light_slot(low, value, e.name)
-        case Inherited(instance, level):
-            result = yield lookup.inherited(low, instance, level, e.name)
-        case Instance():
-            result = yield lookup.slot_or_report(low, value, name, e.name.span)
+    result: Value = yield low.part(value, e.name)
     return result
 
 
@@ -275,6 +281,9 @@ def _swizzle_lanes(text: str, lanes: int) -> tuple[int, ...] | None:
 
 def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
     operand = yield low.node(e.operand, scope)
+    if isinstance(operand, Node) and isinstance(operand.type, Texture):
+        low.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type, hint=advice.READ)
+        return FAILURE
     position = yield low.typed(e.index, scope, INT, "int")
     if isinstance(operand, Failure) or isinstance(position, Failure):
         return FAILURE

@@ -19,6 +19,7 @@ from ..ir.signatures import (
     FAMILIES,
     FIXED,
     NUMBER_KINDS,
+    TEXTURE_FAMILIES,
     Family,
     dependent,
     meaning,
@@ -79,7 +80,8 @@ def takes(name: str, count: int) -> bool:
 
 def signatures(row: Builtin) -> str:
     """The candidates as one line for a message, as functions of a user's are declared."""
-    shown, used = [], set()
+    shown: list[str] = []
+    used: set[str] = set()
     for signature in row.signatures:
         operands, result = parsed(signature)
         used.update(operands)
@@ -124,6 +126,8 @@ def _bind(letter: str, uses: Sequence[Operand], bound: Mapping[str, Type]) -> Ty
     if letter == "M":
         types = {use.type for use in uses}
         return uses[0].type if len(types) == 1 and isinstance(uses[0].type, Matrix) else None
+    if letter in TEXTURE_FAMILIES:
+        return uses[0].type if uses[0].type in TEXTURE_FAMILIES[letter] else None
     if letter == "R":
         return uses[0].type if len({use.type for use in uses}) == 1 else None
     return common_type(FAMILIES[letter], uses)

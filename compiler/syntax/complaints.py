@@ -128,7 +128,7 @@ class Complaints:
         if not self._next_has_begun(index) or self._outline.can_end(index - 2):
             return False
         before = self._tokens[index - 2].text
-        return before not in ("(", ",", ":") or self._outline.begins_line(index - 1)
+        return before not in ("(", ",", ":", "{") or self._outline.begins_line(index - 1)
 
     def _next_has_begun(self, index: int) -> bool:
         """Whether the token before ``index`` is the name in front of an equation."""
