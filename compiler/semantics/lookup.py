@@ -101,10 +101,10 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
             return
         if instance is not None:
             known += instance.record.definitions
-    from ...stdlib.builtins.elsewhere import VALUES
+    from ...stdlib.builtins.elsewhere import KEYWORDS, VALUES
 
-    hint = f"it is `{VALUES[name]}` here" if name in VALUES else advice.of_a_record(name, scope)
-    if hint:
+    here = f"it is `{VALUES[name]}` here" if name in VALUES else ""
+    if hint := here or advice.of_a_record(name, scope) or KEYWORDS.get(name, ""):
         low.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=hint)
         return
     if hint := advice.uncalled(name):

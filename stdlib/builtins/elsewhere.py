@@ -240,7 +240,7 @@ VALUES: Mapping[str, str] = MappingProxyType(
         "gl_VertexID": "vertex_index", "SV_VertexID": "vertex_index", "vertex_id": "vertex_index",
         "gl_InstanceID": "instance_index", "SV_InstanceID": "instance_index",
         "instance_id": "instance_index", "M_PI": "pi", "PI": "pi", "True": "true", "TRUE": "true",
-        "False": "false", "FALSE": "false", "super": "inherited", "red": "#f00", "green": "#0f0",
+        "False": "false", "FALSE": "false",  "red": "#f00", "green": "#0f0",
         "blue": "#00f", "yellow": "#ff0", "white": "#fff", "black": "#000", "gray": "#808080",
         "grey": "#808080",
     }
@@ -281,6 +281,9 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
             ("enum", "typedef", "type", "interface", "namespace", "module"),
             "types are made by `struct Name { member : type, … }` only",
         ),
+        "super": "the value that a base gives is `inherited.name`",
+        **dict.fromkeys(("this", "self"), "a record's own slots are read by their names alone"),
+        **dict.fromkeys(("null", "nil", "None"), "every slot has a value"),
         "burnish": "`burnish 1` stands in front of all declarations",
         **dict.fromkeys(
             ("static", "inline", "precise", "highp", "mediump", "lowp", "invariant", "flat"),
