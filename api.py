@@ -23,7 +23,7 @@ from .targets import registry
 from .targets.emit.description import Profile, Target
 from .targets.emit.directives import Directed, directed
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
-from .targets.emit.limits import excesses
+from .targets.emit.limits import excesses, lacks
 from .targets.emit.reflection import backend_table
 
 if TYPE_CHECKING:
@@ -305,6 +305,11 @@ def _check_limits(material: CompiledMaterial, report: Report) -> None:
             report.add(
                 rules.TOO_MANY, None, count=excess.count, what=f"{excess.what} of {material.name}",
                 target=f"{target.name}:{profile.name}", limit=excess.limit,
+            )  # fmt: skip
+        for lack, node in lacks(material._staged.program, profile):
+            report.add(
+                rules.UNSUPPORTED, material.shader.notes.spans.get(node),
+                target=f"{target.name}:{profile.name}", feature=lack.feature, hint=lack.instead,
             )  # fmt: skip
 
 

@@ -143,6 +143,7 @@ def render(**chosen: Any) -> None:
         lamps.count=2                how many lights of an array shine
         'lamps[0].place=0,2,1'       one of them
         albedo=bricks.png            a texture: data, or with srgb:bricks.jpg colours
+        sky=px.png,nx.png,…          a cube's faces +x, -x, +y, -y, +z, -z; or layers, slices
 
     \b
     Example:

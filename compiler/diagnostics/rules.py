@@ -367,6 +367,23 @@ UNTOLD_PARAMETER = _error(
     "A type parameter stands for something about the arguments, so the type of at least one of "
     "them has to name it.",
 )
+TEXTURE_LACKS_READ = _error(
+    "B0350",
+    "a `{type}` has no {read}",
+    "Colours are filtered, depths compared with a reference, whole numbers loaded; texels have "
+    "numbers in all but cubes.",
+)
+NOT_A_LANE = _error(
+    "B0351",
+    "this operand has to be a constant in 0..3",
+    "Which lane of the texels is gathered is part of the instruction on most devices.",
+)
+SETTING_WITHOUT_USE = _error(
+    "B0352",
+    "`{name}` says nothing about a `{type}`",
+    "Cubes do not wrap, only depths are compared, depths are read at level 0, and nothing filters "
+    "whole numbers.",
+)
 MEMBER_COUNT = _error(
     "B0380",
     "`{name}` has the members ({members}), found {found} values",

@@ -7,9 +7,11 @@ All names here are suggestions in the user's spelling; a backend's ``Namer`` mak
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Literal
 
 from ...frozen import frozen
+from ...stdlib.builtins import BUILTINS
 from .leaves import HostPlace, InterpolationMode, Parameter, Resource, Step
 from .node import FoldOperator, Formal, Node
 from .types import Struct, Type
@@ -166,6 +168,31 @@ class Function:
 
 
 @frozen
+class TextureRead:
+    """That a stage reads a texture in some way."""
+
+    builtin: str
+    resource: Resource
+    node: int
+    """The id of one node that does."""
+
+    @property
+    def samples(self) -> bool:
+        """Whether it does so by the texture's sampler."""
+        return BUILTINS[self.builtin].sampler is not None
+
+
+def texture_reads(nodes: Iterable[Node]) -> tuple[TextureRead, ...]:
+    """Each way in which ``nodes`` read a texture, once."""
+    found: dict[tuple[str, Resource], TextureRead] = {}
+    for node in nodes:
+        if node.operands and isinstance(resource := node.operands[0].data, Resource):
+            read = TextureRead(str(node.data), resource, node.id)
+            found.setdefault((read.builtin, resource), read)
+    return tuple(found.values())
+
+
+@frozen
 class Stage:
     """One shader stage."""
 
@@ -185,6 +212,8 @@ class Stage:
     """Where true the pixel is not written; comes last."""
     builtin_inputs: tuple[str, ...] = ()
     """``frag_coord``, ``front_facing``, ``vertex_index``, ``instance_index`` when read."""
+    reads: tuple[TextureRead, ...] = ()
+    """In which ways the stage reads its textures: each way of each once."""
 
 
 @frozen
@@ -204,3 +233,13 @@ class Program:
     def stages(self) -> tuple[Stage, Stage]:
         """Both stages, in pipeline order."""
         return self.vertex, self.fragment
+
+    @property
+    def reads(self) -> tuple[TextureRead, ...]:
+        """How both stages read textures."""
+        return self.vertex.reads + self.fragment.reads
+
+    @property
+    def sampled(self) -> frozenset[Resource]:
+        """The textures that are read by their samplers."""
+        return frozenset(read.resource for read in self.reads if read.samples)

@@ -15,6 +15,7 @@ from .types import (
     BOOL,
     FLOAT,
     INT,
+    TEXTURES,
     UINT,
     Matrix,
     Scalar,
@@ -56,9 +57,19 @@ FAMILIES: Mapping[str, Family] = {
     "P": Family((*NUMBER_KINDS, "bool"), (1, 2, 3, 4), broadcasts=True),
 }
 
+TEXTURE_FAMILIES: Mapping[str, frozenset[Texture]] = {
+    "F": frozenset(t for t in TEXTURES if t.sample == "float" and not t.layered),
+    "D": frozenset(t for t in TEXTURES if t.sample == "depth" and not t.layered),
+    "G": frozenset(t for t in TEXTURES if t.dimension in ("2d", "3d")),
+    "H": frozenset(t for t in TEXTURES if t.layered),
+    "X": frozenset(TEXTURES),
+}
+"""What a letter for textures ranges over."""
+
 _PREFIXES: tuple[tuple[str, ScalarKind], ...] = (("i", "int"), ("u", "uint"), ("b", "bool"))
 FIXED: Mapping[str, Type] = {
-    "S": FLOAT, "float": FLOAT, "int": INT, "uint": UINT, "bool": BOOL, "texture2d": Texture(),
+    "S": FLOAT, "float": FLOAT, "int": INT, "uint": UINT, "bool": BOOL,
+    **{str(texture): texture for texture in TEXTURES},
     **{f"vec{n}": Vector("float", n) for n in (2, 3, 4)},
     **{f"{p}vec{n}": Vector(k, n) for n in (2, 3, 4) for p, k in _PREFIXES},
     **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
@@ -68,7 +79,7 @@ FIXED: Mapping[str, Type] = {
 _OF_KIND: Mapping[str, ScalarKind] = {"Q": "bool", "U": "uint", "J": "int"}
 """Letters for lanes of a kind, as many as another letter has."""
 
-DEPENDENT = "CLQUJ"
+DEPENDENT = "CLQUJKWE"
 """Letters that follow from others and so are bound last."""
 
 
@@ -98,7 +109,7 @@ def meaning(letter: str, bound: Mapping[str, Type]) -> Type:
 
 
 def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
-    """``L``, ``C``, ``Q``, ``U`` and ``J`` follow from a letter bound before them."""
+    """What follows from a letter bound before: lanes, columns, how a texture is read."""
     if letter == "C" and isinstance(matrix := bound.get("M"), Matrix):
         return Vector("float", matrix.size)
     base = next((bound[source] for source in "NTIP" if source in bound), None)
@@ -107,7 +118,21 @@ def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
         return Scalar(kind)
     if letter in _OF_KIND and base is not None:
         return with_width(_OF_KIND[letter], width(base))
-    return None
+    texture = next((t for t in bound.values() if isinstance(t, Texture)), None)
+    return None if texture is None else _of_texture(letter, texture)
+
+
+def _of_texture(letter: str, texture: Texture) -> Type | None:
+    """A texture's coordinate, its size, and what a texel holds."""
+    match letter:
+        case "K":
+            return Vector("float", texture.axes)
+        case "W":
+            return Vector("int", texture.extents)
+        case "E":
+            return texture.texel
+        case _:
+            return None
 
 
 def _bound(words: tuple[str, ...], operands: tuple[Type, ...]) -> dict[str, Type] | None:
@@ -128,6 +153,8 @@ def _may_be(letter: str, type_: Type, bound: Mapping[str, Type]) -> bool:
     """Whether a letter can stand for a type."""
     if letter in FAMILIES:
         return FAMILIES[letter].contains(type_)
+    if letter in TEXTURE_FAMILIES:
+        return type_ in TEXTURE_FAMILIES[letter]
     if letter == "M":
         return isinstance(type_, Matrix)
     return letter == "R" or type_ == (FIXED.get(letter) or dependent(letter, bound))

@@ -7,11 +7,15 @@ safe as dictionary keys.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import ClassVar, Literal
 
 from ...frozen import frozen
 
 ScalarKind = Literal["float", "int", "uint", "bool"]
+Dimension = Literal["2d", "2d_array", "3d", "cube"]
+Sample = Literal["float", "depth", "int", "uint"]
+"""What a texture holds: colours, depths to compare with, or whole numbers."""
 
 
 @frozen(key=True)
@@ -85,13 +89,33 @@ class Struct:
 
 @frozen(key=True)
 class Texture:
-    """A sampled texture; WebGPU layouts need to know its dimension and sample type."""
+    """A texture; dimension and sample type are part of it, since WebGPU layouts need them."""
 
-    dimension: Literal["2d"] = "2d"
-    sample: Literal["float"] = "float"
+    dimension: Dimension = "2d"
+    sample: Sample = "float"
+
+    @property
+    def layered(self) -> bool:
+        """Whether a read says which layer."""
+        return self.dimension == "2d_array"
+
+    @property
+    def texel(self) -> Numeric:
+        """What one texel holds."""
+        return FLOAT if self.sample == "depth" else Vector(self.sample, 4)
+
+    @property
+    def axes(self) -> int:
+        """Numbers in a coordinate by which it is filtered."""
+        return 3 if self.dimension in ("3d", "cube") else 2
+
+    @property
+    def extents(self) -> int:
+        """Numbers in its size, and in the place of a texel; layers are counted apart."""
+        return 3 if self.dimension == "3d" else 2
 
     def __str__(self) -> str:
-        return f"texture{self.dimension}"
+        return _PREFIXES[self.sample] + _SUFFIXES[self.dimension]
 
 
 Type = Scalar | Vector | Matrix | TallMatrix | Array | Struct | Texture
@@ -104,6 +128,21 @@ BOOL = Scalar("bool")
 VEC2 = Vector("float", 2)
 VEC3 = Vector("float", 3)
 VEC4 = Vector("float", 4)
+
+_PREFIXES: Mapping[Sample, str] = {
+    "float": "texture", "depth": "depth", "int": "itexture", "uint": "utexture",
+}  # fmt: skip
+_SUFFIXES: Mapping[Dimension, str] = {
+    "2d": "2d", "2d_array": "2d_array", "3d": "3d", "cube": "_cube",
+}  # fmt: skip
+
+TEXTURES = (
+    *(Texture(dimension, "float") for dimension in _SUFFIXES),
+    *(Texture(dimension, "depth") for dimension in _SUFFIXES if dimension != "3d"),
+    *(Texture(d, sample) for sample in ("int", "uint") for d in _SUFFIXES if d != "cube"),
+)
+"""All there are. No API compares volumes, and the texels of a cube cannot be named by numbers, so
+integer cubes could not be read. Arrays of cubes are left out: ES 3.0 and GL 3.3 have none."""
 
 
 def width(type_: Type) -> int:

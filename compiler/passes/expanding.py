@@ -11,7 +11,7 @@ from ...stdlib.builtins.row import nowhere
 from ..ir.node import Formal, Formals, Graph, Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
-from ..ir.types import Scalar, Type, Vector, scalar_kind, width, with_width
+from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from ..semantics.shader import Notes
 from .expand import Template, template
 from .simplify import Simplifier
@@ -31,7 +31,7 @@ class Expanding(Simplifier):
         self.expanded: dict[int, Node] = {}
         """By the id of the ``call`` that was expanded."""
         self._varying: dict[int, bool] = {}
-        self._functions: dict[tuple[Template, tuple[Type, ...]], tuple[Node, Formals]] = {}
+        self._functions: dict[tuple[Template, tuple[Type | Node, ...]], tuple[Node, Formals]] = {}
 
     def expansion(self, node: Node) -> Node:
         """The value of a ``call`` by the expansion in its builtin's row."""
@@ -60,19 +60,21 @@ class Expanding(Simplifier):
         """
         if len(found.operations) < OUTLINED or not all(map(self._varies, operands)):
             return self._instantiate(found, operands)
-        key = found, tuple(operand.type for operand in operands)
+        # Textures are no arguments everywhere, so each has a function of its own.
+        named = [(Formal(n), o) for n, o in zip(found.parameters, operands, strict=True)]
+        passed = [(formal, o) for formal, o in named if not isinstance(o.type, Texture)]
+        key = found, tuple(o if isinstance(o.type, Texture) else o.type for o in operands)
         if key not in self._functions:
-            formals = tuple(Formal(name) for name in found.parameters)
             leaves = tuple(
-                self.graph.node("formal", operand.type, (), formal)
-                for operand, formal in zip(operands, formals, strict=True)
+                o if isinstance(o.type, Texture) else self.graph.node("formal", o.type, (), formal)
+                for formal, o in named
             )
             body = self._instantiate(found, leaves)
             self.notes.functions.setdefault(body.id, f"safe_{found.name}")
             self.notes.docs.setdefault(body.id, found.doc)
-            self._functions[key] = body, formals
+            self._functions[key] = body, tuple(formal for formal, _ in passed)
         body, formals = self._functions[key]
-        return self.graph.node("apply", body.type, (body, *operands), formals)
+        return self.graph.node("apply", body.type, (body, *(o for _, o in passed)), formals)
 
     def _varies(self, root: Node) -> bool:
         """Whether a value may differ between vertices or pixels."""

@@ -11,13 +11,13 @@ from collections.abc import Collection, Iterable, Iterator
 from itertools import islice
 
 from ...frozen import frozen
-from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import Fact
 from ..ir import rulebook
 from ..ir.conditions import Learnt, learnt
 from ..ir.node import Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.types import Scalar
+from .uniformity import needing_uniform_flow
 
 WIDEST = 24
 """Values between an operand and a condition's; beyond that, nothing is worked out anew."""
@@ -79,7 +79,7 @@ class Paths:
         wanted = list(roots)
         nodes = reachable(wanted)
         if any(node.op == "select" for node in nodes):
-            self._find(wanted, nodes)
+            self._find(wanted, nodes, needing_uniform_flow(wanted))
 
     def known(self, user: Node, operand: Node) -> Known:
         """What holds of ``operand`` where ``user`` is computed.
@@ -114,7 +114,8 @@ class Paths:
             self._told_at[path] = told
         return self._told_at[path]
 
-    def _find(self, roots: list[Node], nodes: list[Node]) -> None:
+    def _find(self, roots: list[Node], nodes: list[Node], together: frozenset[int]) -> None:
+        """Paths of all nodes; what needs all pixels, and its operands, come before all branches."""
         for root in roots:
             self._of[root.id] = None
         for node in reversed(nodes):
@@ -124,7 +125,7 @@ class Paths:
                 depth = 0 if here is None else here.depth + 1
                 if depth < DEEPEST:
                     sides[1:] = [Path(here, node, holds, depth) for holds in (True, False)]
-            elif node.op == "interpolate" or _needs_uniform_control_flow(node):
+            elif node.op == "interpolate" or node.id in together:
                 sides = [None] * len(node.operands)
             for operand, path in zip(node.operands, sides, strict=True):
                 known = operand.id in self._of
@@ -144,11 +145,6 @@ def _cone(operand: Node, about: Collection[int]) -> list[Node]:
         if id_ in about or any(o.id in chosen for o in node.operands):
             chosen[id_] = node
     return list(chosen.values())
-
-
-def _needs_uniform_control_flow(node: Node) -> bool:
-    """Such a node, and so what it needs, is computed before all branches."""
-    return node.op == "call" and BUILTINS[str(node.data)].uniform_control_flow
 
 
 def _common(left: Path | None, right: Path | None) -> Path | None:

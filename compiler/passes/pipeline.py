@@ -8,7 +8,7 @@ from ...frozen import frozen
 from ..ir import build
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Graph, Node
-from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying
+from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying, texture_reads
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..layout import STANDARD_GROUPS, layout_blocks
@@ -214,6 +214,7 @@ def _stage(
         results=tuple(values[1:] if name == "vertex" else values),
         discard=discard,
         builtin_inputs=tuple(sorted({str(n.data) for n in visible(roots) if n.op == "input"})),
+        reads=texture_reads(visible(roots, into_bodies=True)),
     )
 
 

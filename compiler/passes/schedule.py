@@ -10,18 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from ...stdlib.builtins import BUILTINS
 from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
-from ..ir.types import Matrix
+from ..ir.types import Matrix, Texture
 from ..semantics.shader import Notes
 from ..trampoline import Step, run
 from .cost import cost_of
 from .guard import BRANCH
 from .naming import Naming
 from .paths import DEEPEST
+from .uniformity import LOOPS, compares, needing_uniform_flow
 
-LOOPS = frozenset({"fold", "iterate"})
 LEAVES = frozenset({"constant", "parameter", "resource", "attribute", "formal", "input", "bound"})
 BRANCH_COST = 32
 """A select whose sides cost less than this is cheaper than a branch."""
@@ -69,6 +68,8 @@ class Scheduler:
         sampler before it computes the coordinate, and a ``?:`` would part join and read."""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
+        self._together = needing_uniform_flow(self._roots)
+        """What all pixels have to reach, branches or not."""
         self._order = in_order_of_use(self._roots)
         self._naming.learn(reversed(self._order))
 
@@ -94,7 +95,7 @@ class Scheduler:
             home = _enclosing(homes[node.id])
             self._home[node.id] = self._lifted(node, home)
             lifted = self._home[node.id] is not home
-            if lifted or (node.id in optional and _needs_uniform_flow(node)):
+            if lifted or (node.id in optional and node.id in self._together):
                 self._apart.add(node.id)
             home = self._home[node.id]
             if node.op in LOOPS:
@@ -106,7 +107,7 @@ class Scheduler:
                     _Block(home, node, depth=home.depth + 1),
                     _Block(home, node, depth=home.depth + 1),
                 )
-            if _needs_uniform_flow(node):
+            if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
             for position, operand in enumerate(operands_of(node)):
                 region = self._region_of(node, position, home)
@@ -127,7 +128,7 @@ class Scheduler:
 
     def _lifted(self, node: Node, home: _Block) -> _Block:
         """Out of loops that a value does not depend on; reads with implicit level to the top."""
-        uniform = _needs_uniform_flow(node)
+        uniform = node.id in self._together
         block, best = home, home
         while block.parent is not None:
             if not block.loop.isdisjoint(node.variables):
@@ -174,7 +175,7 @@ class Scheduler:
             outside = {u for u in users[node.id] if u[0] not in inside and u != (select.id, side)}
             if outside or node.id in inside:
                 continue
-            if _needs_uniform_flow(node):
+            if node.id in self._together:
                 continue
             inside.add(node.id)
             total += cost_of(node)
@@ -307,14 +308,13 @@ def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
     return list(order.values())
 
 
+def _reads_texture(node: Node) -> bool:
+    return bool(node.operands) and isinstance(node.operands[0].type, Texture)
+
+
 def _has_to_branch(select: Node) -> bool:
     """One side is safe only behind the condition, or no language has a `?:` for the type."""
     return select.data == BRANCH or isinstance(select.type, Matrix)
-
-
-def _needs_uniform_flow(node: Node) -> bool:
-    """Whether a node compares neighbouring pixels, all of which have to get there."""
-    return node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
 
 
 def is_access(node: Node) -> bool:

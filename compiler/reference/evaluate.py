@@ -21,7 +21,7 @@ from .operations import NotConstantError, apply, chosen
 __all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "evaluate"]
 
 Leaves = Callable[[Node], Lanes | None]
-"""The value of a leaf; ``None`` where it has none. A texture's one lane is a function of ``u, v``.
+"""The value of a leaf; ``None`` where it has none. Textures have a ``textures.Reader``.
 
 It is asked about crossings (``interpolate``) too: one without a value has that of its operand.
 """

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
+from ...stdlib.builtins import texture
 from . import (
     bits,
     derivatives,
@@ -18,6 +19,7 @@ from . import (
     logic,
     matrices,
     scalars,
+    textures,
     vectors,
 )
 from .namespace import Lane, Lanes, Namespace
@@ -135,7 +137,6 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "refract": vectors.refract,
     "faceforward": vectors.faceforward,
     "lit": vectors.lit,
-    "sample": vectors.sample,
     "ddx": derivatives.ddx,
     "ddy": derivatives.ddy,
     "transpose": matrices.transpose,
@@ -153,6 +154,7 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "unpack_snorm2x16": bits.unpack_snorm2x16,
     "unpack_half2x16": bits.unpack_half2x16,
     "inverse": matrices.inverse,
+    **{row.name: textures.reading(row.name) for row in texture.ROWS},
 }
 """On whole values rather than lane by lane."""
 

@@ -69,10 +69,3 @@ def lit(xp: Namespace, diffuse: Lanes, specular: Lanes, power: Lanes) -> Lanes:
     unlit = xp.logical_or(nl < 0, nh < 0)
     highlight = xp.where(unlit, 0.0, floats.pow_(xp, nh, exponent))
     return (1.0, xp.maximum(nl, 0.0), highlight, 1.0)
-
-
-def sample(_xp: Namespace, texture: Lanes, uv: Lanes) -> Lanes:
-    """A texture's one lane is a function of a coordinate: how it filters is the evaluator's."""
-    (read,) = texture
-    colour: Lanes = read(*uv)
-    return colour

@@ -9,11 +9,11 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program, Varying
-from ..ir.types import Texture
-from ..semantics.shader import AttributeInfo, ResourceInfo, Shader, TargetInfo
+from ..semantics.shader import AttributeInfo, Shader, TargetInfo
 from .bytes import block_row
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint
+from .textures import sampler_rows, texture_row
 
 FORMAT = 1
 """Grows when a host that reads the document has to change."""
@@ -52,32 +52,14 @@ def reflect(
         "parameters": [parameter_row(info, names, places) for info in infos],
         "derived": derived_rows(places, derived or {}),
         "lights": light_rows(infos),
-        "textures": [_texture_row(info, program) for info in shader.resources],
-        "samplers": [_sampler_row(info) for info in shader.resources],
+        "textures": [texture_row(info, program) for info in shader.resources],
+        "samplers": sampler_rows(shader.resources, program),
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": [_varying_row(varying) for varying in program.varyings],
         "targets": list(_target_rows(shader.targets, program)),
         "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
     }
-
-
-def _texture_row(info: ResourceInfo, program: Program) -> dict[str, Any]:
-    resource = info.resource
-    assert isinstance(resource.type, Texture)
-    return {
-        "name": resource.name,
-        "dimension": resource.type.dimension,
-        "sample": resource.type.sample,
-        "group": resource.group,
-        "default": resource.default,
-        "stages": [stage.name for stage in program.stages if resource in stage.resources],
-        "doc": info.doc,
-    }
-
-
-def _sampler_row(info: ResourceInfo) -> dict[str, Any]:
-    return {"texture": info.resource.name, "state": dict(info.resource.state)}
 
 
 def _vertex_input_rows(

@@ -11,10 +11,10 @@ from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node, bare
 from ..ir.signatures import FAMILIES
-from ..ir.types import VEC2, VEC3, Array, Struct, Texture, scalar_kind
+from ..ir.types import VEC3, Array, Struct, Texture, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
-from . import fitting, lights, lookup, overloads
+from . import fitting, lights, lookup, overloads, textures
 from .aggregates import structure
 from .coerce import coerce
 from .construct import construct, is_constructor
@@ -35,8 +35,23 @@ def call(low: Lowering, e: ast.Call, scope: Scope) -> Step[Value]:
     if isinstance(e.callee, ast.Reference):
         result: Value = yield _named(low, e, e.callee, arguments, scope, failed)
         return result
-    callee = yield low.node(e.callee, scope)
-    return FAILURE if failed else _read(low, callee, arguments, e)
+    read: Value = yield _of_value(low, e, arguments, scope, failed)
+    return read
+
+
+def _of_value(
+    low: Lowering, e: ast.Call, arguments: tuple[Node, ...], scope: Scope, failed: bool
+) -> Step[Value]:
+    """``x.read(…)`` or ``x.map(…)``: only textures are called that have no name of their own."""
+    if not isinstance(e.callee, ast.Field):
+        callee = yield low.node(e.callee, scope)
+        return FAILURE if failed else textures.read(low, callee, arguments, e)
+    owner = yield low.expression(e.callee.operand, scope)
+    if isinstance(owner, Node) and isinstance(owner.type, Texture):
+        method = e.callee.name
+        return FAILURE if failed else textures.read(low, owner, arguments, e, method)
+    member = yield low.part(owner, e.callee.name)
+    return FAILURE if failed else textures.read(low, member, arguments, e)
 
 
 def _arguments(low: Lowering, e: ast.Call, scope: Scope) -> Step[tuple[tuple[Node, ...], bool]]:
@@ -62,7 +77,7 @@ def _named(
     own = scope.instance is not None and _is_map(scope.instance.record.definitions.get(name))
     if own or name in scope.locals:
         texture = yield lookup.value(low, name, callee.span, scope)
-        return FAILURE if failed else _read(low, texture, arguments, e)
+        return FAILURE if failed else textures.read(low, texture, arguments, e)
     functions = [s for s in scope.module.find(name) if isinstance(s.declaration, ast.Function)]
     if functions:
         applied: Value = FAILURE
@@ -77,13 +92,15 @@ def _named(
     surface = scope.surface
     if surface is not None and _is_map(surface.record.definitions.get(name)):
         texture = yield lookup.slot(low, surface, name, callee.span)
-        return FAILURE if failed else _read(low, texture, arguments, e)
+        return FAILURE if failed else textures.read(low, texture, arguments, e)
     if not failed or not scope.module.find(name):
         _not_callable(low, name, callee.span, scope)
     return FAILURE
 
 
-NOT_CALLED = frozenset({"sample", *(n for n, row in BUILTINS.items() if row.operator)})
+NOT_CALLED = frozenset(
+    name for name, row in BUILTINS.items() if row.operator or row.method is not None
+)
 """Rows that are written in another way than as a call."""
 
 
@@ -129,24 +146,6 @@ def _elsewhere(name: str) -> str:
     if name in FUNCTIONS:
         return FUNCTIONS[name].hint
     return f"it is `{TYPES[name]}` here" if name in TYPES else ""
-
-
-def _read(low: Lowering, texture: Value, arguments: tuple[Node, ...], e: ast.Call) -> Value:
-    """``albedo(uv)``: a texture is read by calling it."""
-    if isinstance(texture, Failure):
-        return FAILURE
-    if not isinstance(texture, Node) or not isinstance(texture.type, Texture):
-        low.report.add(rules.NOT_CALLABLE, e.callee.span, found="this")
-        return FAILURE
-    if len(arguments) != 1:
-        low.report.add(
-            rules.WRONG_COUNT, e.span, name="a texture", expected=1, found=len(arguments)
-        )
-        return FAILURE
-    coordinate = low.fit(arguments[0], VEC2, "vec2", e.arguments[0].span)
-    if isinstance(coordinate, Failure):
-        return FAILURE
-    return low.builtin("sample", (texture, coordinate), e.span, "a texture read")
 
 
 def _unguarded(low: Lowering, arguments: tuple[Node, ...], e: ast.Call) -> Value:

@@ -12,16 +12,20 @@ from collections.abc import Mapping, Sequence
 from ...frozen import frozen
 from ..ir.meaning import Meaning
 from ..ir.signatures import Family
-from ..ir.types import Array, Matrix, Scalar, Type, Vector
+from ..ir.types import Array, Matrix, Scalar, Texture, Type, Vector
 from ..syntax import ast
 from . import overloads
 from .algebra import joined, weakened
 from .overloads import Operand
 from .typenames import GENERIC_VECTOR, NAMED, Declared, Variable, Variables
 
-SPACES, WIDTHS, COUNTS, MATRICES = "spaces", "widths", "counts", "matrices"
-FAMILIES = (*overloads.WRITTEN_FAMILIES, MATRICES, SPACES, WIDTHS, COUNTS)
+SPACES, WIDTHS, COUNTS = "spaces", "widths", "counts"
+MATRICES, TEXTURES = "matrices", "textures"
+FAMILIES = (*overloads.WRITTEN_FAMILIES, MATRICES, TEXTURES, SPACES, WIDTHS, COUNTS)
 """What a type parameter may range over."""
+
+_WHOLE: Mapping[str, type[Matrix | Texture]] = {MATRICES: Matrix, TEXTURES: Texture}
+"""Families of types without lanes that could adapt."""
 
 
 @frozen
@@ -138,10 +142,10 @@ def _common(family: str, uses: Sequence[Use]) -> Declared | None:
     if not uses:
         return None
     operands = [use.operand for use in uses]
-    if family == MATRICES:
+    if family in _WHOLE:
         types = {operand.type for operand in operands}
         type_ = operands[0].type if len(types) == 1 else None
-        type_ = type_ if isinstance(type_, Matrix) else None
+        type_ = type_ if isinstance(type_, _WHOLE[family]) else None
     else:
         known: Mapping[str, Family] = overloads.WRITTEN_FAMILIES
         type_ = overloads.common_type(known[family], operands) if family in known else None

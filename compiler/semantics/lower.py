@@ -119,6 +119,21 @@ class Lowering:
         self.report.add(rules.NOT_A_VALUE, expression.span)
         return FAILURE
 
+    def part(self, value: Value, name: ast.Name) -> Step[Value]:
+        """``value.name``."""
+        match value:
+            case Failure():
+                return FAILURE
+            case Node():
+                return _component(self, value, name)
+            case LightVariable():
+                result: Value = yield lookup.light_slot(self, value, name)
+            case Inherited(instance, level):
+                result = yield lookup.inherited(self, instance, level, name)
+            case Instance():
+                result = yield lookup.slot_or_report(self, value, name.text, name.span)
+        return result
+
     def typed(
         self, expression: ast.Expression, scope: Scope, wanted: Type, declared: str
     ) -> Step[Node | Failure]:
@@ -236,18 +251,7 @@ def _reference(low: Lowering, e: ast.Reference, scope: Scope) -> Step[Value]:
 
 def _field(low: Lowering, e: ast.Field, scope: Scope) -> Step[Value]:
     value: Value = yield low.expression(e.operand, scope)
-    name = e.name.text
-    match value:
-        case Failure():
-            return FAILURE
-        case Node():
-            return _component(low, value, e.name)
-        case LightVariable():
-            result: Value = yield lookup.light_slot(low, value, e.name)
-        case Inherited(instance, level):
-            result = yield lookup.inherited(low, instance, level, e.name)
-        case Instance():
-            result = yield lookup.slot_or_report(low, value, name, e.name.span)
+    result: Value = yield low.part(value, e.name)
     return result
 
 
@@ -264,7 +268,8 @@ def _component(low: Lowering, node: Node, name: ast.Name) -> Node | Failure:
             whole = build.swizzle(low.graph, node, lanes)
             is_color = low.meanings.of(node) == RGB and name.text == "rgb"
             return whole if is_color or whole is not node else low.meanings.ascribed(node, None)
-    low.report.add(rules.NO_MEMBER, name.span, name=name.text, type=node.type)
+    hint = "read it: `name(coordinate)`" if isinstance(node.type, Texture) else ""
+    low.report.add(rules.NO_MEMBER, name.span, name=name.text, type=node.type, hint=hint)
     return FAILURE
 
 

@@ -19,6 +19,7 @@ from ..ir.signatures import (
     FAMILIES,
     FIXED,
     NUMBER_KINDS,
+    TEXTURE_FAMILIES,
     Family,
     dependent,
     meaning,
@@ -109,6 +110,8 @@ def _bind(letter: str, uses: Sequence[Operand], bound: Mapping[str, Type]) -> Ty
     if letter == "M":
         types = {use.type for use in uses}
         return uses[0].type if len(types) == 1 and isinstance(uses[0].type, Matrix) else None
+    if letter in TEXTURE_FAMILIES:
+        return uses[0].type if uses[0].type in TEXTURE_FAMILIES[letter] else None
     if letter == "R":
         return uses[0].type if len({use.type for use in uses}) == 1 else None
     return common_type(FAMILIES[letter], uses)

@@ -11,7 +11,7 @@ from ...stdlib.builtins.facts import UNKNOWN, Fact
 from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Span
-from ..ir.leaves import Attribute, Parameter, Resource, Step
+from ..ir.leaves import Attribute, Parameter, Step
 from ..ir.meaning import ANGLE, Meaning
 from ..ir.node import Node
 from ..ir.types import INT, Array, Matrix, Scalar, Struct, Texture, Type, Vector, scalar_kind
@@ -21,11 +21,11 @@ from ..trampoline import run
 from .algebra import weakened
 from .declared import declared_type
 from .fitting import needs_unit
+from .maps import resource, unknown_word
 from .records import Definition, Record
 from .scope import Failure, Scope
 from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
 from .typenames import Declared
-from .unique import check_once
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -35,14 +35,6 @@ DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pa
 
 STEPS = ("vertex", "instance")
 """What an attribute can be declared ``per``; the first is the default."""
-
-TEXTURE_DEFAULTS = ("white", "black", "gray", "transparent", "flat_normal")
-SAMPLER_STATE: Mapping[str, tuple[str, ...]] = {
-    "filter": ("linear", "nearest"),
-    "mip": ("linear", "nearest", "none"),
-    "wrap": ("repeat", "clamp", "mirror"),
-}
-"""What can be said of a sampler; the first of each is the default."""
 
 
 @frozen
@@ -69,7 +61,8 @@ def leaves_of(
             if info is not None:
                 parameters.append(info)
         elif isinstance(member, ast.Map):
-            texture = _resource(low, definition, prefix + name)
+            group = _group(low, definition, member.group)
+            texture = resource(low, definition, prefix + name, group)
             if texture is not None:
                 resources.append(texture)
         elif isinstance(member, ast.Attribute):
@@ -206,49 +199,6 @@ def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:
     return tuple(lane / length for lane in lanes)
 
 
-def _resource(low: Lowering, definition: Definition, name: str) -> ResourceInfo | None:
-    member = definition.member
-    assert isinstance(member, ast.Map)
-    declared = declared_type(low, member.type, definition.owner.module)
-    if declared is None:
-        return None
-    if not isinstance(declared.type, Texture):
-        low.report.add(
-            rules.WRONG_TYPE, member.type.span, expected="a texture type", found=declared.text,
-            hint="`texture2d` is one",
-        )  # fmt: skip
-        return None
-    default = member.default.text if member.default is not None else TEXTURE_DEFAULTS[0]
-    if member.default is not None and default not in TEXTURE_DEFAULTS:
-        _unknown_word(low, "texture default", member.default, TEXTURE_DEFAULTS)
-    group = _group(low, definition, member.group)
-    state = tuple(sorted(_sampler_state(low, member).items()))
-    resource = Resource(name, declared.type, group, default, state)
-    return ResourceInfo(resource, member.doc, member.name.span)
-
-
-def _sampler_state(low: Lowering, member: ast.Map) -> dict[str, str]:
-    check_once(low.report, (key for key, _ in member.state))
-    state = {key: values[0] for key, values in SAMPLER_STATE.items()}
-    for key, value in member.state:
-        if key.text not in SAMPLER_STATE:
-            _unknown_word(low, "sampler setting", key, SAMPLER_STATE)
-        elif value.text not in SAMPLER_STATE[key.text]:
-            _unknown_word(low, f"value for `{key.text}`", value, SAMPLER_STATE[key.text])
-        else:
-            state[key.text] = value.text
-    return state
-
-
-def _unknown_word(
-    low: Lowering, kind: str, name: ast.Name, known: Mapping[str, object] | tuple[str, ...]
-) -> None:
-    listed = ", ".join(f"`{word}`" for word in known)
-    low.report.add(
-        rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=f"one of {listed}"
-    )
-
-
 def _attribute(low: Lowering, definition: Definition, name: str) -> list[AttributeInfo]:
     """A vertex input; for a matrix one for each column, as no API has more than vectors."""
     member = definition.member
@@ -258,7 +208,7 @@ def _attribute(low: Lowering, definition: Definition, name: str) -> list[Attribu
         return []
     type_, doc, span = declared.type, member.doc, member.name.span
     if member.rate is not None and member.rate.text not in STEPS:
-        _unknown_word(low, "step", member.rate, STEPS)
+        unknown_word(low, "step", member.rate, STEPS)
     step: Step = "instance" if member.rate and member.rate.text == "instance" else "vertex"
     if isinstance(type_, Matrix):
         column = Vector("float", type_.size)

@@ -58,10 +58,11 @@ class Stages:
         found = next(filter(_fragment_only, reachable((inner,))), None)
         if found is None:
             return inner
-        read = found.op == "call" and found.data == "sample"
+        read = found.op == "call" and BUILTINS[str(found.data)].sampler is not None
         what = "a texture read without a level" if read else f"`{found.data}`"
         labels = [Label(self._notes.spans.get(found.id, span), "read here")]
-        self._report.add(rules.NOT_AT_VERTEX, span, what=what, labels=labels)
+        hint = "say which level is read: `name.level(coordinate, 0)`" if read else ""
+        self._report.add(rules.NOT_AT_VERTEX, span, what=what, labels=labels, hint=hint)
         return FAILURE
 
     def at_vertex(self, root: Node) -> Node:

@@ -18,6 +18,7 @@ from ..ir.types import (
     BOOL,
     FLOAT,
     INT,
+    TEXTURES,
     UINT,
     VEC3,
     VEC4,
@@ -26,7 +27,6 @@ from ..ir.types import (
     Scalar,
     ScalarKind,
     Struct,
-    Texture,
     Type,
     Vector,
 )
@@ -70,7 +70,7 @@ NAMED: Mapping[str, Named] = {
     "direction": Named(VEC3, spaces=1, fact=UNIT, meaning="direction"),
     "transform": Named(Matrix(4), spaces=2, meaning="transform"),
     "frame": Named(Matrix(3), spaces=2, meaning="frame"),
-    "texture2d": Named(Texture()),
+    **{str(texture): Named(texture) for texture in TEXTURES},
 }
 
 GENERIC_VECTOR = "vec"

@@ -127,20 +127,24 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
         *_READ,
     ),
     _same(
-        "texelFetch texelFetchOffset textureLod textureLodOffset textureGrad textureGradOffset "
-        "textureOffset textureProj textureProjGrad textureProjGradOffset textureProjLod "
-        "textureProjLodOffset textureProjOffset textureGather textureGatherOffset "
-        "textureGatherOffsets textureQueryLevels textureQueryLod textureSize ComputeAccessedLod "
-        "texture1DLod texture1DProj texture1DProjLod texture2DLod texture2DProj texture2DProjLod "
-        "texture3DLod texture3DProj texture3DProjLod textureCubeLod shadow1D shadow1DLod "
-        "shadow1DProj shadow1DProjLod shadow2D shadow2DLod shadow2DProj shadow2DProjLod "
-        "tex1Dbias tex1Dgrad tex1Dlod tex1Dproj tex2Dbias tex2Dgrad tex2Dlod tex2Dproj tex3Dbias "
+        "texelFetchOffset textureLodOffset textureGradOffset textureOffset textureProj "
+        "textureProjGrad textureProjGradOffset textureProjLod textureProjLodOffset "
+        "textureProjOffset textureGatherOffset textureGatherOffsets textureQueryLod "
+        "ComputeAccessedLod texture1DLod texture1DProj texture1DProjLod texture2DProj "
+        "texture2DProjLod texture3DLod texture3DProj texture3DProjLod textureCubeLod shadow1D "
+        "shadow1DLod shadow1DProj shadow1DProjLod shadow2D shadow2DLod shadow2DProj "
+        "shadow2DProjLod tex1Dbias tex1Dgrad tex1Dlod tex1Dproj tex2Dbias tex2Dproj tex3Dbias "
         "tex3Dgrad tex3Dlod tex3Dproj texCUBEbias texCUBEgrad texCUBElod texCUBEproj "
-        "textureDimensions textureGatherCompare textureLoad textureNumLayers textureNumLevels "
-        "textureSampleBias textureSampleCompare textureSampleCompareLevel textureSampleGrad "
-        "textureSampleLevel textureSampleBaseClampToEdge subpassLoad",
+        "textureGatherCompare textureNumLayers textureSampleBias textureSampleCompare "
+        "textureSampleCompareLevel textureSampleBaseClampToEdge subpassLoad",
         reason=_TEXTURES,
     ),
+    _same("textureLod textureSampleLevel tex2Dlod texture2DLod", "albedo.level(uv, x)"),
+    _same("textureGrad textureSampleGrad tex2Dgrad", "albedo.grad(uv, ddx(uv), ddy(uv))"),
+    _same("texelFetch textureLoad", "albedo.load(ivec2(n, m))"),
+    _same("textureSize textureDimensions", "albedo.size()"),
+    _same("textureGather", "albedo.gather(uv, 0)"),
+    _same("textureQueryLevels textureNumLevels", "albedo.levels()"),
     _same("CheckAccessFullyMapped", reason="textures are there as a whole"),
     # ---- what is left out
     _same("clip", reason="a pass says `discard when x < 0`"),

@@ -23,6 +23,9 @@ MeaningRule = Literal[
 RangeRule = Callable[[tuple[Fact, ...], bool], Fact]
 """From the operands' facts, and whether all operands are the same node, to the result's fact."""
 
+SamplerUse = Literal["filtering", "comparison"]
+"""How a sampler reads: mixing texels, or mixing the results of comparisons with them."""
+
 Domain = Callable[[tuple[Fact, ...]], bool]
 """Whether operands within these facts lie where every backend already has the defined meaning."""
 
@@ -70,6 +73,11 @@ class Builtin:
         Q  the bools of P or N, lane by lane      U, J  the uints and ints of I or T, likewise
         R  any type that can be a value
 
+        F  texture2d, texture3d, texture_cube     D  depth2d, depth_cube
+        G  2d and 3d textures of every kind       H  *2d_array of every kind
+        X  any texture                            K  the float vector that is F's or D's coordinate
+        W  the ivec that is G's or X's size       E  what G or H holds: vec4, float, ivec4, uvec4
+
     The same letter stands for the same type throughout one signature; other words are type names.
     """
 
@@ -97,5 +105,17 @@ class Builtin:
     """Rough price in ALU operations a lane, for choosing between a branch and a select."""
     uniform_control_flow: bool = False
     """Needs neighbours' values (derivatives, implicit level of detail)."""
+    method: str | None = None
+    """For reads of textures, how they are written: ``level`` in ``albedo.level(uv, 2)``, and empty
+    for ``albedo(uv)``."""
+    parameters: tuple[str, ...] = ()
+    """For reads, what the operands behind the texture are called; a layer, which only arrays have,
+    would stand second."""
+    optional: tuple[int, ...] = ()
+    """For reads, the integers that the last operands are where they are left out."""
+    sampler: SamplerUse | None = None
+    """The kind of sampler that a read needs; none where it names texels, or asks for a size."""
+    constants: tuple[int, ...] = ()
+    """Operands, counted from the end (-1), that have to be constants in 0..3."""
     samples: tuple[tuple[float, ...], ...] = field(default=())
     """Operand tuples worth testing beyond the usual ones (scalars; broadcast to vectors)."""

@@ -1,17 +1,174 @@
-"""Reads of textures."""
+"""Reads of textures.
+
+The texture is the first operand; in an array of textures the layer follows behind the coordinate,
+and is clamped to those that there are.
+"""
 
 from __future__ import annotations
 
+from .facts import Fact
 from .row import Accuracy, Builtin
+
+FILTERED = Accuracy("filtering", "the device's subtexel and mip bits")
+TEXEL = Accuracy("correct", "Vulkan, Texel Input Operations: no filtering, no rounding")
+COUNT = Accuracy("correct", "an integer")
+
+
+def _all_zero(facts: tuple[Fact, ...]) -> bool:
+    """Whether place, layer and level are those that every texture has."""
+    return all(fact.lo == fact.hi == 0.0 for fact in facts[1:])
+
+
+def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
+    """Whether a reference is in 0..1; formats differ in what they make of others."""
+    return facts[-1].within(0.0, 1.0)
+
+
+def _share(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    """What a comparison gives, or a mean of some."""
+    return Fact(0.0, 1.0)
+
+
+def _counted(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    """At least one of everything, and no more than any device has."""
+    return Fact(1.0, 65536.0, nonzero=True)
+
 
 ROWS = (
     Builtin(
         name="sample",
-        signatures=("texture2d, vec2 -> vec4",),
         meaning="numbers",
+        method="",
+        parameters=("coordinate",),
+        signatures=("F, K -> vec4", "texture2d_array, vec2, int -> vec4"),
         doc="The texture's colour at a coordinate, filtered; the level of detail is implicit.",
-        accuracy=Accuracy("filtering", "the device's subtexel and mip bits"),
+        accuracy=FILTERED,
         cost=16,
         uniform_control_flow=True,
+        sampler="filtering",
+    ),
+    Builtin(
+        name="sample_level",
+        meaning="numbers",
+        method="level",
+        parameters=("coordinate", "level"),
+        signatures=("F, K, float -> vec4", "texture2d_array, vec2, int, float -> vec4"),
+        doc="The colour at a coordinate in a level of detail, filtered; fractions mix two levels.",
+        accuracy=FILTERED,
+        cost=16,
+        sampler="filtering",
+    ),
+    Builtin(
+        name="sample_grad",
+        meaning="numbers",
+        method="grad",
+        parameters=("coordinate", "dx", "dy"),
+        signatures=("F, K, K, K -> vec4", "texture2d_array, vec2, int, vec2, vec2 -> vec4"),
+        doc="The colour at a coordinate, in the level that fits a coordinate which changes by the "
+        "last two operands from one pixel to the next, to the right and downwards.",
+        accuracy=FILTERED,
+        cost=16,
+        sampler="filtering",
+    ),
+    Builtin(
+        name="gather",
+        meaning="numbers",
+        method="gather",
+        parameters=("coordinate", "lane"),
+        signatures=(
+            "texture2d, vec2, int -> vec4",
+            "texture2d_array, vec2, int, int -> vec4",
+            "texture_cube, vec3, int -> vec4",
+        ),
+        doc="One lane of the four texels between which a filtered read would mix, at level 0: "
+        "lower left, lower right, upper right, upper left. The lane is a constant in 0..3.",
+        accuracy=TEXEL,
+        cost=16,
+        sampler="filtering",
+        constants=(-1,),
+    ),
+    Builtin(
+        name="compare",
+        meaning="numbers",
+        method="",
+        parameters=("coordinate", "reference"),
+        signatures=("D, K, float -> float", "depth2d_array, vec2, int, float -> float"),
+        doc="The share, filtered, of depths at a coordinate that the last operand compares with as "
+        "the map says: with `less_equal`, 1 where it is not behind what is stored. Reads level 0.",
+        domain=_reference_is_depth,
+        needs="the reference lies in 0..1",
+        outside="References are taken to 0..1, where depths are.",
+        expansion="compare",
+        range=_share,
+        accuracy=FILTERED,
+        cost=16,
+        sampler="comparison",
+    ),
+    Builtin(
+        name="gather_compare",
+        meaning="numbers",
+        method="gather",
+        parameters=("coordinate", "reference"),
+        signatures=("depth2d, vec2, float -> vec4", "depth2d_array, vec2, int, float -> vec4"),
+        doc="The four comparisons that a filtered one mixes, each 0 or 1, as `gather` orders them.",
+        domain=_reference_is_depth,
+        needs="the reference lies in 0..1",
+        outside="References are taken to 0..1, where depths are.",
+        expansion="gather_compare",
+        range=_share,
+        accuracy=TEXEL,
+        cost=16,
+        sampler="comparison",
+    ),
+    Builtin(
+        name="load",
+        meaning="numbers",
+        method="load",
+        parameters=("place", "level"),
+        optional=(0,),
+        signatures=("G, W, int -> E", "H, ivec2, int, int -> E"),
+        doc="One texel by its place, the first at the top left, and its level; not filtered.",
+        domain=_all_zero,
+        needs="place, layer and level are 0, which every texture has",
+        outside="Places, layers and levels beyond the texture are those at its edge.",
+        expansion="load",
+        accuracy=TEXEL,
+        cost=8,
+    ),
+    Builtin(
+        name="texture_size",
+        meaning="numbers",
+        method="size",
+        parameters=("level",),
+        optional=(0,),
+        signatures=("X, int -> W",),
+        doc="The size of a level in texels; of one layer or face.",
+        domain=_all_zero,
+        needs="the level is 0, which every texture has",
+        outside="Levels beyond the last one have its size.",
+        expansion="texture_size",
+        range=_counted,
+        accuracy=COUNT,
+        cost=2,
+    ),
+    Builtin(
+        name="texture_layers",
+        meaning="numbers",
+        method="layers",
+        signatures=("H -> int",),
+        doc="How many layers there are.",
+        range=_counted,
+        accuracy=COUNT,
+        cost=2,
+    ),
+    Builtin(
+        name="texture_levels",
+        meaning="numbers",
+        method="levels",
+        signatures=("X -> int",),
+        doc="How many levels of detail there are.",
+        range=_counted,
+        accuracy=COUNT,
+        cost=2,
     ),
 )

@@ -45,13 +45,33 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
 
 
 def sample_textures(instance: Instance, seed: int) -> None:
-    """Gives every texture a picture of its own: smooth, different in all lanes and directions."""
+    """Gives every texture a picture of its own: smooth, different in all lanes and directions.
+
+    Integers are any; those of 8 bits are the numbers of few things, as palettes have them.
+    """
     for number, row in enumerate(instance.reflection["textures"]):
-        size = ((32, 32), (24, 20), (17, 31))[(number + seed) % 3]
-        lanes = _waves(random.Random(f"{seed} {row['name']}"), size)
-        if row["default"] == "flat_normal":
-            lanes = np.array([0.5, 0.5, 0.9, 0.5]) + (lanes - 0.5) * [0.5, 0.5, 0.2, 1.0]
-        instance.set(row["name"], Texture.of_array(np.rint(lanes * 255).astype(np.uint8)))
+        chance = random.Random(f"{seed} {row['name']}")
+        instance.set(row["name"], _sampled_texture(row, chance, number + seed))
+
+
+def _sampled_texture(row: Mapping[str, Any], chance: random.Random, turn: int) -> Texture:
+    dimension, sample = row["dimension"], row["sample"]
+    size = (16, 16) if dimension == "cube" else ((32, 32), (24, 20), (17, 31))[turn % 3]
+    count = {"2d": 1, "cube": 6, "2d_array": 3, "3d": 12}[dimension]
+    if sample in ("int", "uint"):
+        numbers = _numbers_of(chance, (count, size[1], size[0], 4), sample)
+        flat = numbers[0] if dimension == "2d" else numbers
+        return Texture.of_array(flat, dimension=dimension, sample=sample)
+    if dimension == "3d":
+        array = _volume(chance, (count, size[1], size[0]))
+    else:
+        array = np.stack([_waves(chance, size) for _ in range(count)])
+    if row["default"] == "flat_normal":
+        array = np.array([0.5, 0.5, 0.9, 0.5]) + (array - 0.5) * [0.5, 0.5, 0.2, 1.0]
+    texels = array[0] if dimension == "2d" else array
+    if sample == "depth":
+        return Texture.of_array(texels[..., :1].clip(0, 1), dimension=dimension, sample="depth")
+    return Texture.of_array(np.rint(texels * 255).astype(np.uint8), dimension=dimension)
 
 
 def _set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
@@ -152,3 +172,29 @@ def _waves(chance: random.Random, size: tuple[int, int]) -> NDArray[np.float64]:
         slope = 0.15 * (x * chance.uniform(-1, 1) + y * chance.uniform(-1, 1))
         lanes.append(0.5 + 0.3 * np.sin(2 * np.pi * (across * x + down * y) + phase) + slope)
     return np.stack(lanes, 2)
+
+
+def _volume(chance: random.Random, size: tuple[int, int, int]) -> NDArray[np.float64]:
+    """Four lanes of whole waves through all of (depth, height, width), within 0..1."""
+    axes = [(np.arange(count) + 0.5) / count for count in size]
+    z, y, x = np.meshgrid(*axes, indexing="ij")
+    lanes = []
+    for _ in range(4):
+        steps = [chance.choice([-2, -1, 1, 2]) for _ in range(3)]
+        phase = chance.uniform(0, 2 * math.pi)
+        whole = steps[0] * x + steps[1] * y + steps[2] * z
+        lanes.append(0.5 + 0.45 * np.sin(2 * np.pi * whole + phase))
+    return np.stack(lanes, -1)
+
+
+def _numbers_of(
+    chance: random.Random, shape: tuple[int, ...], sample: str
+) -> NDArray[np.int64 | np.uint8]:
+    """Small numbers; and every now and then some that only an integer can tell apart."""
+    drawn = np.random.default_rng(chance.getrandbits(32))
+    if sample == "uint" and chance.random() < 0.5:
+        return drawn.integers(0, 16, shape).astype(np.uint8)
+    limits = _LIMITS[sample[0]]
+    large = drawn.integers(limits[0], limits[1], shape, endpoint=True)
+    small = drawn.integers(max(limits[0], -16), 16, shape)
+    return np.where(drawn.random(shape) < 0.1, large, small)

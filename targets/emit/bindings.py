@@ -31,7 +31,7 @@ class Bindings:
     blocks: Mapping[str, Slot]
     textures: Mapping[str, Slot]
     samplers: Mapping[str, Slot]
-    """The texture's own slot where the profile combines the two."""
+    """Of textures that are read by one; the texture's own slot where the profile combines them."""
 
 
 def assign_bindings(program: Program, profile: Profile) -> Bindings:
@@ -51,9 +51,11 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
         for resource in program.resources:
             if resource.group == group:
                 texture = Slot(set_, next(numbers[set_]))
-                combined = profile.combined_samplers
                 textures[resource.name] = texture
-                samplers[resource.name] = texture if combined else Slot(set_, next(numbers[set_]))
+                if resource in program.sampled:
+                    combined = profile.combined_samplers
+                    sampler = texture if combined else Slot(set_, next(numbers[set_]))
+                    samplers[resource.name] = sampler
     return Bindings(blocks, textures, samplers)
 
 

@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from ...compiler.ir.program import Program
 from ...frozen import frozen
 from .definitions import Definitions
-from .description import PipelineInput, Profile, Spelling, Target
+from .description import PipelineInput, Profile, Spellings, Target
 from .names import Names
 from .spelling import TypeSpeller
+from .textures import TextureSpeller
 
 
 @frozen
@@ -30,7 +31,12 @@ class Context:
         return TypeSpeller(self.target.types, self.names.structs)
 
     @property
-    def natives(self) -> Mapping[str, str | Spelling]:
+    def textures(self) -> TextureSpeller:
+        """Writes the types of textures and samplers."""
+        return TextureSpeller(self.target.textures, self.program)
+
+    @property
+    def natives(self) -> Spellings:
         """Spellings of builtins under the profile."""
         turned = self.profile.natives_rows_up if self._rows_up else {}
         return {**self.target.natives, **self.profile.natives, **turned}

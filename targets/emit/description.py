@@ -11,9 +11,9 @@ Spellings of natives
     - a name, ``lerp``: called with the operands;
     - a symbol, ``==``: between two operands or before one;
     - a template, ``clamp({0}, 0.0, 1.0)``: must read as a call or stand in parentheses. ``{0}`` is
-      an operand as an argument, ``{0:p}`` one in parentheses unless it is a plain name or call;
-      ``{type}`` is the result's type, ``{lanes}`` how many lanes it has, and ``{sampler}`` the
-      sampler of a texture operand.
+      an operand as an argument, ``{0:p}`` one in parentheses unless it is a plain name or call,
+      ``{0:lane}`` a constant 0..3 as ``Red`` .. ``Alpha``; ``{type}`` is the result's type,
+      ``{lanes}`` how many lanes it has, and ``{sampler}`` the sampler of a texture operand.
 """
 
 from __future__ import annotations
@@ -22,8 +22,9 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal
 
-from ...compiler.ir.types import ScalarKind, Type
+from ...compiler.ir.types import Dimension, Sample, ScalarKind, Type
 from ...frozen import EMPTY, frozen
+from ...stdlib.builtins.row import SamplerUse
 from .reserved import Reserved
 
 FieldRole = Literal["attribute", "varying", "target"]
@@ -44,6 +45,34 @@ class Spelling:
     """Vectors, whatever their lanes."""
     matrix: str = ""
     """Some operand is a matrix."""
+
+
+@frozen
+class Read:
+    """How a read of a texture is spelled: as ``plain`` unless one of the others fits."""
+
+    plain: str
+    layered: str = ""
+    """Where an operand says which layer."""
+    types: Mapping[str, str] = EMPTY
+    """By the texture's type: ``depth_cube``."""
+
+
+Spellings = Mapping[str, str | Spelling | Read]
+"""How natives are spelled that are not called by their own names."""
+
+
+@frozen
+class TextureNames:
+    """How the types of textures and samplers are written, ``{dimension}`` as the word for it."""
+
+    dimensions: Mapping[Dimension, str]
+    textures: Mapping[Sample, str]
+    samplers: Mapping[SamplerUse, str]
+    combined: Mapping[Sample, str] = EMPTY
+    """Both in one object, where the language has such."""
+    compared: str = ""
+    """Likewise, where the sampler compares depths."""
 
 
 @frozen
@@ -100,7 +129,7 @@ class Forms:
     member: str = "{name}"
     """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
     texture: str = "{texture}"
-    """A texture as an operand; ``{sampler}`` is its sampler's name."""
+    """A texture read by its sampler, called ``{sampler}``; ``{type}`` is that of both in one."""
     input: str = "{name}"
     """A stage's input: a global variable, or ``input.{name}``."""
 
@@ -121,6 +150,16 @@ class PipelineInput:
 
 GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
 """Bind group of each parameter group: WebGPU guarantees four."""
+
+
+@frozen
+class Lack:
+    """Something that a profile has not got."""
+
+    feature: str
+    """Behind "… has no"."""
+    instead: str
+    """What a user can do."""
 
 
 @frozen(kw_only=True)
@@ -149,13 +188,19 @@ class Profile:
     the builtin's ``definition``."""
     preamble: tuple[str, ...] = ()
     """Lines that open each file: version, extensions, default precisions."""
-    natives: Mapping[str, str | Spelling] = EMPTY
+    precision: str = ""
+    """The line that each type of combined samplers needs."""
+    requires: Mapping[str, str] = EMPTY
+    """By native, the line that opens a file in which it is used."""
+    cannot: Mapping[str, Lack] = EMPTY
+    """Natives that the profile has not got, nor an exact replacement for."""
+    natives: Spellings = EMPTY
     """Spellings that only this profile has."""
     inputs: Mapping[str, PipelineInput] = EMPTY
     """Inputs that this profile has otherwise than its target."""
     inputs_rows_up: Mapping[str, PipelineInput] = EMPTY
     """Those that have to be turned upside down while rows count upwards."""
-    natives_rows_up: Mapping[str, str | Spelling] = EMPTY
+    natives_rows_up: Spellings = EMPTY
     """Likewise, of spellings."""
     texture: str = ""
     """Replaces ``Forms.texture``."""
@@ -194,13 +239,17 @@ class Target:
     """The skeleton's file name."""
     extension: str
     types: TypeNames
+    textures: TextureNames
     profiles: tuple[Profile, ...]
     """The first is the default."""
     reserved: Callable[[], Reserved]
     """Loads the words that cannot be names; called on first use."""
     literals: Literals = Literals()
     forms: Forms = Forms()
-    natives: Mapping[str, str | Spelling] = EMPTY
+    natives: Spellings = EMPTY
+    helpers: Mapping[str, Mapping[Dimension, str]] = EMPTY
+    """Functions that natives call where the language has only statements; ``{texture}`` is the
+    type of the texture that each takes."""
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Literal
 
 from ...compiler.ir.leaves import Resource
@@ -19,6 +19,7 @@ from .description import Profile, Target
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
+from .textures import helpers, opening_lines
 from .views import BlockView, EntryView, FileView, MemberView, StructView, TextureView
 
 _SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
@@ -137,11 +138,14 @@ class _Emitter:
             if any(resource in stage.resources for stage in stages)
         ]
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))
+        reads = [read for stage in stages for read in stage.reads]
         return FileView(
+            opening=opening_lines(self._profile, self._context.textures, reads),
             header=self._header(stages),
             structs=[self._struct(struct) for struct in structs],
             blocks=[self._block(block) for block in blocks],
-            textures=[self._texture(resource) for resource in resources],
+            textures=[view for resource in resources for view in self._textures(resource)],
+            helpers=helpers(self._target, self._context.textures, reads),
             host_uniforms=list(dict.fromkeys(uniforms)),
             entries=entries,
         )
@@ -176,10 +180,16 @@ class _Emitter:
         name = self._names.member(block.name, member.name)
         return MemberView(self._types.declare_stored(name, member.type), comment_line(member.doc))
 
-    def _texture(self, resource: Resource) -> TextureView:
-        return TextureView(
-            texture=self._names.textures[resource.name],
-            sampler=self._names.samplers[resource.name],
-            texture_slot=self._bindings.textures[resource.name],
-            sampler_slot=self._bindings.samplers[resource.name],
-        )
+    def _textures(self, resource: Resource) -> Iterator[TextureView]:
+        """The declarations of a texture and its sampler."""
+        names, types, slots = self._names, self._context.textures, self._bindings
+        name, slot = names.textures[resource.name], slots.textures[resource.name]
+        if self._profile.combined_samplers:
+            yield TextureView(name, types.combined(resource), slot)
+            return
+        yield TextureView(name, types.texture(resource), slot)
+        if resource.name in names.samplers:
+            sampler = names.samplers[resource.name]
+            yield TextureView(
+                sampler, types.sampler(resource), slots.samplers[resource.name], is_sampler=True
+            )

@@ -8,6 +8,7 @@ from ...compiler.ir.leaves import Attribute, Parameter, Resource
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program, Stage
 from ...compiler.ir.types import Type, width
+from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .precedence import Binding, Text
 
@@ -23,6 +24,7 @@ class Leaves:
         program = context.program
         self._forms = context.target.forms
         self._texture = context.profile.texture or context.target.forms.texture
+        self._textures = context.textures
         self._names = context.names
         self._inputs = context.inputs
         self._members = {
@@ -44,18 +46,26 @@ class Leaves:
         return Text(text, Binding.NAME)
 
     def resource(self, node: Node) -> Text:
-        """A texture as the functions that read it want it."""
+        """A texture by its name."""
         assert isinstance(node.data, Resource)
-        name = node.data.name
+        return Text(self._names.textures[node.data.name], Binding.NAME)
+
+    def texture(self, node: Node, builtin: str) -> Text:
+        """A texture as a read of it wants it: together with its sampler, if it uses that."""
+        assert isinstance(node.data, Resource)
+        if BUILTINS[builtin].sampler is None:
+            return self.resource(node)
         text = self._texture.format(
-            texture=self._names.textures[name], sampler=self._names.samplers[name]
+            texture=self._names.textures[node.data.name],
+            sampler=self.sampler(node),
+            type=self._textures.combined(node.data),
         )
         return Text(text)
 
     def sampler(self, node: Node) -> str:
-        """The name of a texture's sampler."""
+        """The name of a texture's sampler; empty where it has none."""
         assert isinstance(node.data, Resource)
-        return self._names.samplers[node.data.name]
+        return self._names.samplers.get(node.data.name, "")
 
     def attribute(self, node: Node) -> Text:
         """A vertex input."""

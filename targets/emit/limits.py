@@ -1,12 +1,13 @@
-"""What a program may need of a profile's devices, as counts."""
+"""What a program may need of a profile that it has not got, or not so many of."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...compiler.ir.program import Program
+from ...compiler.ir.program import Program, TextureRead
 from ...frozen import frozen
-from .description import Profile
+from .description import Lack, Profile
+from .textures import sampler_use
 
 
 @frozen
@@ -33,3 +34,22 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     ):
         if count > limit:
             yield Excess(what, count, limit)
+
+
+COMPARED_AND_LOADED = Lack(
+    "texture that is both compared and loaded", "declare a second `map` for one of the two"
+)
+
+
+def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
+    """What the profile cannot do, each with the id of a node that wants it."""
+    for read in program.reads:
+        if read.builtin in profile.cannot:
+            yield profile.cannot[read.builtin], read.node
+        compared = _is_depth(read) and read.resource in program.sampled
+        if profile.combined_samplers and compared and read.builtin == "load":
+            yield COMPARED_AND_LOADED, read.node
+
+
+def _is_depth(read: TextureRead) -> bool:
+    return sampler_use(read.resource) == "comparison"

@@ -29,6 +29,7 @@ class Names:
     structs: dict[str, str]
     textures: Mapping[str, str]
     samplers: Mapping[str, str]
+    """By texture, of those that are read by one."""
     attributes: Mapping[str, str]
     varyings: Mapping[str, str]
     targets: Mapping[str, str]
@@ -75,7 +76,9 @@ class _Naming:
         structs = {name: self._declare(name) for name in self._structs()}
         textures = {item.name: self._declare(item.name) for item in program.resources}
         samplers = {
-            item.name: self._declare(f"{textures[item.name]}_sampler") for item in program.resources
+            item.name: self._declare(f"{textures[item.name]}_sampler")
+            for item in program.resources
+            if item in program.sampled
         }
         fields = self._fields()
         return Names(

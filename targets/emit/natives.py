@@ -18,7 +18,7 @@ from ...compiler.ir.types import (
 )
 from ...stdlib.builtins import BUILTINS
 from .context import Context
-from .description import Spelling
+from .description import Read, Spelling, Spellings
 from .leaves import Leaves
 from .precedence import INFIX, PREFIX, Binding, Text, infix, prefix
 
@@ -30,12 +30,22 @@ class Operand:
         self._text = text
 
     def __format__(self, form: str) -> str:
+        if form == "lane":
+            return _LANES[int(self._text.text)]
         return self._text.within(Binding.POSTFIX if form == "p" else Binding.CHOICE)
 
 
-def spelling_of(name: str, operands: Sequence[Type], table: Mapping[str, str | Spelling]) -> str:
+_LANES = ("Red", "Green", "Blue", "Alpha")
+
+
+def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
     """How builtin ``name`` is written for operands of these types."""
     spelled = table.get(name, "")
+    if isinstance(spelled, Read):
+        texture = operands[0]
+        assert isinstance(texture, Texture)
+        plain = spelled.layered if texture.layered and spelled.layered else spelled.plain
+        return spelled.types.get(str(texture), plain)
     if isinstance(spelled, Spelling):
         spelled = _special(spelled, operands) or spelled.usual
     return spelled or BUILTINS[name].operator or name
@@ -69,11 +79,13 @@ class Natives:
         self._splats = context.target.splats
         self._spell_type = context.types.type
         self._splat = splat
-        self._sampler = leaves.sampler
+        self._leaves = leaves
 
     def print(self, node: Node, printed: Sequence[Text]) -> Text:
         """The native ``node`` applied to printed operands."""
         assert isinstance(node.data, str)
+        if node.operands and isinstance(node.operands[0].type, Texture):
+            printed = [self._leaves.texture(node.operands[0], node.data), *printed[1:]]
         types = tuple(operand.type for operand in node.operands)
         if (defined := self._definitions.get((node.data, types))) is not None:
             name, _function = self._functions[defined.body]
@@ -109,7 +121,7 @@ class Natives:
                 *map(Operand, operands),
                 type=self._spell_type(node.type),
                 lanes=width(node.type) if isinstance(node.type, Scalar | Vector) else 0,
-                sampler="".join(map(self._sampler, textures)),
+                sampler="".join(map(self._leaves.sampler, textures)),
             )
         )
 

@@ -57,6 +57,7 @@ def backend_table(
                 target, profile, names.samplers[item.name], bindings.samplers[item.name], "s"
             )
             for item in program.resources
+            if item in program.sampled
         },
         vertex_inputs={
             field.name: VertexInputName(

@@ -32,12 +32,12 @@ class BlockView(NamedTuple):
 
 
 class TextureView(NamedTuple):
-    """A texture and its sampler."""
+    """A texture or a sampler, or both in one."""
 
-    texture: str
-    sampler: str
-    texture_slot: Slot
-    sampler_slot: Slot
+    name: str
+    type: str
+    slot: Slot
+    is_sampler: bool = False
 
 
 class FieldView(NamedTuple):
@@ -97,10 +97,15 @@ class EntryView(NamedTuple):
 class FileView(NamedTuple):
     """One file."""
 
+    opening: list[str]
+    """Lines that have to come before all others, besides those of the profile."""
     header: list[str]
     structs: list[StructView]
     blocks: list[BlockView]
     textures: list[TextureView]
+    """Each followed by its sampler, if that is an object of its own."""
+    helpers: list[str]
+    """Functions of the language's own, texts of some lines."""
     host_uniforms: list[str]
     """Loose float uniforms."""
     entries: list[EntryView]

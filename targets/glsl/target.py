@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.types import BOOL, INT, VEC4
-from ..emit.description import PipelineInput, Profile, Spelling, Target, TypeNames
+from ..emit.description import (
+    Lack,
+    PipelineInput,
+    Profile,
+    Read,
+    Spelling,
+    Spellings,
+    Target,
+    TextureNames,
+    TypeNames,
+)
 from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -19,7 +28,28 @@ TYPES = TypeNames(
     tall_matrix="mat{n}x4",
 )
 
-NATIVES: Mapping[str, str | Spelling] = {
+TEXTURES = TextureNames(
+    dimensions={"2d": "2D", "2d_array": "2DArray", "3d": "3D", "cube": "Cube"},
+    textures={
+        "float": "texture{dimension}",
+        "depth": "texture{dimension}",
+        "int": "itexture{dimension}",
+        "uint": "utexture{dimension}",
+    },
+    samplers={"filtering": "sampler", "comparison": "samplerShadow"},
+    combined={
+        "float": "sampler{dimension}",
+        "depth": "sampler{dimension}",
+        "int": "isampler{dimension}",
+        "uint": "usampler{dimension}",
+    },
+    compared="sampler{dimension}Shadow",
+)
+
+FETCH = "texelFetch({0}, {1}, {2})"
+FETCH_LAYER = "texelFetch({0}, ivec3({1}, {2}), {3})"
+
+NATIVES: Spellings = {
     "mod": Spelling(floats="mod"),
     "saturate": "clamp({0}, 0.0, 1.0)",
     "round": "roundEven",
@@ -42,7 +72,27 @@ NATIVES: Mapping[str, str | Spelling] = {
     "reverse_bits": "bitfieldReverse",
     "first_leading_bit": "findMSB",
     "first_trailing_bit": "findLSB",
-    "sample": "texture",
+    "sample": Read("texture({0}, {1})", "texture({0}, vec3({1}, {2}))"),
+    "sample_level": Read("textureLod({0}, {1}, {2})", "textureLod({0}, vec3({1}, {2}), {3})"),
+    "sample_grad": Read(
+        "textureGrad({0}, {1}, {2}, {3})", "textureGrad({0}, vec3({1}, {2}), {3}, {4})"
+    ),
+    "gather": Read("textureGather({0}, {1}, {2})", "textureGather({0}, vec3({1}, {2}), {3})"),
+    # Arrays and cubes of depths have no `textureLod`; a gradient of zero means the same.
+    "compare": Read(
+        "textureLod({0}, vec3({1}, {2}), 0.0)",
+        "textureGrad({0}, vec4({1}, {2}, {3}), vec2(0.0), vec2(0.0))",
+        {"depth_cube": "textureGrad({0}, vec4({1}, {2}), vec3(0.0), vec3(0.0))"},
+    ),
+    "gather_compare": Read(
+        "textureGather({0}, {1}, {2})", "textureGather({0}, vec3({1}, {2}), {3})"
+    ),
+    "load": Read(
+        FETCH, FETCH_LAYER, {"depth2d": f"{FETCH}.x", "depth2d_array": f"{FETCH_LAYER}.x"}
+    ),
+    "texture_size": Read("textureSize({0}, {1})", "textureSize({0}, {1}).xy"),
+    "texture_layers": "textureSize({0}, 0).z",
+    "texture_levels": "textureQueryLevels({0})",
     "ddx": "dFdx",
     "ddy": "dFdy",
 }
@@ -73,13 +123,26 @@ VULKAN = Profile(
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     clip_y_down=True,
     preamble=("#version 450",),
-    texture="sampler2D({texture}, {sampler})",
+    texture="{type}({texture}, {sampler})",
+    requires=dict.fromkeys(
+        ("load", "texture_size", "texture_layers", "texture_levels"),
+        "#extension GL_EXT_samplerless_texture_functions : require",
+    ),
     inputs={
         "vertex_index": PipelineInput(INT, "gl_VertexIndex"),
         "instance_index": PipelineInput(INT, "gl_InstanceIndex"),
     },
     checkers=("glslang-vulkan",),
 )
+
+CANNOT = {
+    "gather": Lack("gathering of texels", "`load` each of the four"),
+    "gather_compare": Lack("gathering of comparisons", "compare at each of the four texels"),
+    "texture_levels": Lack(
+        "way to tell how many levels a texture has",
+        "read level 0, which all have, or filter with `.level(…)`",
+    ),
+}
 
 OPENGL = Profile(
     name="gl330",
@@ -95,6 +158,7 @@ OPENGL = Profile(
     varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
     natives_rows_up=DOWNWARDS,
+    cannot=CANNOT,
     checkers=("glslang-gl330",),
 )
 
@@ -117,6 +181,8 @@ ES = Profile(
     varyings=15,
     inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
     natives_rows_up=DOWNWARDS,
+    precision="precision highp {type};",
+    cannot=CANNOT,
     checkers=("glslang-es300",),
 )
 
@@ -127,6 +193,7 @@ TARGET = Target(
     template="shader.glsl.j2",
     extension="glsl",
     types=TYPES,
+    textures=TEXTURES,
     natives=NATIVES,
     splats=frozenset({"mod", "pow"}),
     inputs=INPUTS,

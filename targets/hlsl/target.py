@@ -7,8 +7,19 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from ...compiler.ir.types import BOOL, UINT, VEC4
-from ..emit.description import FieldRole, Forms, PipelineInput, Profile, Spelling, Target, TypeNames
+from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ..emit.description import (
+    FieldRole,
+    Forms,
+    PipelineInput,
+    Profile,
+    Read,
+    Spelling,
+    Spellings,
+    Target,
+    TextureNames,
+    TypeNames,
+)
 from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -33,7 +44,18 @@ FORMS = Forms(
     input="input.{name}",
 )
 
-NATIVES: Mapping[str, str | Spelling] = {
+TEXTURES = TextureNames(
+    dimensions={"2d": "2D", "2d_array": "2DArray", "3d": "3D", "cube": "Cube"},
+    textures={
+        "float": "Texture{dimension}<float4>",
+        "depth": "Texture{dimension}<float>",
+        "int": "Texture{dimension}<int4>",
+        "uint": "Texture{dimension}<uint4>",
+    },
+    samplers={"filtering": "SamplerState", "comparison": "SamplerComparisonState"},
+)
+
+NATIVES: Spellings = {
     "mul": Spelling(matrix="mul"),
     "sign": "{type}(sign({0}))",
     "fract": "frac",
@@ -52,7 +74,64 @@ NATIVES: Mapping[str, str | Spelling] = {
     # DXC takes `uint2(int2(v))` for `uint2(v)`, also where `v` is negative.
     "to_int": Spelling(usual="{type}({0})", integers="asint({0})"),
     "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})"),
-    "sample": "{0}.Sample({sampler}, {1})",
+    "sample": Read("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),
+    "sample_level": Read(
+        "{0}.SampleLevel({sampler}, {1}, {2})", "{0}.SampleLevel({sampler}, float3({1}, {2}), {3})"
+    ),
+    "sample_grad": Read(
+        "{0}.SampleGrad({sampler}, {1}, {2}, {3})",
+        "{0}.SampleGrad({sampler}, float3({1}, {2}), {3}, {4})",
+    ),
+    "gather": Read(
+        "{0}.Gather{2:lane}({sampler}, {1})", "{0}.Gather{3:lane}({sampler}, float3({1}, {2}))"
+    ),
+    "compare": Read(
+        "{0}.SampleCmpLevelZero({sampler}, {1}, {2})",
+        "{0}.SampleCmpLevelZero({sampler}, float3({1}, {2}), {3})",
+    ),
+    # Without an offset behind it, glslang takes the reference for a bias.
+    "gather_compare": Read(
+        "{0}.GatherCmp({sampler}, {1}, {2}, int2(0, 0))",
+        "{0}.GatherCmp({sampler}, float3({1}, {2}), {3}, int2(0, 0))",
+    ),
+    "load": Read(
+        "{0}.Load(int3({1}, {2}))",
+        "{0}.Load(int4({1}, {2}, {3}))",
+        dict.fromkeys(("texture3d", "itexture3d", "utexture3d"), "{0}.Load(int4({1}, {2}))"),
+    ),
+    "texture_size": "texture_size({0}, {1})",
+    "texture_layers": "texture_layers({0})",
+    "texture_levels": "texture_levels({0})",
+}
+
+COUNTS: Mapping[Dimension, tuple[str, str]] = {
+    "2d": ("width, height", "int2(width, height)"),
+    "2d_array": ("width, height, layers", "int2(width, height)"),
+    "3d": ("width, height, depth", "int3(width, height, depth)"),
+    "cube": ("width, height", "int2(width, height)"),
+}
+"""What `GetDimensions` answers before the levels, and a size of that."""
+
+
+def asking(head: str, level: str, answer: str) -> Mapping[Dimension, str]:
+    """A function that calls `GetDimensions`, which is no expression, for each dimension."""
+    return {
+        dimension: f"{head} {{\n"
+        f"    uint {counts}, levels;\n"
+        f"    texels.GetDimensions({level}, {counts}, levels);\n"
+        f"    return {answer or size};\n"
+        "}"
+        for dimension, (counts, size) in COUNTS.items()
+    }
+
+
+HELPERS = {
+    "texture_size": {
+        **asking("int2 texture_size({texture} texels, int level)", "level", ""),
+        "3d": asking("int3 texture_size({texture} texels, int level)", "level", "")["3d"],
+    },
+    "texture_layers": asking("int texture_layers({texture} texels)", "0", "int(layers)"),
+    "texture_levels": asking("int texture_levels({texture} texels)", "0", "int(levels)"),
 }
 
 INPUTS = {
@@ -99,6 +178,8 @@ TARGET = Target(
     template="shader.hlsl.j2",
     extension="hlsl",
     types=TYPES,
+    textures=TEXTURES,
+    helpers=HELPERS,
     forms=FORMS,
     natives=NATIVES,
     inputs=INPUTS,
@@ -106,7 +187,7 @@ TARGET = Target(
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt"),
     fixed_names=(
-        "main", "vs_main", "fs_main", "input", "output", "clip_position",
+        *HELPERS, "main", "vs_main", "fs_main", "input", "output", "clip_position",
         "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
     ),
 )  # fmt: skip

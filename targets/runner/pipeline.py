@@ -111,9 +111,13 @@ def _textures(reflection: Mapping[str, Any], backend: Mapping[str, Any]) -> tupl
     samplers = backend["samplers"]
     return tuple(
         TextureSlot(
-            texture=_place(backend["textures"][name]),
-            sampler=_place(samplers[name]) if name in samplers else None,
-            **states[name],
+            texture=_place(backend["textures"][row["name"]]),
+            sampler=_place(samplers[row["name"]]) if row["name"] in samplers else None,
+            dimension=row["dimension"],
+            sample=row["layout"]["sampleType"],
+            sampling=row["layout"]["sampler"],
+            **states.get(row["name"], {}),
         )
-        for name in (row["name"] for row in reflection["textures"] if row["stages"])
+        for row in reflection["textures"]
+        if row["stages"]
     )

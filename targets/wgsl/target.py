@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.types import BOOL, UINT, VEC4
-from ..emit.description import Forms, PipelineInput, Profile, Spelling, Target, TypeNames
+from ..emit.description import (
+    Forms,
+    PipelineInput,
+    Profile,
+    Read,
+    Spelling,
+    Spellings,
+    Target,
+    TextureNames,
+    TypeNames,
+)
 from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -31,7 +40,18 @@ FORMS = Forms(
     input="input.{name}",
 )
 
-NATIVES: Mapping[str, str | Spelling] = {
+TEXTURES = TextureNames(
+    dimensions={"2d": "2d", "2d_array": "2d_array", "3d": "3d", "cube": "cube"},
+    textures={
+        "float": "texture_{dimension}<f32>",
+        "depth": "texture_depth_{dimension}",
+        "int": "texture_{dimension}<i32>",
+        "uint": "texture_{dimension}<u32>",
+    },
+    samplers={"filtering": "sampler", "comparison": "sampler_comparison"},
+)
+
+NATIVES: Spellings = {
     "neg": Spelling(matrix="(-1.0 * {0:p})"),
     "inversesqrt": "inverseSqrt",
     "faceforward": "faceForward",
@@ -46,7 +66,30 @@ NATIVES: Mapping[str, str | Spelling] = {
     "to_float": "{type}({0})",
     "to_int": "{type}({0})",
     "to_uint": "{type}({0})",
-    "sample": "textureSample({0}, {sampler}, {1})",
+    "sample": Read("textureSample({0}, {sampler}, {1})", "textureSample({0}, {sampler}, {1}, {2})"),
+    "sample_level": Read(
+        "textureSampleLevel({0}, {sampler}, {1}, {2})",
+        "textureSampleLevel({0}, {sampler}, {1}, {2}, {3})",
+    ),
+    "sample_grad": Read(
+        "textureSampleGrad({0}, {sampler}, {1}, {2}, {3})",
+        "textureSampleGrad({0}, {sampler}, {1}, {2}, {3}, {4})",
+    ),
+    "gather": Read(
+        "textureGather({2}, {0}, {sampler}, {1})", "textureGather({3}, {0}, {sampler}, {1}, {2})"
+    ),
+    "compare": Read(
+        "textureSampleCompareLevel({0}, {sampler}, {1}, {2})",
+        "textureSampleCompareLevel({0}, {sampler}, {1}, {2}, {3})",
+    ),
+    "gather_compare": Read(
+        "textureGatherCompare({0}, {sampler}, {1}, {2})",
+        "textureGatherCompare({0}, {sampler}, {1}, {2}, {3})",
+    ),
+    "load": "textureLoad",
+    "texture_size": "{type}(textureDimensions({0}, {1}))",
+    "texture_layers": "i32(textureNumLayers({0}))",
+    "texture_levels": "i32(textureNumLevels({0}))",
     "ddx": "dpdx",
     "ddy": "dpdy",
 }
@@ -73,6 +116,7 @@ TARGET = Target(
     template="shader.wgsl.j2",
     extension="wgsl",
     types=TYPES,
+    textures=TEXTURES,
     forms=FORMS,
     natives=NATIVES,
     splats=frozenset(

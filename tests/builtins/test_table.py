@@ -10,22 +10,25 @@ from pathlib import Path
 import pytest
 
 from burnish import stdlib
+from burnish.compiler.ir.types import TEXTURES
 from burnish.compiler.reference import functions
 from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
 from burnish.stdlib.builtins.row import everywhere
 
 MEANING = (Path(stdlib.__file__).parent / "meaning.burnish").read_text(encoding="utf-8")
-WORDS = {*"TVSMCNLIBPQUJ", "float", "int", "uint", "bool", "texture2d"} | {
-    f"{prefix}{width}" for prefix in ("vec", "ivec", "uvec", "bvec", "mat") for width in (2, 3, 4)
-}
+WORDS = (
+    {*"TVSMCNLIBPQUJFDGHXKWE", "float", "int", "uint", "bool"}
+    | set(map(str, TEXTURES))
+    | {f"{kind}{width}" for kind in ("vec", "ivec", "uvec", "bvec", "mat") for width in (2, 3, 4)}
+)
 rows = pytest.mark.parametrize("row", BUILTINS.values(), ids=BUILTINS.keys())
 
 
 def declared_functions() -> dict[str, int]:
     """The functions of ``meaning.burnish`` and how many parameters each has."""
     found = re.findall(r"^fn (\w+)(?:<[^>]*>)?\(([^)]*)\)", MEANING, re.MULTILINE)
-    return {name: parameters.count(":") for name, parameters in found}
+    return {name: parameters.count(":") for name, parameters in reversed(found)}
 
 
 def test_every_row_has_a_meaning_and_every_meaning_a_row() -> None:

@@ -29,6 +29,16 @@ def _names() -> tuple[str, ...]:
 NAMES = _names()
 """``operations: Limits``: a file, and one of its passes."""
 
+LACKING = dict.fromkeys(
+    ("gathered: Colors", "gathered: Depths", "gathered: Levels", "gathered: Varying"),
+    ("glsl:es300", "glsl:gl330"),
+)
+"""What some profiles cannot do."""
+
+DEFECTS = {"gathered: Varying": "lavapipe"}
+"""What a driver gets wrong: Mesa 22.3.6 takes one pixel's size of a level for that of all, so
+loads are kept within the wrong one."""
+
 
 def compiled(name: str, *profiles: str) -> CompiledMaterial:
     """One of ``NAMES``, compiled anew."""

@@ -62,6 +62,11 @@ leaves it away where it can prove that the operands never go there. See
 | `B` | `bool`, `bvec2`, `bvec3`, `bvec4` |
 | `P`, `Q` | `N` and `B`; the `bool`s with as many lanes as `P` or `N` |
 | `M`, `C` | `mat2`, `mat3`, `mat4`; the vector that is a column of `M` |
+| `F`, `D` | `texture2d`, `texture3d`, `texture_cube`; `depth2d`, `depth_cube` |
+| `K` | `vec2`, of `3d` textures and cubes `vec3` |
+| `G`, `H`, `X` | all `2d` and `3d` textures; all `2d_array` ones; all there are |
+| `W` | `ivec2`, of `3d` textures `ivec3` |
+| `E` | `vec4`, of depths `float`, of whole numbers `ivec4` or `uvec4` |
 
 Where a letter allows vectors, a scalar may stand beside a vector and counts as that scalar in every
 lane: `max(v, 0)`, `mix(0, v, t)`.
@@ -156,12 +161,18 @@ def _builtin(row: Builtin) -> Iterator[str]:
 def _written(row: Builtin) -> str:
     if row.name in CONSTRUCTORS:
         return f"`{CONSTRUCTORS[row.name]}(x)`"
-    if row.name == "sample":
-        return "Reading a texture"
+    if row.method is not None:
+        return f"`{_read(row)}`"
     if row.operator:
         sign = WORDS.get(row.name, row.operator)
         return f"`{sign}x`" if row.name in ("neg", "bit_not") else f"`{sign}`"
     return f"`{row.name}`"
+
+
+def _read(row: Builtin) -> str:
+    """How a texture `t` is read; a layer, which only arrays have, would stand second."""
+    method = f".{row.method}" if row.method else ""
+    return f"t{method}({', '.join(row.parameters)})"
 
 
 def _signatures(row: Builtin) -> Iterator[str]:
@@ -169,8 +180,12 @@ def _signatures(row: Builtin) -> Iterator[str]:
         operands, result = signature.split(" -> ")
         if row.name in CONSTRUCTORS:
             yield f"{result}({operands}) -> {result}"
-        elif row.name == "sample":
-            yield "albedo(uv), albedo being a texture2d and uv a vec2 -> vec4"
+        elif row.method is not None:
+            types = operands.split(", ")
+            layer = ("layer",) if len(types) > 1 + len(row.parameters) else ()
+            names = ("t", *row.parameters[:1], *layer, *row.parameters[1:])
+            pairs = zip(names, types, strict=True)
+            yield f"{', '.join(f'{name}: {type_}' for name, type_ in pairs)} -> {result}"
         elif row.operator:
             sign, parts = WORDS.get(row.name, row.operator), operands.split(", ")
             gap = " " if sign.isalpha() else ""

@@ -22,6 +22,10 @@ READ = (
     ("gouraud", "PerVertex", "glsl:es300"),
     ("clear_coat", "CarPaint", "wgsl:webgpu"),
     ("marble", "Marble", "hlsl:sm6"),
+    ("shadow_map", "Stage", "hlsl:sm6"),
+    ("texture_array", "Terrain", "glsl:vulkan"),
+    ("indexed", "Indexed", "glsl:es300"),
+    ("environment", "Chrome", "wgsl:webgpu"),
     ("confetti", "Confetti", "hlsl:sm6"),
     ("confetti", "Confetti", "glsl:es300"),
 )

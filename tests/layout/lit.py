@@ -6,7 +6,7 @@ from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
 from burnish.compiler.ir.node import Graph, Node
-from burnish.compiler.ir.program import Field, Program, Region, Stage, Varying
+from burnish.compiler.ir.program import Field, Program, Region, Stage, TextureRead, Varying
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -50,7 +50,11 @@ TIME = Parameter("time", FLOAT, "frame")
 """Declared, but nothing reads its block."""
 
 ALBEDO = Resource(
-    "albedo", Texture(), "material", "white", (("filter", "linear"), ("wrap", "repeat"))
+    "albedo",
+    Texture(),
+    "material",
+    "white",
+    (("filter", "linear"), ("mip", "linear"), ("wrap", "repeat")),
 )
 UV = Attribute("uv", VEC2)
 
@@ -135,6 +139,7 @@ PROGRAM = Program(
         outputs=(Field("color", VEC4, 0),),
         blocks=_BLOCKS,
         resources=(ALBEDO,),
+        reads=(TextureRead("sample", ALBEDO, 0),),
         functions=(),
         region=Region(()),
         position=None,

@@ -14,12 +14,23 @@ from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Node, reachable
-from burnish.compiler.ir.types import Array, Matrix, Scalar, Struct, Type, Vector
+from burnish.compiler.ir.types import (
+    Array,
+    Matrix,
+    Scalar,
+    Struct,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+)
 from burnish.compiler.layout import elements_in_row, place, stored_type
 from burnish.compiler.passes import pipeline
 from burnish.compiler.passes.checkpoint import passed
 from burnish.compiler.passes.hoist import Derived
 from burnish.compiler.passes.pipeline import Options, Staged
+from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.semantics.shader import Shader
@@ -94,7 +105,7 @@ class World:
         if isinstance(leaf, Attribute):
             return self._drawn(f"attribute {leaf.name}", leaf.type, UNKNOWN)
         if node.op == "resource":
-            return (texture,)
+            return (Smooth(node.type),)
         return (True,) if node.op == "input" else None
 
     def _parameter(self, leaf: Parameter) -> Lanes:
@@ -160,9 +171,34 @@ def unit(lanes: Lanes) -> Lanes:
     return tuple(lane / length for lane in lanes)
 
 
-def texture(u: float, v: float) -> Lanes:
-    """A texture without edges."""
-    return tuple(0.5 + 0.5 * math.sin(i + (2.0 + i) * u - 3.0 * v) for i in range(4))
+@dataclass
+class Smooth:
+    """A texture without edges, of which every read depends on all that it is given."""
+
+    type: Type
+    xp: Any = scalars
+
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
+        """The value of a read."""
+        assert isinstance(self.type, Texture)
+        if name.startswith("texture_"):
+            sizes = {"texture_size": (16,) * self.type.extents, "texture_layers": (3,)}
+            return sizes.get(name, (5,))
+        if name == "load":
+            last = [self.type.extents * (15,), *((2,),) * self.type.layered, (4,)]
+            operands = tuple(
+                tuple(self.xp.maximum(self.xp.minimum(lane, m), 0) for lane, m in pairs)
+                for pairs in map(zip, operands, last)
+            )
+        place: Any = 0.0
+        for number, lane in enumerate(lane for operand in operands for lane in operand):
+            place = place + (-1.0) ** number * (2.0 + number) * lane
+        texel = self.type.texel
+        count = 1 if name == "compare" else 4 if name.startswith("gather") else width(texel)
+        lanes = tuple(0.5 + 0.5 * self.xp.sin(i + place) for i in range(count))
+        if scalar_kind(texel) == "float":
+            return lanes
+        return tuple(self.xp.int64(100.0 * lane) for lane in lanes)
 
 
 def stored(type_: Type, value: Lanes) -> Lanes:

@@ -17,7 +17,7 @@ from burnish.compiler.reference.evaluate import Evaluator, Leaves, NotConstantEr
 from burnish.compiler.reference.namespace import Lanes
 
 from .hardware import flat
-from .kit import World, history, shader
+from .kit import Smooth, World, history, shader
 
 LAMP = Struct("Lamp", (("on", FLOAT), ("place", VEC2)))
 
@@ -118,7 +118,7 @@ class Many:
 
     def __call__(self, node: Node) -> Lanes | None:
         if node.op == "resource":
-            return (lambda u, v: tuple(0.5 + 0.5 * np.sin(i + u - v) for i in range(4)),)
+            return (Smooth(node.type, np),)
         values = [world(node) for world in self._worlds]
         together: Lanes | None = None if values[0] is None else stacked(values)
         return together

@@ -16,8 +16,9 @@ from PIL import Image
 
 import burnish
 from burnish import PictureError, Texture
+from burnish.compiler.ir import types
 from burnish.compiler.semantics.lower import linear
-from burnish.compiler.semantics.parameters import TEXTURE_DEFAULTS
+from burnish.compiler.semantics.maps import kind_of
 from burnish.targets.runner.drivers.checks import level_size
 from burnish.targets.runner.textures.texture import default_texture
 
@@ -53,13 +54,40 @@ def test_defaults_are_made_and_given_ones_are_kept() -> None:
     assert instance.a is instance.textures()["a"]
 
 
-def test_every_default_of_the_language_is_a_texture() -> None:
-    for name in TEXTURE_DEFAULTS:
-        texture = default_texture(name)
+@pytest.mark.parametrize("type_", types.TEXTURES, ids=str)
+def test_every_default_of_the_language_is_a_texture(type_: types.Texture) -> None:
+    for name in kind_of(type_).defaults:
+        texture = default_texture(name, type_.dimension, type_.sample)
+        assert (texture.dimension, texture.sample) == (type_.dimension, type_.sample)
         assert (texture.width, texture.height, len(texture.levels)) == (1, 1, 1)
+        assert texture.depth == (6 if type_.dimension == "cube" else 1)
+
+
+def test_what_defaults_hold() -> None:
     assert texel(default_texture("gray")) == (128, 128, 128, 255)
     assert texel(default_texture("black")) == (0, 0, 0, 255)
     assert texel(default_texture("transparent")) == (0, 0, 0, 0)
+    assert texel(default_texture("gray", "cube")) == (128, 128, 128, 255) * 6
+    assert default_texture("far", sample="depth").linear()[0].tolist() == [[[1.0]]]
+    assert default_texture("near", "cube", "depth").linear()[0].ravel().tolist() == [0.0] * 6
+    assert default_texture("zero", "3d", "int").linear()[0].ravel().tolist() == [0] * 4
+
+
+def test_an_instance_takes_what_its_map_declares() -> None:
+    source = "material M { map sky : texture_cube\n map m : utexture2d\n"
+    source += " color = sky(normal).rgb * float(m.load(ivec2(0), 0).x) }"
+    instance = burnish.compile(source, ("wgsl",))["M"].instance()
+    instance.sky = Texture.of_array(np.zeros((6, 2, 2), np.uint8), dimension="cube")
+    for name, value, message in [
+        ("sky", Texture.solid("#102030"), "`sky` takes a cube of colours, and was given a flat "
+         "texture of colours"),
+        ("m", Texture.of_array([[1]], sample="int"), "`m` takes a flat texture of unsigned "
+         "integers, and was given a flat texture of integers"),
+        ("sky", 3, "`sky` takes a Texture, and was given a value of type int"),
+    ]:  # fmt: skip
+        with pytest.raises(burnish.ParameterError) as caught:
+            instance.set(name, value)
+        assert str(caught.value) == message
 
 
 # --- colours -------------------------------------------------------------------------------------
@@ -89,7 +117,7 @@ def test_levels_halve_rounding_down() -> None:
     sizes = [level.shape[:2] for level in texture.linear()]
     assert sizes == [(5, 12), (2, 6), (1, 3), (1, 1)]
     image = texture.image()
-    assert [level_size(image, n)[::-1] for n in range(len(image.levels))] == sizes
+    assert [level_size(image, n)[1::-1] for n in range(len(image.levels))] == sizes
     assert [len(level) for level in image.levels] == [4 * h * w for h, w in sizes]
     assert (image.width, image.height, image.format) == (12, 5, "rgba8unorm")
 
@@ -150,6 +178,30 @@ def test_all_bytes_decode_to_themselves() -> None:
         assert constant.levels[1] == texture.levels[0]
 
 
+def test_layers_are_halved_on_their_own_and_volumes_in_all_directions() -> None:
+    array = np.zeros((4, 2, 4), np.float32)
+    array[0], array[1] = 8, 16
+    layers = Texture.of_array(array, dimension="2d_array")
+    assert [level.shape for level in layers.linear()] == [(4, 2, 4, 4), (4, 1, 2, 4), (4, 1, 1, 4)]
+    assert layers.linear()[2][:, 0, 0, 0].tolist() == [8, 16, 0, 0]
+    volume = Texture.of_array(array, dimension="3d")
+    assert [level.shape for level in volume.linear()] == [(4, 2, 4, 4), (2, 1, 2, 4), (1, 1, 1, 4)]
+    assert [level[0, 0, 0, 0] for level in volume.linear()] == [8, 12, 6]
+    image = volume.image()
+    sizes = [level_size(image, n) for n in range(3)]
+    assert [len(data) for data in image.levels] == [16 * w * h * d for w, h, d in sizes]
+
+
+def test_depths_and_integers_have_one_level_unless_more_are_given() -> None:
+    depths = Texture.of_array(np.full((4, 4), 0.5), sample="depth")
+    assert (depths.format, len(depths.levels)) == ("depth32float", 1)
+    steps = [np.full((4 >> n, 4 >> n), n) for n in range(3)]
+    numbers = Texture.of_array(steps[0], sample="int", levels=steps[1:])
+    assert [level[0, 0].tolist() for level in numbers.linear()] == [[n, 0, 0, 1] for n in range(3)]
+    given = Texture.of_array(np.zeros((2, 2)), levels=[np.ones((1, 1))])
+    assert given.linear()[1][0, 0].tolist() == [1, 1, 1, 1]
+
+
 # --- arrays --------------------------------------------------------------------------------------
 
 
@@ -184,6 +236,53 @@ def test_arrays_that_are_no_texture(array: Any, message: str) -> None:
 def test_floats_are_not_srgb() -> None:
     with pytest.raises(PictureError, match="floats are linear: only those of 8 bits can be sRGB"):
         Texture.of_array(np.zeros((2, 2)), srgb=True)
+
+
+@pytest.mark.parametrize(
+    ("dtype", "lanes", "sample", "form"),
+    [
+        ("u1", 1, "uint", "r8uint"), ("u1", 4, "uint", "rgba8uint"), ("u1", 3, "uint", "rgba8uint"),
+        ("u2", 1, "uint", "r32uint"), ("i8", 4, "uint", "rgba32uint"), ("i4", 1, "int", "r32sint"),
+        ("u1", 4, "int", "rgba32sint"),
+    ],
+)  # fmt: skip
+def test_integers_stay_what_they_are(dtype: str, lanes: int, sample: Any, form: str) -> None:
+    array = np.arange(6 * lanes).reshape(2, 3, lanes).astype(dtype)
+    texture = Texture.of_array(array, sample=sample)
+    assert texture.format == form
+    assert (texture.linear()[0][..., :lanes] == array).all()
+
+
+@pytest.mark.parametrize(
+    ("array", "about", "message"),
+    [
+        (np.zeros((6, 2, 3), np.uint8), {"dimension": "cube"},
+         "a cube has six square faces, and not 3 x 2 x 6 texels"),
+        (np.zeros((5, 2, 2), np.uint8), {"dimension": "cube"},
+         "a cube has six square faces, and not 2 x 2 x 5 texels"),
+        (np.zeros((2, 2), np.uint8), {"dimension": "3d"},
+         "a texture has the shape (layers, height, width) or (layers, height, width, 1, 3 or 4), "
+         "not (2, 2)"),
+        (np.zeros((257, 1, 1), np.uint8), {"dimension": "2d_array"},
+         "the array has 257 layers, and may have 256"),
+        (np.zeros((2049, 1, 1), np.uint8), {"dimension": "3d"},
+         "the volume has 1 x 1 x 2049 texels, and no side may have more than 2048"),
+        (np.array([[1.5]]), {"sample": "depth"}, "depths lie in 0..1, and some of these do not"),
+        (np.array([[1]]), {"sample": "depth"}, "depths are floats, uint8 or uint16, not int64"),
+        (np.array([[1.0]]), {"sample": "int"}, "the texture holds integers, not float64"),
+        (np.array([[-1]]), {"sample": "uint"}, "a texel of integers lies in 0..4294967295"),
+        (np.array([[1]]), {"sample": "int", "srgb": True}, "only colours can be sRGB"),
+        (np.zeros((4, 4)), {"levels": [np.zeros((1, 2))]},
+         "level 1 has 2 x 1 x 1 of float32, and half of the one before is 2 x 2 x 1 of float32"),
+    ],
+    ids=lambda value: str(value)[:30].replace("\n", " "),
+)  # fmt: skip
+def test_arrays_that_are_no_texture_of_a_kind(
+    array: Any, about: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(PictureError) as caught:
+        Texture.of_array(array, **about)
+    assert str(caught.value) == message
 
 
 # --- pictures ------------------------------------------------------------------------------------
@@ -243,6 +342,49 @@ def test_a_text_says_whether_colours_are_srgb(tmp_path: Path) -> None:
     assert Texture.parse(f"srgb:{path}").format == "rgba8unorm-srgb"
     assert Texture.parse(f"srgb:{path}") == Texture.load(path, srgb=True)
     assert Texture.parse("#0a141e") == Texture.solid("#0a141e")
+
+
+def test_pictures_for_each_layer(tmp_path: Path) -> None:
+    paths = [saved(tmp_path / f"{n}.png", Image.new("RGB", (2, 2), (n, 20, 30))) for n in range(6)]
+    listed = ", ".join(map(str, paths))
+    cube = Texture.parse(listed, dimension="cube")
+    assert cube == Texture.load(paths, dimension="cube")
+    assert (255 * cube.linear()[0][:, 0, 0, 0]).round().tolist() == [0, 1, 2, 3, 4, 5]
+    assert Texture.parse(f"srgb:{listed}", dimension="3d").format == "rgba8unorm-srgb"
+    assert Texture.parse(str(paths[0]), dimension="2d_array").depth == 1
+    blue = Texture.parse("#0000ff", dimension="cube")
+    assert blue.linear()[0][:, 0, 0].tolist() == [[0, 0, 1, 1]] * 6
+
+
+def test_pictures_of_depths_and_integers(tmp_path: Path) -> None:
+    indexed = Image.fromarray(np.array([[0, 3]], np.uint8), "P")
+    indexed.putpalette([200, 100, 50] * 4)
+    numbers = Texture.load(saved(tmp_path / "p.png", indexed), sample="uint")
+    assert numbers.linear()[0][0, :, 0].tolist() == [0, 3]
+    sixteen = Image.fromarray(np.array([[300]], np.uint16))
+    wide = Texture.load(saved(tmp_path / "i.png", sixteen), sample="int")
+    assert wide.linear()[0][0, 0].tolist() == [300, 0, 0, 1]
+    grey = saved(tmp_path / "l.png", Image.new("RGB", (1, 1), (51, 51, 51)))
+    (depths,) = Texture.parse(str(grey), sample="depth").linear()
+    assert depths.ravel().tolist() == pytest.approx([0.2])
+
+
+def test_lists_of_files_that_do_not_fit(tmp_path: Path) -> None:
+    small, large = (saved(tmp_path / f"{n}.png", Image.new("RGB", (n, n))) for n in (1, 2))
+    for text, about, message in [
+        (f"{small},{small}", {"dimension": "cube"},
+         "a cube takes six pictures, +x, -x, +y, -y, +z, -z; there are 2"),
+        (f"{small},{large}", {"dimension": "3d"},
+         f"the pictures of one texture are alike, and {large} is 2 x 2 uint8 of 4 lanes where "
+         f"{small} is 1 x 1 uint8 of 4 lanes"),
+        ("#102030", {"sample": "uint"}, "#102030 is a colour, and the texture holds unsigned "
+         "integers"),
+        (f"srgb:{small}", {"sample": "depth"}, "depths are never sRGB: leave out `srgb:`"),
+    ]:  # fmt: skip
+        kind: dict[str, Any] = about
+        with pytest.raises(PictureError) as caught:
+            Texture.parse(text, **kind)
+        assert str(caught.value) == message
 
 
 def noise(path: Path) -> bytes:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,18 @@ MESH: dict[str, Lanes] = {
     "vertex_normal": (0.0, 0.0, 2.0),
     "vertex_uv": (0.25, 0.75),
 }
+
+
+@dataclass(frozen=True)
+class Painted:
+    """A texture of which every filtered read is a function of the coordinate."""
+
+    color: Callable[[float, float], Lanes]
+
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
+        """The value of a read."""
+        assert name.startswith("sample"), name
+        return self.color(*operands[0])
 
 
 LEAVES = ("parameter", "resource", "attribute", "input")

@@ -10,7 +10,7 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.reference.namespace import Lanes
 
-from .kit import color, lanes, number
+from .kit import Painted, color, lanes, number
 
 Files = Callable[..., Path]
 
@@ -89,7 +89,7 @@ def test_a_term_reads_its_file_before_the_surface() -> None:
 
 
 def test_a_texture_of_the_record_is_read_before_a_function_is_called() -> None:
-    red: Lanes = (lambda _u, _v: (1, 0, 0, 1),)
+    red: Lanes = (Painted(lambda _u, _v: (1, 0, 0, 1)),)
     assert lanes("sin(uv).rgb", "map sin : texture2d", sin=red) == (1, 0, 0)
 
 

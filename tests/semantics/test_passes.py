@@ -8,7 +8,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.semantics.shader import Shader
 
-from .kit import Given, at, shader
+from .kit import Given, Painted, at, shader
 
 MATERIAL = "material M { sheen = 0.75  color = vec3(0.5, sheen, 0)  alpha = 0.25 }\n"
 
@@ -101,8 +101,8 @@ def test_leaves_of_a_pass_are_not_those_of_its_material() -> None:
     assert {"k", "P.k"} < {info.parameter.name for info in whole.parameters}
     assert {info.resource.name for info in whole.resources} == {"t", "P.t"}
     given: Given = {
-        "t": (lambda _u, _v: (1, 10, 100, 1),),
-        "P.t": (lambda _u, _v: (1, 2, 3, 1),),
+        "t": (Painted(lambda _u, _v: (1, 10, 100, 1)),),
+        "P.t": (Painted(lambda _u, _v: (1, 2, 3, 1)),),
     }
     assert at(whole, whole.targets[0].value, given)[:3] == (6, 120, 1800)
 

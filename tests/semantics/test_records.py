@@ -9,7 +9,7 @@ import pytest
 from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.semantics.shader import ParameterInfo
 
-from .kit import at, color, lanes, number, shader
+from .kit import Painted, at, color, lanes, number, shader
 
 BASE = """
 abstract material Base {
@@ -117,7 +117,7 @@ def test_a_parameter_has_the_value_that_the_host_sets() -> None:
 
 
 def test_textures_are_read_at_a_coordinate() -> None:
-    given: Lanes = (lambda u, v: (u, v, 10 * u, 1),)
+    given: Lanes = (Painted(lambda u, v: (u, v, 10 * u, 1)),)
     assert lanes("albedo(uv * 2).rgb", "map albedo : texture2d", albedo=given) == (0.5, 1.5, 5)
     read = "fn red(t: texture2d, p: vec2) = t(p).r"
     assert number("red(albedo, uv)", "map albedo : texture2d", read, albedo=given) == 0.25

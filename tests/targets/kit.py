@@ -12,6 +12,7 @@ from burnish.compiler.ir.program import Let, Program, Region
 from burnish.compiler.ir.types import (
     FLOAT,
     INT,
+    TEXTURES,
     UINT,
     VEC4,
     Matrix,
@@ -70,9 +71,19 @@ WIDTHS = {"S": (1,), "V": (2, 3, 4)}
 FIXED: Mapping[str, Type] = {
     **{kind: Scalar(kind) for kind in ("float", "int", "uint", "bool")},
     **{str(Vector(kind, n)): Vector(kind, n) for kind in KINDS["P"] for n in (2, 3, 4)},
+    **{str(texture): texture for texture in TEXTURES},
     **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
-    "texture2d": Texture(),
 }
+TEXTURE_LETTERS: Mapping[str, tuple[str, ...]] = {
+    "F": ("texture2d", "texture3d", "texture_cube"),
+    "D": ("depth2d", "depth_cube"),
+    "G": (
+        "texture2d", "texture3d", "depth2d",
+        "itexture2d", "itexture3d", "utexture2d", "utexture3d",
+    ),
+    "H": ("texture2d_array", "depth2d_array", "itexture2d_array", "utexture2d_array"),
+    "X": tuple(map(str, TEXTURES)),
+}  # fmt: skip
 
 
 def instances(row: Builtin) -> Iterator[tuple[tuple[Type, ...], Type]]:
@@ -85,7 +96,7 @@ def instances(row: Builtin) -> Iterator[tuple[tuple[Type, ...], Type]]:
 
 
 def _assignments(words: list[str]) -> Iterator[dict[str, Type]]:
-    free = [word for word in dict.fromkeys(words) if word in KINDS or word == "M"]
+    free = [word for word in dict.fromkeys(words) if word in {*KINDS, *TEXTURE_LETTERS, "M"}]
     choices: list[dict[str, Type]] = [{}]
     for word in free:
         choices = [{**one, word: type_} for one in choices for type_ in _family(word)]
@@ -96,6 +107,8 @@ def _assignments(words: list[str]) -> Iterator[dict[str, Type]]:
 def _family(word: str) -> list[Type]:
     if word == "M":
         return [Matrix(size) for size in (2, 3, 4)]
+    if word in TEXTURE_LETTERS:
+        return [FIXED[name] for name in TEXTURE_LETTERS[word]]
     widths = WIDTHS.get(word, (1, 2, 3, 4))
     return [with_width(kind, lanes) for kind in KINDS[word] for lanes in widths]
 
@@ -107,39 +120,61 @@ def _type(word: str, chosen: Mapping[str, Type]) -> Type:
         matrix = chosen["M"]
         assert isinstance(matrix, Matrix)
         return Vector("float", matrix.size)
-    if word in "LQUJ":
+    if word in "LQUJ" and not any(isinstance(t, Texture) for t in chosen.values()):
         base = next(type_ for letter, type_ in chosen.items() if letter in "NTIP")
         assert isinstance(base, Scalar | Vector)
         return Scalar(base.kind) if word == "L" else with_width(OF_KIND[word], width(base))
+    texture = next((type_ for type_ in chosen.values() if isinstance(type_, Texture)), None)
+    if word in "KWE" and texture is not None:
+        return _of_texture(word, texture)
     return FIXED[word]
+
+
+def _of_texture(word: str, texture: Texture) -> Type:
+    if word == "K":
+        return Vector("float", 3 if texture.dimension in ("3d", "cube") else 2)
+    if word == "W":
+        return Vector("int", 3 if texture.dimension == "3d" else 2)
+    return FLOAT if texture.sample == "depth" else Vector(texture.sample, 4)
 
 
 def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
     """Whether there are values of these types for which the hardware's own will do."""
     kinds = [scalar_kind(type_) or "float" for type_ in operands]
-    ones, rising, pattern = (1.0,) * 4, (0.25, 0.5, 0.75, 1.0), (float(0x3F800000),) * 4
+    zeros, ones = (0.0,) * 4, (1.0,) * 4
+    rising, pattern = (0.25, 0.5, 0.75, 1.0), (float(0x3F800000),) * 4
 
     def facts(values: tuple[float, ...]) -> tuple[Fact, ...]:
         pairs = zip(values, kinds, strict=False)
         return tuple(Fact(value, value, unit=True, kind=kind) for value, kind in pairs)
 
-    return any(row.domain(facts(values)) for values in (ones, rising, pattern))
+    return any(row.domain(facts(values)) for values in (zeros, ones, rising, pattern))
 
 
-def program_of_rows() -> Program:
-    """One fragment stage that calls every instance of every builtin a target has natively."""
+def program_of_rows(profile: Profile) -> Program:
+    """One fragment stage that calls every instance of every builtin a profile has natively."""
     make = Maker()
     lanes = {
         kind: Parameter(f"some_{kind}", type_, "material")
         for kind, type_ in (("float", FLOAT), ("int", INT), ("uint", UINT))
     }
-    albedo = Resource("albedo", Texture(), "material")
+    textures: dict[str, Resource] = {}
     material = block("Material", "material", [(parameter, "") for parameter in lanes.values()])
+
+    def texture(type_: Texture, how: str) -> Node:
+        name = f"{type_}_{how}"
+        resource = textures.setdefault(name, Resource(name, type_, "material"))
+        return make.graph.node("resource", type_, (), resource)
+
+    def call(row: Builtin, operands: tuple[Type, ...], result: Type) -> Node:
+        how = "loaded" if row.sampler is None else "sampled"
+        nodes = [texture(t, how) if isinstance(t, Texture) else operand(t) for t in operands]
+        for place in row.constants:
+            nodes[place] = build.constant(make.graph, INT, 2)
+        return make.native(row.name, result, *nodes)
 
     def operand(type_: Type) -> Node:
         match type_:
-            case Texture():
-                return make.graph.node("resource", type_, (), albedo)
             case Matrix(size=size):
                 column = operand(Vector("float", size))
                 return build.matrix(make.graph, (column,) * size)
@@ -152,10 +187,12 @@ def program_of_rows() -> Program:
         raise TypeError(type_)
 
     lets = [
-        Let(f"{row.name}_{number}", make.native(row.name, result, *map(operand, operands)))
+        Let(f"{row.name}_{number}", call(row, operands, result))
         for row in BUILTINS.values()
+        if row.name not in profile.cannot
         for number, (operands, result) in enumerate(instances(row))
         if is_native(row, operands)
     ]
     color = build.constant(make.graph, VEC4, (0.5, 0.5, 0.5, 1.0))
-    return tiny(color, make, (material,), resources=(albedo,), region=Region(tuple(lets)))
+    resources = tuple(textures.values())
+    return tiny(color, make, (material,), resources=resources, region=Region(tuple(lets)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
-from burnish.compiler.ir.node import Formal, Graph, Node
+from burnish.compiler.ir.node import Formal, Graph, Node, reachable
 from burnish.compiler.ir.program import (
     Block,
     Branch,
@@ -17,6 +17,7 @@ from burnish.compiler.ir.program import (
     Stage,
     StoredMember,
     Varying,
+    texture_reads,
 )
 from burnish.compiler.ir.types import (
     BOOL,
@@ -33,6 +34,7 @@ from burnish.compiler.ir.types import (
     Texture,
     Type,
 )
+from burnish.frozen import changed
 
 SIZES = {FLOAT: 4, INT: 4, UINT: 4, VEC2: 8, VEC3: 12, VEC4: 16, TallMatrix(3): 48, Matrix(4): 64}
 
@@ -105,7 +107,10 @@ def stage(name: str, **parts: object) -> Stage:
         "inputs": (), "outputs": (), "blocks": (), "resources": (), "functions": (),
         "region": Region(()), "position": None, "results": (), "discard": None,
     }  # fmt: skip
-    return Stage(name=name, **{**empty, **parts})  # type: ignore[arg-type]
+    made = Stage(name=name, **{**empty, **parts})  # type: ignore[arg-type]
+    lets = [item.node for item in made.region.statements if isinstance(item, Let)]
+    reads = texture_reads(reachable((*made.results, *lets)))
+    return changed(made, reads=reads)
 
 
 def tiny(color: Node, make: Maker, blocks: tuple[Block, ...] = (), **fragment: object) -> Program:

@@ -28,7 +28,7 @@ def words(selected: Selected) -> Program:
 
 
 def programs(selected: Selected) -> list[Program]:
-    return [plastic(), odd(), program_of_rows(), words(selected)]
+    return [plastic(), odd(), program_of_rows(selected.profile), words(selected)]
 
 
 def jobs(selected: Selected, program: Program) -> Iterator[Job]:

@@ -16,7 +16,7 @@ TARGET = """
 from functools import partial
 from pathlib import Path
 
-from burnish.targets.emit.description import Profile, Target, TypeNames
+from burnish.targets.emit.description import Profile, Target, TextureNames, TypeNames
 from burnish.targets.emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -32,6 +32,7 @@ TARGET = Target(
         matrix="grid{n}",
         tall_matrix="grid{n}x4",
     ),
+    textures=TextureNames({"2d": ""}, {"float": "paper{dimension}"}, {"filtering": "pen"}),
     natives={"saturate": "sat", "sample": "{0}.read({sampler}, {1})"},
     profiles=(Profile(name="only", doc="The only one."),),
     reserved=partial(read_reserved, FOLDER / "reserved.txt"),

@@ -44,7 +44,7 @@ def test_what_a_profile_lacks_is_defined(selected: Selected) -> None:
 
 def test_what_is_defined_stands_before_its_users_and_once() -> None:
     (es,) = [selected for selected in PROFILES if selected.profile.name == "es300"]
-    text = emitted(program_of_rows(), es)["fragment"]
+    text = emitted(program_of_rows(es.profile), es)["fragment"]
     made = re.findall(r"^\w+ (count_bits|first_leading_bit)\w*\(uint x\)", text, re.MULTILINE)
     assert made == ["count_bits", "first_leading_bit"]
     assert "bitCount" not in text
@@ -52,7 +52,7 @@ def test_what_is_defined_stands_before_its_users_and_once() -> None:
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_rows_print(selected: Selected) -> None:
-    text = emitted(program_of_rows(), selected)["fragment"]
+    text = emitted(program_of_rows(selected.profile), selected)["fragment"]
     assert re.search(r"\bnormalize\(", text)
 
 

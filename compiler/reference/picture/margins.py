@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins import texture
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from ...ir.node import Node
 from ...ir.types import scalar_kind
@@ -146,6 +147,9 @@ _OF_VECTORS: Mapping[str, Callable[..., Jump]] = {
 }
 """Builtins of whole vectors that jump at zero."""
 
+READS = frozenset(row.name for row in texture.ROWS)
+"""Builtins that read textures, which have margins of their own."""
+
 _PACKING: Mapping[str, Callable[[Lane], Jump]] = {
     "pack_unorm4x8": _between_parts(255, 0.0),
     "pack_snorm4x8": _between_parts(127, -1.0),
@@ -155,9 +159,9 @@ _PACKING: Mapping[str, Callable[[Lane], Jump]] = {
 }
 """Builtins that round each lane of a vector, and join them to a whole number."""
 
-_NOT_BY_LANE = frozenset(
+_NOT_BY_LANE = READS | frozenset(
     {"any", "all", "dot", "cross", "length", "distance", "normalize", "reflect", "transpose",
-     "determinant", "inverse", "outer", "hadamard", "sample", "unpack_unorm4x8",
+     "determinant", "inverse", "outer", "hadamard", "unpack_unorm4x8",
      "unpack_unorm2x16", "unpack_snorm4x8", "unpack_snorm2x16", "unpack_half2x16", *_PACKING,
      *_OF_VECTORS}
 )  # fmt: skip

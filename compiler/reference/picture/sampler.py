@@ -6,14 +6,20 @@ axis of every read: the first of these variants is the exact one.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from itertools import product
+from typing import Any
 
 import numpy as np
 
-from ...ir.leaves import Resource
 from ..namespace import Lane, Lanes
-from .margins import Margins
-from .scene import Floats, Ints, Texels
+from . import levels
+from .cube import between_faces, beyond_corner, met
+from .margins import Margins, margin
+from .scene import Floats, Ints
+from .texels import Image
 from .variants import Variants
 
 _COORDINATE_MARGIN = 2.0**-15
@@ -21,97 +27,253 @@ _COORDINATE_MARGIN = 2.0**-15
 bits."""
 _FLOAT32_MARGIN = 4e-6
 """How far it may be off besides, relative to itself."""
+_GATHER_MARGIN = 2.0**-12
+"""How far off, in texels, the four that are gathered may be told apart."""
 _FARTHEST = 1e9
 """Coordinates beyond are as good as none."""
 
+_COMPARISONS: Mapping[str, Callable[[Any, Any], Any]] = {
+    "less": np.less,
+    "less_equal": np.less_equal,
+    "greater": np.greater,
+    "greater_equal": np.greater_equal,
+}
+_GATHERED = ((0, 1), (1, 1), (1, 0), (0, 0))
+"""Columns and rows of the four texels, from the one at the upper left."""
 
-class Image:
-    """A texture's levels in one table, and its sampler's state."""
+Shown = Callable[[Floats], Floats]
+"""What becomes of texels (…, lanes) before they are mixed."""
 
-    def __init__(self, texels: Texels, resource: Resource, ways: Variants) -> None:
-        self.heights, self.widths = np.array([level.shape[:2] for level in texels.levels]).T
-        sizes = self.heights * self.widths
-        self.starts = np.cumsum(sizes) - sizes
-        self.table = np.concatenate([level.reshape(-1, 4) for level in texels.levels])
-        self.state: Mapping[str, str] = dict(resource.state)
-        self.ways = ways
 
-        same = bool((self.table == self.table[0]).all())
-        self.colour: Lanes | None = tuple(self.table[0].tolist()) if same else None
-        """The only one, if there is only one."""
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where a texture is read."""
+
+    coordinate: Sequence[Floats]
+    """As the program says: two lanes, or three."""
+    axes: Sequence[Floats]
+    """In textures, or in faces."""
+    layer: Ints
+    """Or face."""
+    varies: bool
 
 
 class Reader:
     """Reads an image in the quads of one evaluation: a texture's lane for the evaluator."""
 
-    def __init__(self, image: Image, margins: Margins) -> None:
+    def __init__(self, image: Image, ways: Variants, margins: Margins) -> None:
         self._image = image
+        self._ways = ways
         self._margins = margins
 
-    def __call__(self, u: Lane, v: Lane) -> Lanes:
-        """Four lanes (variants, quads, 2, 2) at coordinates (…, quads, 2, 2) or single numbers."""
-        if (only := self._image.colour) is not None:
-            return only
-        varies = bool(np.ndim(u) or np.ndim(v))
-        u, v = np.broadcast_arrays(_tame(u), _tame(v), np.zeros((1, 2, 2)))[:2]
-        level = self._level(u, v)
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
+        """The value of builtin ``name`` for what stands behind the texture.
+
+        Lanes are (variants, quads, side, side), from operands (…, quads, side, side) or numbers.
+        """
+        read: Callable[..., Lanes] = getattr(self, f"_{name}")
+        return read(*operands)
+
+    # --- the builtins -----------------------------------------------------------------------------
+
+    def _sample(self, *where: Lanes) -> Lanes:
+        if self._image.only is not None:
+            return self._image.only
+        place = self._place(where)
+        return self._filtered(place, levels.implicit(self._image, place.coordinate, self._ways))
+
+    def _sample_level(self, *operands: Lanes) -> Lanes:
+        *where, (level,) = operands
+        if self._image.only is not None:
+            return self._image.only
+        named = levels.given(self._image, _tame(level), self._ways)
+        return self._filtered(self._place(where), named)
+
+    def _sample_grad(self, *operands: Lanes) -> Lanes:
+        *where, across, down = operands
+        if self._image.only is not None:
+            return self._image.only
+        place = self._place(where)
+        right, below = ([_whole(_tame(lane)) for lane in lanes] for lanes in (across, down))
+        level = levels.by_changes(self._image, place.coordinate, right, below, self._ways)
+        return self._filtered(place, level)
+
+    def _gather(self, *operands: Lanes) -> Lanes:
+        *where, (lane,) = operands
+        if self._image.only is not None:
+            return (self._image.only[int(lane)],) * 4
+        return self._four(self._place(where), lambda texels: texels[..., int(lane)])
+
+    def _compare(self, *operands: Lanes) -> Lanes:
+        *where, (reference,) = operands
+        place, first = self._place(where), np.zeros((len(self._ways), 1, 1, 1))
+        return (self._at_level(place, first, self._comparison(reference)),)
+
+    def _gather_compare(self, *operands: Lanes) -> Lanes:
+        *where, (reference,) = operands
+        return self._four(self._place(where), self._comparison(reference))
+
+    def _load(self, *operands: Lanes) -> Lanes:
+        place, *rest = operands
+        layer = rest[0][0] if self._image.type.layered else 0
+        numbers = [np.asarray(lane, dtype=np.int64) for lane in (*place, layer, rest[-1][0])]
+        *wide, layers, level = np.broadcast_arrays(*numbers)
+        texels = self._image.load(wide, layers, level)
+        lanes = np.moveaxis(texels, -1, 0)
+        return tuple(lane if lane.ndim else lane.item() for lane in lanes)
+
+    def _texture_size(self, level: Lanes) -> Lanes:
+        number = np.clip(np.asarray(level[0], dtype=np.int64), 0, self._image.levels - 1)
+        return tuple(size if size.ndim else size.item() for size in self._image.sizes(number))
+
+    def _texture_layers(self) -> Lanes:
+        return (self._image.layers,)
+
+    def _texture_levels(self) -> Lanes:
+        return (self._image.levels,)
+
+    # --- inside -----------------------------------------------------------------------------------
+
+    def _place(self, where: Sequence[Lanes]) -> _Place:
+        """From a coordinate and, in an array, a layer."""
+        quad = np.zeros((1, *self._margins.undecided.shape[1:]))
+        coordinate = list(np.broadcast_arrays(*map(_tame, where[0]), quad))[:-1]
+        varies = any(np.ndim(lane) for lane in where[0])
+        if self._image.type.dimension == "cube":
+            found = met(coordinate)
+            return _Place(coordinate, (found.across, found.down), found.face, varies)
+        given = where[1][0] if self._image.type.layered else 0
+        layer = self._image.layer(_whole(np.asarray(given, dtype=np.int64)))
+        return _Place(coordinate, coordinate, layer, varies)
+
+    def _filtered(self, place: _Place, level: Floats) -> Lanes:
+        """Colours between levels."""
         if self._image.state["mip"] == "linear":
             lower = np.floor(level)
-            upper = np.minimum(lower + 1, len(self._image.widths) - 1)
-            colour = self._at_level(u, v, lower, varies)
+            upper = np.minimum(lower + 1, self._image.levels - 1)
+            colour = self._at_level(place, lower)
             share = (level - lower)[..., None]
             if share.any():
-                colour = colour + share * (self._at_level(u, v, upper, varies) - colour)
+                colour = colour + share * (self._at_level(place, upper) - colour)
         else:
             if len(level) == 1:  # Otherwise the variants read both levels.
                 self._margins.at_whole(level + 0.5, _COORDINATE_MARGIN)
-            colour = self._at_level(u, v, np.floor(level + 0.5), varies)
+            colour = self._at_level(place, np.floor(level + 0.5))
         return tuple(np.ascontiguousarray(np.moveaxis(colour, -1, 0)))
 
-    def _level(self, u: Floats, v: Floats) -> Floats:
-        """The level of detail, (variants, quads, 1, 1)."""
-        image, ways = self._image, self._image.ways
-        if image.state["mip"] == "none" or len(image.widths) == 1:
-            return np.zeros((len(ways), 1, 1, 1))
-        size = (float(image.widths[0]), float(image.heights[0]))
-        across = [t[..., :, 1] - t[..., :, 0] for t in (u, v)]
-        down = [t[..., 1, :] - t[..., 0, :] for t in (u, v)]
-        along_x = [s * _chosen(d, ways.row) for s, d in zip(size, across, strict=True)]
-        along_y = [s * _chosen(d, ways.column) for s, d in zip(size, down, strict=True)]
-        footprint = np.maximum(_length(along_x, ways.order), _length(along_y, ways.order))
-        level = np.log2(np.maximum(footprint, np.finfo(np.float64).tiny)) + ways.level[:, None]
-        return np.clip(level, 0, len(image.widths) - 1)[..., None, None]
-
-    def _at_level(self, u: Floats, v: Floats, level: Floats, varies: bool) -> Floats:
-        """The colour in one level (variants, quads, 2, 2, 4)."""
-        image, ways = self._image, self._image.ways
+    def _at_level(self, place: _Place, level: Floats, shown: Shown | None = None) -> Floats:
+        """The mean of texels, or of what is shown of them, in one level."""
         number = level.astype(np.int64)
-        width, height = image.widths[number], image.heights[number]
-        x, y = u * width, v * height
-        if image.state["filter"] == "nearest":
-            if varies:
-                # Variants that read another level have other texels, which is no decision.
-                same = number == number[:1]
-                self._margins.at_whole(np.where(same, x, x[:1]), _nearest_margin(x, width))
-                self._margins.at_whole(np.where(same, y, y[:1]), _nearest_margin(y, height))
-            return self._texel(np.floor(x), np.floor(y), number)
-        x = x - 0.5 + ways.across[:, None, None, None]
-        y = y - 0.5 + ways.down[:, None, None, None]
-        left, top = np.floor(x), np.floor(y)
-        right, down = (x - left)[..., None], (y - top)[..., None]
-        upper = _mixed(self._texel(left, top, number), self._texel(left + 1, top, number), right)
-        lower = _mixed(
-            self._texel(left, top + 1, number), self._texel(left + 1, top + 1, number), right
-        )
-        return _mixed(upper, lower, down)
+        sizes = self._image.sizes(number)
+        scaled = [at * size for at, size in zip(place.axes, sizes, strict=True)]
+        show = shown or (lambda texels: texels)
+        if self._image.state["filter"] == "nearest":
+            if place.varies:
+                self._watch_nearest(place, scaled, sizes, number)
+            near = [np.floor(at).astype(np.int64) for at in scaled]
+            return show(self._within(near, place.layer, number))
+        shifts = (self._ways.across, self._ways.down, self._ways.inward)
+        moved = [
+            at - 0.5 + shift[:, None, None, None]
+            for at, shift in zip(scaled, shifts[: len(scaled)], strict=True)
+        ]
+        first = [np.floor(at).astype(np.int64) for at in moved]
+        shares = [at - i for at, i in zip(moved, first, strict=True)]
+        return self._mixed(place.layer, number, first, shares, show)
 
-    def _texel(self, x: Floats, y: Floats, level: Ints) -> Floats:
-        image = self._image
-        width, height = image.widths[level], image.heights[level]
-        column = _wrapped(x.astype(np.int64), width, image.state["wrap"])
-        row = _wrapped(y.astype(np.int64), height, image.state["wrap"])
-        texel: Floats = image.table[image.starts[level] + row * width + column]
-        return texel
+    def _mixed(
+        self, layer: Ints, level: Ints, first: list[Ints], shares: list[Floats], show: Shown
+    ) -> Floats:
+        """The mean over the texels around a place, of which ``first`` has the smallest numbers."""
+        total: Any = 0.0
+        for steps in product((0, 1), repeat=len(first)):
+            corner = [i + step for i, step in zip(first, steps, strict=True)]
+            weights = [
+                share if step else 1.0 - share for share, step in zip(shares, steps, strict=True)
+            ]
+            weight: Floats = reduce(np.multiply, weights)
+            value = show(self._texel(corner, layer, level))
+            total = total + (weight if value.ndim == weight.ndim else weight[..., None]) * value
+        mean: Floats = total
+        return mean
+
+    def _within(self, place: list[Ints], layer: Ints, level: Ints) -> Floats:
+        """Of a face its own texels only: a place is in a face up to and including its edges."""
+        if self._image.type.dimension == "cube":
+            sizes = self._image.sizes(level)
+            place = [np.clip(i, 0, size - 1) for i, size in zip(place, sizes, strict=True)]
+        return self._image.texel(place, layer, level)
+
+    def _texel(self, place: list[Ints], layer: Ints, level: Ints) -> Floats:
+        """A texel; beyond a cube's corner the mean of the three around it.
+
+        Vulkan recommends the mean; that a device takes one of the three is a variant.
+        """
+        texel = self._image.texel(place, layer, level)
+        if self._image.type.dimension != "cube":
+            return texel
+        sizes = self._image.sizes(level)
+        beyond = beyond_corner(place, sizes[0])
+        if not beyond.any():
+            return texel
+        inside = [np.clip(i, 0, size - 1) for i, size in zip(place, sizes, strict=True)]
+        three = np.stack([
+            np.broadcast_to(self._image.texel(around, layer, level), texel.shape)
+            for around in (inside, [inside[0], place[1]], [place[0], inside[1]])
+        ])  # fmt: skip
+        choice = self._ways.corner[:, None, None, None, None]
+        picked = np.where(choice < 0, three.mean(axis=0), 0.0)
+        for number in range(3):
+            picked = np.where(choice == number, three[number], picked)
+        return np.where(beyond[..., None], picked, texel)
+
+    def _comparison(self, reference: Lane) -> Shown:
+        """1 where a reference, limited to what depths can be, compares with a depth."""
+        given = np.clip(_whole(_tame(reference)), 0.0, 1.0)
+        compared = _COMPARISONS[self._image.state["compare"]]
+
+        def show(texels: Floats) -> Floats:
+            depth = texels[..., 0]
+            if np.ndim(reference):
+                self._margins.at_zero(given - depth, margin(given, depth))
+            found: Floats = compared(given, depth).astype(np.float64)
+            return found
+
+        return show
+
+    def _four(self, place: _Place, show: Shown) -> Lanes:
+        """Something of each of the four texels between which level 0 would be filtered."""
+        first = np.zeros((len(self._ways), 1, 1, 1), dtype=np.int64)
+        sizes = self._image.sizes(first)
+        scaled = [at * size for at, size in zip(place.axes, sizes, strict=True)]
+        moved = [at - 0.5 for at in scaled]
+        for at, size in zip(moved, sizes, strict=True):
+            self._margins.at_whole(at, _nearest_margin(at, size) + _GATHER_MARGIN)
+        upper_left = [np.floor(at).astype(np.int64) for at in moved]
+        found = []
+        for steps in _GATHERED:
+            corner = [i + step for i, step in zip(upper_left, steps, strict=True)]
+            if self._image.type.dimension == "cube":
+                self._watch_faces(place)
+                beyond = beyond_corner(corner, sizes[0])
+                self._margins.at_zero(np.where(beyond, 0.0, 1.0), 0.0)
+            found.append(show(self._texel(corner, place.layer, first)))
+        return tuple(found)
+
+    def _watch_nearest(
+        self, place: _Place, scaled: Sequence[Floats], sizes: Sequence[Ints], level: Ints
+    ) -> None:
+        if self._image.type.dimension == "cube":
+            self._watch_faces(place)
+        # Variants that read another level have other texels, which is no decision.
+        same = level == level[:1]
+        for at, size in zip(scaled, sizes, strict=True):
+            self._margins.at_whole(np.where(same, at, at[:1]), _nearest_margin(at, size))
+
+    def _watch_faces(self, place: _Place) -> None:
+        close = between_faces(place.coordinate, _FLOAT32_MARGIN)
+        self._margins.at_zero(np.where(close, 0.0, place.layer + 1.0), 0.0)
+        self._margins.at_whole(place.layer + 0.5, 0.0)
 
 
 def _nearest_margin(place: Floats, size: Ints) -> Floats:
@@ -126,31 +288,6 @@ def _tame(coordinate: Lane) -> Floats:
     return np.clip(tame, -_FARTHEST, _FARTHEST)
 
 
-def _wrapped(index: Ints, size: Ints, wrap: str) -> Ints:
-    """The texel that a number stands for outside of the texture."""
-    if wrap == "clamp":
-        return np.clip(index, 0, size - 1)
-    if wrap == "repeat":
-        return index % size
-    folded = index % (2 * size)
-    return np.where(folded < size, folded, 2 * size - 1 - folded)
-
-
-def _mixed(a: Floats, b: Floats, share: Floats) -> Floats:
-    return a + share * (b - a)
-
-
-def _chosen(differences: Floats, which: Ints) -> Floats:
-    """Each variant's choice (variants, quads) among two differences (…, quads, 2)."""
-    shape = (len(which), *differences.shape[-2:])
-    chosen: Floats = np.broadcast_to(differences, shape)[
-        np.arange(len(which)), :, np.maximum(which, 0)
-    ]
-    return chosen
-
-
-def _length(lanes: list[Floats], order: Floats) -> Floats:
-    """The norm of two lanes (variants, quads), of a variant's own order."""
-    a, b = np.abs(lanes[0]), np.abs(lanes[1])
-    order = order[:, None]
-    return np.where(order == 2, np.hypot(a, b), np.where(order == 1, a + b, np.maximum(a, b)))
+def _whole(lane: Any) -> Any:
+    """A lane with the axes of quads, also where it is the same in all."""
+    return lane if np.ndim(lane) else np.full((1, 1, 1), lane)

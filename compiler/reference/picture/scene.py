@@ -59,9 +59,11 @@ def instanced(
 class Texels:
     """A texture with its mip levels."""
 
-    levels: tuple[Floats, ...]
-    """Each (height, width, 4) linear values, the first row on top. Every level halves the one
-    before, rounding down, to no less than 1."""
+    levels: tuple[Floats | Ints, ...]
+    """Each (height, width, 4) linear values, the first row on top; of depths (height, width, 1).
+
+    With layers, faces or slices: (layers, height, width, 4). Every level halves width and height,
+    and a volume's depth, rounding down, to no less than 1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +93,8 @@ class RasterRules:
     exact."""
     mip_bits: int | None = None
     """Binary places of the level of detail, likewise."""
+    projects_gradients: bool = True
+    """Whether gradients that a program gives for a cube are projected onto its surface."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins import BUILTINS
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
 from ...ir.types import scalar_kind, width
 from ...semantics.shader import Shader
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
-from .margins import EXACT, Margins
+from .margins import EXACT, READS, Margins
 from .quads import Barycentric
-from .sampler import Image, Reader
+from .sampler import Reader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
+from .texels import Image
 from .variants import Variants, variants
+from .vertex_reads import VertexReader
 
-_COMPARES_NEIGHBOURS = ("sample", "ddx", "ddy")
-_NOT_ROUNDED = EXACT | {"neg", "abs", "min", "max", "clamp", "saturate", *_COMPARES_NEIGHBOURS}
+_COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
+_NOT_ROUNDED = (
+    EXACT | READS | _COMPARES_NEIGHBOURS | {"neg", "abs", "min", "max", "clamp", "saturate"}
+)
 """What gives one of its operands, or a number that float32 has, or has bounds of its own."""
 
 
@@ -71,20 +76,24 @@ class Stages:
         self._crossings = [node for node in nodes if node.op == "interpolate"]
         called = {str(node.data) for node in nodes if node.op in ("call", "native")}
         self.side = 2 if called.intersection(_COMPARES_NEIGHBOURS) else 1
-        read = [node.data for node in nodes if isinstance(node.data, Resource)]
-        self.ways = _ways(read, textures, rules, called, self._crossings)
-        self._images = {r: Image(_texels(textures, r), r, self.ways) for r in read}
+        everywhere = (*nodes, *reachable((self._position,)))
+        read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
+        self._images = {r: Image(_texels(textures, r), r) for r in read}
+        self.ways = _ways(self._images.values(), rules, called, self._crossings)
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """The vertex stage."""
         count = geometry.vertex_count
         margins = Margins((count,))
+        readers = {resource: VertexReader(image, count) for resource, image in self._images.items()}
 
         inputs = geometry.inputs()
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
                 return _attribute(geometry, node.data)
+            if isinstance(node.data, Resource):
+                return (readers[node.data],)
             return (inputs[str(node.data)],) if node.op == "input" else self._parameter(node)
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
@@ -101,7 +110,10 @@ class Stages:
             for node in self._crossings:
                 pairs = zip(rounded.value(node.operands[0]), crossings[node.id], strict=True)
                 off[node.id] = tuple(moved - exact for moved, exact in pairs)
-        return Vertices(positions.astype(np.float64), crossings, off, margins.undecided)
+        undecided = margins.undecided
+        for reader in readers.values():
+            undecided = undecided | reader.undecided
+        return Vertices(positions.astype(np.float64), crossings, off, undecided)
 
     def _round_alike(self, node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
         """What an operation of the vertex stage gives, off to one side or the other."""
@@ -116,7 +128,9 @@ class Stages:
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
         """The fragment stage in quads; ``front`` says which of them face the eye."""
         margins, turns = Margins((len(front), self.side, self.side)), count()
-        readers = {resource: Reader(image, margins) for resource, image in self._images.items()}
+        readers = {
+            resource: Reader(image, self.ways, margins) for resource, image in self._images.items()
+        }
         inputs = {
             "frag_coord": (place.x, place.y, place.depth, place.per_w),
             "front_facing": (front[:, None, None],),
@@ -205,22 +219,22 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
 
 
 def _ways(
-    read: list[Resource],
-    textures: Mapping[str, Texels],
-    rules: RasterRules,
-    called: set[str],
-    crossings: list[Node],
+    images: Iterable[Image], rules: RasterRules, called: set[str], crossings: list[Node]
 ) -> Variants:
     """The variants of reading and interpolating that make a difference to a shader."""
-    varied = [r for r in read if any(level.size > 4 for level in _texels(textures, r).levels)]
-    smooth = any(dict(r.state)["filter"] == "linear" for r in varied)
-    mipped = any(dict(r.state)["mip"] != "none" for r in varied)
+    varied = [image for image in images if image.only is None]
+    read = {image.type.dimension for image in varied}
+    smooth = any(image.state.get("filter") == "linear" for image in varied)
+    mipped = any(image.state.get("mip", "none") != "none" for image in varied)
     return variants(
         rules.subtexel_bits if smooth else None,
         rules.mip_bits if mipped or called & {"ddx", "ddy"} else None,
         rules.varying_bits if any(node.data != "flat" for node in crossings) else None,
         rules.rounding_bits,
         any(name in called for name, _ in rules.functions),
+        volumes="3d" in read,
+        cubes="cube" in read,
+        gradients=not rules.projects_gradients,
     )
 
 

@@ -10,10 +10,17 @@ import re
 from collections.abc import Sequence
 from typing import get_args
 
-from .draw import BlockSlot, Draw, DriverError, Image, Job, Pipeline, TargetFormat
-
-TEXEL_SIZE = {"rgba8unorm": 4, "rgba8unorm-srgb": 4, "rgba32float": 16}
-"""Bytes of a texel of each ``TextureFormat``."""
+from .draw import (
+    TEXELS,
+    BlockSlot,
+    Draw,
+    DriverError,
+    Image,
+    Job,
+    Pipeline,
+    TargetFormat,
+    TextureSlot,
+)
 
 
 def check(job: Job) -> None:
@@ -79,7 +86,7 @@ def _check_draw(pipeline: Pipeline, draw: Draw) -> None:
     for block, data in zip(pipeline.blocks, draw.blocks, strict=True):
         _same_size(f"uniform block {block.place.identifier!r}", data, block.size)
     for texture, image in zip(pipeline.textures, draw.textures, strict=True):
-        _check_image(f"texture {texture.texture.identifier!r}", image)
+        _check_texture(f"texture {texture.texture.identifier!r}", texture, image)
     _check_indices(draw)
 
 
@@ -93,20 +100,35 @@ def _same_size(what: str, data: bytes, size: int) -> None:
         raise DriverError(f"{what} is given {len(data)} bytes, and takes {size}")
 
 
-def _check_image(what: str, image: Image) -> None:
-    if image.format not in TEXEL_SIZE:
+def _check_texture(what: str, slot: TextureSlot, image: Image) -> None:
+    if image.format not in TEXELS:
         raise DriverError(f"{what} has the unknown format {image.format!r}")
-    if not 0 < len(image.levels) <= max(image.width, image.height).bit_length():
-        size = f"{image.width} x {image.height}"
+    wanted = slot.sample.removeprefix("unfilterable-")
+    if (image.dimension, TEXELS[image.format].sample) != (slot.dimension, wanted):
+        given = f"{image.dimension} picture of {image.format}"
+        raise DriverError(f"{what} is given a {given}, and is {slot.dimension} of {wanted}")
+    _check_image(what, image)
+
+
+def _check_image(what: str, image: Image) -> None:
+    size = f"{image.width} x {image.height} x {image.depth}"
+    if image.dimension == "cube" and (image.depth != 6 or image.width != image.height):
+        raise DriverError(f"{what} of {size} texels is no cube, which has six square faces")
+    if image.dimension == "2d" and image.depth != 1:
+        raise DriverError(f"{what} of {size} texels has one layer only")
+    sides = (image.width, image.height, *([image.depth] if image.dimension == "3d" else []))
+    if not 0 < len(image.levels) <= max(sides).bit_length():
         raise DriverError(f"{what} of {size} texels cannot have {len(image.levels)} mip levels")
     for level, data in enumerate(image.levels):
-        width, height = level_size(image, level)
-        _same_size(f"{what}, level {level},", data, width * height * TEXEL_SIZE[image.format])
+        width, height, depth = level_size(image, level)
+        texels = width * height * depth
+        _same_size(f"{what}, level {level},", data, texels * TEXELS[image.format].size)
 
 
-def level_size(image: Image, level: int) -> tuple[int, int]:
-    """Width and height of a mip level."""
-    return max(image.width >> level, 1), max(image.height >> level, 1)
+def level_size(image: Image, level: int) -> tuple[int, int, int]:
+    """Width and height of a mip level, and its layers, faces or slices."""
+    depth = max(image.depth >> level, 1) if image.dimension == "3d" else image.depth
+    return max(image.width >> level, 1), max(image.height >> level, 1), depth
 
 
 def _check_indices(draw: Draw) -> None:

@@ -10,6 +10,7 @@ a cleared picture and a depth of 1; the nearer fragment wins (``less``).
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -23,17 +24,60 @@ VertexFormat = Literal[
 Step = Literal["vertex", "instance"]
 """How often an attribute goes on to its next value."""
 
-TextureFormat = Literal["rgba8unorm", "rgba8unorm-srgb", "rgba32float"]
+TextureFormat = Literal[
+    "rgba8unorm", "rgba8unorm-srgb", "rgba32float", "depth32float",
+    "r8uint", "rgba8uint", "r32uint", "rgba32uint", "r32sint", "rgba32sint",
+]  # fmt: skip
 TargetFormat = Literal[
     "r32float", "rg32float", "rgba32float", "r8unorm", "rg8unorm", "rgba8unorm", "rgba8unorm-srgb",
     "r16float", "rg16float", "rgba16float",
 ]  # fmt: skip
 
+Dimension = Literal["2d", "2d_array", "3d", "cube"]
+Sample = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
+"""What a shader reads from a texture; the second is a promise that nothing filters it."""
+Sampling = Literal["filtering", "non-filtering", "comparison"]
+"""How a shader uses a sampler."""
+
 Filter = Literal["linear", "nearest"]
 Mip = Literal["linear", "nearest", "none"]
 Wrap = Literal["repeat", "clamp", "mirror"]
+Compare = Literal[
+    "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
+]
+"""The reference, on the left, with a depth."""
 Blend = Literal["none", "alpha", "premultiplied", "add", "multiply"]
 Cull = Literal["none", "back", "front"]
+
+
+@dataclass(frozen=True, slots=True)
+class Texel:
+    """How a ``TextureFormat`` lies in memory."""
+
+    lanes: int
+    """1 or 4; the others of a single one read as 0, 0, 1."""
+    kind: Literal["u1", "<u4", "<i4", "<f4"]
+    """Of a lane, in NumPy's words."""
+    sample: Sample
+
+    @property
+    def size(self) -> int:
+        """Bytes."""
+        return self.lanes * int(self.kind[-1])
+
+
+TEXELS: Mapping[TextureFormat, Texel] = {
+    "rgba8unorm": Texel(4, "u1", "float"),
+    "rgba8unorm-srgb": Texel(4, "u1", "float"),
+    "rgba32float": Texel(4, "<f4", "float"),
+    "depth32float": Texel(1, "<f4", "depth"),
+    "r8uint": Texel(1, "u1", "uint"),
+    "rgba8uint": Texel(4, "u1", "uint"),
+    "r32uint": Texel(1, "<u4", "uint"),
+    "rgba32uint": Texel(4, "<u4", "uint"),
+    "r32sint": Texel(1, "<i4", "sint"),
+    "rgba32sint": Texel(4, "<i4", "sint"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,10 +126,17 @@ class TextureSlot:
 
     texture: Place
     sampler: Place | None
-    """``None`` where texture and sampler are one object, bound at ``texture``."""
+    """``None`` where texture and sampler are one object, bound at ``texture``; and where there is
+    no sampler."""
     filter: Filter = "linear"
     mip: Mip = "linear"
     wrap: Wrap = "repeat"
+    compare: Compare | None = None
+    """How the sampler compares a reference with depths; ``None`` where it does not."""
+    dimension: Dimension = "2d"
+    sample: Sample = "float"
+    sampling: Sampling | None = "filtering"
+    """``None`` where texels are only loaded, without a sampler."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,13 +171,20 @@ class Pipeline:
 
 @dataclass(frozen=True, slots=True)
 class Image:
-    """A texture's texels, mip levels and all, the first row on top."""
+    """A texture's texels, mip levels and all.
+
+    Row by row, the first on top (at v = 0); then layer by layer, or slice by slice of a volume, or
+    face by face of a cube: +x, -x, +y, -y, +z, -z, each as all APIs turn it.
+    """
 
     format: TextureFormat
     width: int
     """Of the first level; each further one halves both, rounding down, to no less than 1."""
     height: int
     levels: tuple[bytes, ...]
+    dimension: Dimension = "2d"
+    depth: int = 1
+    """Layers, faces, or the slices of a volume's first level, which are halved likewise."""
 
 
 @dataclass(frozen=True, slots=True)

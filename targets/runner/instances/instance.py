@@ -6,7 +6,7 @@ its file and needs nothing of the compiler's work. Nothing here imports NumPy.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sized
+from collections.abc import Iterable, Mapping, Sized
 from typing import TYPE_CHECKING, Any
 
 from . import derived
@@ -77,7 +77,7 @@ class Instance:
         nothing has changed.
         """
         if name in self._names.textures:
-            self._textures[name] = _texture(name, value)
+            self._textures[name] = _texture(self._texture_row(name), value)
         else:
             self._values |= self._changes(name, value)
 
@@ -85,7 +85,8 @@ class Instance:
         """Set a parameter or texture to what a text says, as on a command line.
 
         ``texts`` says how values are written; a texture is a picture's file, whose colours are
-        taken as sRGB if ``srgb:`` stands before its name, or a colour such as ``#b5651d``.
+        taken as sRGB if ``srgb:`` stands before its name, or a colour such as ``#b5651d``. Layers,
+        slices or faces are files with commas between them.
 
         Raises ``ParameterError`` as ``set`` does, and ``PictureError`` for a picture that cannot be
         read.
@@ -93,7 +94,10 @@ class Instance:
         if name in self._names.textures:
             from ..textures.texture import Texture
 
-            self._textures[name] = Texture.parse(text)
+            row = self._texture_row(name)
+            self._textures[name] = Texture.parse(
+                text, dimension=row["dimension"], sample=row["sample"]
+            )
         else:
             self.set(name, parse(text, self._names.place(name).shape, name))
 
@@ -153,7 +157,8 @@ class Instance:
         from ..textures.texture import default_texture
 
         return {
-            row["name"]: self._textures.get(row["name"]) or default_texture(row["default"])
+            row["name"]: self._textures.get(row["name"])
+            or default_texture(row["default"], row["dimension"], row["sample"])
             for row in self._reflection["textures"]
         }
 
@@ -188,6 +193,10 @@ class Instance:
             return self.get(name)
         return Part(self, name, place.shape.count if isinstance(place.shape, Elements) else None)
 
+    def _texture_row(self, name: str) -> Mapping[str, Any]:
+        rows: Iterable[Mapping[str, Any]] = self._reflection["textures"]
+        return next(row for row in rows if row["name"] == name)
+
     def _changes(self, name: str, value: object) -> dict[str, Any]:
         """The new values of the parameters that setting ``name`` changes."""
         if members := self._names.light(name):
@@ -219,12 +228,17 @@ class Instance:
         return found
 
 
-def _texture(name: str, value: object) -> Texture:
-    from ..textures.texture import Texture
+def _texture(row: Mapping[str, Any], value: object) -> Texture:
+    from ..textures.texture import Texture, described
 
+    name = row["name"]
     if not isinstance(value, Texture):
         given = type(value).__name__
         raise ParameterError(
             name, f"`{name}` takes a Texture, and was given a value of type {given}"
         )
+    if (value.dimension, value.sample) != (row["dimension"], row["sample"]):
+        wanted = described(row["dimension"], row["sample"])
+        given = described(value.dimension, value.sample)
+        raise ParameterError(name, f"`{name}` takes {wanted}, and was given {given}")
     return value

@@ -1,89 +1,155 @@
-"""Pictures and arrays as the texels that a texture stores: (height, width, 4), 8 bits or floats."""
+"""Arrays as the texels that a texture stores, (depth, height, width, lanes)."""
 
 from __future__ import annotations
 
-import warnings
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, ImageOps, UnidentifiedImageError
 
-from ..drivers.draw import TextureFormat
+from ..drivers.draw import Dimension, TextureFormat
 from .mipmaps import Texels
-from .texture import PictureError
+from .texture import FACES, Kind, PictureError
 
 MAX_SIDE = 8192
 """Texels; the largest texture that WebGPU promises."""
+MAX_VOLUME_SIDE = 2048
+MAX_LAYERS = 256
+"""Likewise."""
 
 
-def texel_array(array: Any, srgb: bool) -> tuple[Texels, TextureFormat]:
+def texel_array(
+    array: Any, srgb: bool, dimension: Dimension, sample: Kind
+) -> tuple[Texels, TextureFormat]:
     """The texels that ``Texture.of_array`` makes of an array, and their format.
 
     Raises ``PictureError`` for arrays of other shapes and kinds.
     """
     given = np.asarray(array)
-    if given.dtype == np.uint8:
-        return _four_lanes(given, 255), "rgba8unorm-srgb" if srgb else "rgba8unorm"
+    if srgb and sample != "float":
+        raise PictureError("only colours can be sRGB")
+    match sample:
+        case "float":
+            return _colors(given, srgb, dimension)
+        case "depth":
+            return _shaped(_depths(given), dimension, (1,)), "depth32float"
+        case _:
+            return _integers(given, dimension, sample)
+
+
+def check_level(
+    first: Texels, array: Any, number: int, srgb: bool, dimension: Dimension, sample: Kind
+) -> Texels:
+    """The texels of a smaller level that somebody has made. Raises ``PictureError``."""
+    texels, _ = texel_array(array, srgb, dimension, sample)
+    halved = [max(side >> number, 1) for side in first.shape[:3]]
+    if dimension != "3d":
+        halved[0] = first.shape[0]
+    wanted = (*halved, first.shape[3])
+    if texels.shape != wanted or texels.dtype != first.dtype:
+        raise PictureError(
+            f"level {number} has {_size(texels)} of {texels.dtype}, and half of the one before"
+            f" is {' x '.join(map(str, wanted[2::-1]))} of {first.dtype}"
+        )
+    return texels
+
+
+def _colors(given: NDArray[Any], srgb: bool, dimension: Dimension) -> tuple[Texels, TextureFormat]:
     if given.dtype == np.uint16:
-        return texel_array(((given.astype(np.uint32) + 128) // 257).astype(np.uint8), srgb)
+        given = ((given.astype(np.uint32) + 128) // 257).astype(np.uint8)
+    if given.dtype == np.uint8:
+        texels = _four_lanes(_shaped(given, dimension, (1, 3, 4)), 255)
+        return texels, "rgba8unorm-srgb" if srgb else "rgba8unorm"
     if not np.issubdtype(given.dtype, np.floating):
         raise PictureError(f"texels are uint8, uint16 or floats, not {given.dtype}")
     if srgb:
         raise PictureError("texels that are floats are linear: only those of 8 bits can be sRGB")
+    floats = _single(given)
+    return _four_lanes(_shaped(floats, dimension, (1, 3, 4)), 1), "rgba32float"
+
+
+def _single(given: NDArray[Any]) -> NDArray[np.float32]:
     with np.errstate(over="ignore"):
         floats = given.astype(np.float32)
     if not np.isfinite(floats).all():
         raise PictureError("texels are finite float32 numbers, and some of these are not")
-    return _four_lanes(floats, 1), "rgba32float"
+    return floats
 
 
-def _four_lanes(given: NDArray[Any], opaque: int) -> NDArray[Any]:
-    """Grey in three lanes, and opaque where there is no alpha."""
-    texels = given[..., np.newaxis] if given.ndim == 2 else given
-    if texels.ndim != 3 or texels.shape[2] not in (1, 3, 4) or 0 in texels.shape:
-        wanted = "(height, width) or (height, width, 1, 3 or 4)"
-        raise PictureError(f"a texture has the shape {wanted}, not {given.shape}")
-    height, width, lanes = texels.shape
-    _check_size(width, height, "the array")
-    whole = np.full((height, width, 4), opaque, texels.dtype)
-    whole[..., : max(lanes, 3)] = texels
+def _depths(given: NDArray[Any]) -> NDArray[np.float32]:
+    """Depths in 0..1, as which the numbers of 8 and 16 bits count."""
+    if given.dtype in (np.uint8, np.uint16):
+        return (given / np.iinfo(given.dtype).max).astype(np.float32)
+    if not np.issubdtype(given.dtype, np.floating):
+        raise PictureError(f"depths are floats, uint8 or uint16, not {given.dtype}")
+    depths = _single(given)
+    if not ((depths >= 0) & (depths <= 1)).all():
+        raise PictureError("depths lie in 0..1, and some of these do not")
+    return depths
+
+
+def _integers(
+    given: NDArray[Any], dimension: Dimension, sample: Kind
+) -> tuple[Texels, TextureFormat]:
+    if given.dtype.kind not in "iu":
+        raise PictureError(f"the texture holds integers, not {given.dtype}")
+    limits = np.iinfo(np.int32 if sample == "int" else np.uint32)
+    if given.size and not (limits.min <= given.min() and given.max() <= limits.max):
+        raise PictureError(f"a texel of integers lies in {limits.min}..{limits.max}")
+    texels = _shaped(given, dimension, (1, 3, 4))
+    if texels.shape[3] == 3:
+        texels = _four_lanes(texels, 1)
+    single = texels.shape[3] == 1
+    if sample == "int":
+        return texels.astype(np.int32), "r32sint" if single else "rgba32sint"
+    if texels.dtype == np.uint8:
+        return texels, "r8uint" if single else "rgba8uint"
+    return texels.astype(np.uint32), "r32uint" if single else "rgba32uint"
+
+
+def _shaped(given: NDArray[Any], dimension: Dimension, lanes: tuple[int, ...]) -> NDArray[Any]:
+    """(depth, height, width, lanes)."""
+    flat = dimension == "2d"
+    texels = given[..., np.newaxis] if given.ndim == 3 - flat else given
+    if texels.ndim != 4 - flat or texels.shape[-1] not in lanes or 0 in texels.shape:
+        *most, last = map(str, lanes)
+        counts = f"{', '.join(most)} or {last}" if most else last
+        sides = "height, width" if flat else "layers, height, width"
+        raise PictureError(f"a texture has the shape ({sides}) or ({sides}, {counts}), not "
+                           f"{given.shape}")  # fmt: skip
+    whole = texels[np.newaxis] if flat else texels
+    _check_size(whole, dimension)
     return whole
 
 
-def _check_size(width: int, height: int, what: str) -> None:
+def _check_size(texels: NDArray[Any], dimension: Dimension) -> None:
+    depth, height, width, _ = texels.shape
+    if dimension == "3d":
+        if max(depth, height, width) > MAX_VOLUME_SIDE:
+            what = f"the volume has {_size(texels)} texels"
+            raise PictureError(f"{what}, and no side may have more than {MAX_VOLUME_SIDE}")
+        return
+    check_sides(width, height, "the array")
+    if dimension == "2d_array" and depth > MAX_LAYERS:
+        raise PictureError(f"the array has {depth} layers, and may have {MAX_LAYERS}")
+    if dimension == "cube" and (depth != len(FACES) or width != height):
+        raise PictureError(f"a cube has six square faces, and not {_size(texels)} texels")
+
+
+def check_sides(width: int, height: int, what: str) -> None:
+    """Raises ``PictureError`` for a picture that is too large."""
     if max(width, height) > MAX_SIDE:
         size = f"{width} x {height} texels"
         raise PictureError(f"{what} has {size}, and no side may have more than {MAX_SIDE}")
 
 
-def read_picture(path: Path) -> NDArray[Any]:
-    """The picture in a file as an array for ``texel_array``. Raises ``PictureError``."""
-    try:
-        with warnings.catch_warnings():
-            # The size is checked below, before anything is unpacked, and more strictly.
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            with Image.open(path) as picture:
-                _check_size(*picture.size, str(path))
-                return _lanes(ImageOps.exif_transpose(picture))
-    except PictureError:
-        raise
-    except UnidentifiedImageError:
-        raise PictureError(f"{path} is not a picture of a known format") from None
-    except Image.DecompressionBombError:
-        raise PictureError(f"{path} is too large: no side may have over {MAX_SIDE}") from None
-    except OSError as error:
-        raise PictureError(f"cannot read {path}: {error.strerror or error}") from None
-    except Exception as error:  # Of a damaged file, decoders raise whatever they come upon.
-        raise PictureError(f"{path} is damaged: {error}") from None
+def _size(texels: NDArray[Any]) -> str:
+    depth, height, width, _ = texels.shape
+    return f"{width} x {height} x {depth}"
 
 
-def _lanes(picture: Image.Image) -> NDArray[Any]:
-    """The lanes as they are where they have more than 8 bits, else RGBA."""
-    if picture.mode == "F":
-        return np.asarray(picture, np.float32)
-    if picture.mode.startswith("I"):
-        clipped: NDArray[Any] = np.clip(np.asarray(picture), 0, 65535).astype(np.uint16)
-        return clipped
-    return np.asarray(picture.convert("RGBA"))
+def _four_lanes(texels: NDArray[Any], opaque: int) -> NDArray[Any]:
+    """Grey in three lanes, and opaque where there is no alpha."""
+    whole = np.full((*texels.shape[:3], 4), opaque, texels.dtype)
+    whole[..., : max(texels.shape[3], 3)] = texels
+    return whole

@@ -5,17 +5,19 @@ The levels are made here and not by a driver, because drivers filter each in the
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drivers.draw import TextureFormat
+from ..drivers.draw import TEXELS, Dimension, TextureFormat
 from .srgb import decode_srgb, encode_srgb
 
-Texels = NDArray[np.uint8 | np.float32]
-"""(height, width, 4), as stored."""
+Texels = NDArray[np.uint8 | np.float32 | np.uint32 | np.int32]
+"""(depth, height, width, lanes), as stored."""
 
 Linear = NDArray[np.float64]
-"""(height, width, 4), as a shader reads it."""
+"""(depth, height, width, 4), as a shader reads it."""
 
 _BAND = 256
 """Rows that are worked on at a time."""
@@ -45,27 +47,54 @@ def encoded(lanes: Linear, format: TextureFormat) -> Texels:
     return np.rint(limited * 255.0).astype(np.uint8)
 
 
-def levels(texels: Texels, format: TextureFormat) -> list[Texels]:
-    """All levels down to a single texel, the given one first, which stays as it is.
+def stored_levels(
+    format: TextureFormat, levels: Sequence[bytes], size: Callable[[int], tuple[int, int, int]]
+) -> list[NDArray[np.float64] | NDArray[np.int64]]:
+    """Each level as a shader reads it: of depths one lane, else four, 0, 0, 1 where there are not.
 
-    Each halves both sides, rounding down, and averages what its texels cover, in linear light.
+    ``size`` is a level's depth, height and width.
     """
-    found = [texels]
-    if texels.shape[:2] == (1, 1):
+    texel = TEXELS[format]
+    found: list[NDArray[np.float64] | NDArray[np.int64]] = []
+    for number, data in enumerate(levels):
+        texels = np.frombuffer(data, texel.kind).reshape(*size(number), texel.lanes)
+        if texel.sample == "float":
+            found.append(decoded(texels, format))
+        elif texel.sample == "depth":
+            found.append(texels.astype(np.float64))
+        else:
+            whole = np.zeros((*texels.shape[:3], 4), np.int64)
+            whole[..., 3] = 1
+            whole[..., : texel.lanes] = texels
+            found.append(whole)
+    return found
+
+
+def smaller(texels: Texels, format: TextureFormat, dimension: Dimension) -> list[Texels]:
+    """All levels below one of colours, down to a single texel, or one in each layer.
+
+    Each halves width and height, and a volume's depth, rounding down, and averages what its texels
+    cover, in linear light.
+    """
+    axes = (2, 1, 0) if dimension == "3d" else (2, 1)
+    found: list[Texels] = []
+    if all(texels.shape[axis] == 1 for axis in axes):
         return found
     # The whole first level as float64 would be gigabytes; half of its columns are bearable.
-    bands = (texels[start : start + _BAND] for start in range(0, len(texels), _BAND))
-    lanes = np.concatenate([_halved(decoded(band, format), 1) for band in bands])
-    lanes = _halved(lanes, 0)
+    bands = (texels[:, start : start + _BAND] for start in range(0, texels.shape[1], _BAND))
+    lanes = np.concatenate([_halved(decoded(band, format), 2) for band in bands], axis=1)
+    for axis in axes[1:]:
+        lanes = _halved(lanes, axis)
     found.append(encoded(lanes, format))
-    while lanes.shape[:2] != (1, 1):
-        lanes = _halved(_halved(lanes, 1), 0)
+    while any(lanes.shape[axis] != 1 for axis in axes):
+        for axis in axes:
+            lanes = _halved(lanes, axis)
         found.append(encoded(lanes, format))
     return found
 
 
 def _halved(lanes: Linear, axis: int) -> Linear:
-    """Half as many rows (axis 0) or columns, each the mean of those it covers.
+    """Half as many slices (axis 0), rows or columns, each the mean of those it covers.
 
     Half of an odd number covers two and a bit: of 2n + 1, the i-th covers n - i parts of the first,
     n of the second, and i + 1 of the third, of which there are 2n + 1 altogether.
@@ -77,7 +106,7 @@ def _halved(lanes: Linear, axis: int) -> Linear:
     if len(rows) % 2 == 0:
         mean = (rows[0::2] + rows[1::2]) / 2.0
     else:
-        i = np.arange(half).reshape(half, 1, 1)
+        i = np.arange(half).reshape(half, *([1] * (rows.ndim - 1)))
         first, second, third = rows[0:-1:2], rows[1::2], rows[2::2]
         mean = ((half - i) * first + half * second + (i + 1) * third) / len(rows)
     return np.moveaxis(mean, 0, axis)

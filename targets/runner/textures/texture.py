@@ -2,6 +2,11 @@
 
 A texture's numbers are what its file says, unless the caller calls them sRGB: only the caller knows
 whether a picture shows colours or holds data, such as normals or roughness.
+
+An array of textures has layers, a volume has slices, a cube has the faces +x, -x, +y, -y, +z, -z.
+Seen from inside a cube with y up, the first row of a side's face is on top, and a face is reversed
+where the world is right-handed: that is how Direct3D, Vulkan, OpenGL, WebGPU and files of cube
+maps turn them.
 """
 
 from __future__ import annotations
@@ -9,24 +14,29 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
-from ..drivers.draw import Image, TextureFormat
+from ..drivers.draw import TEXELS, Dimension, Image, TextureFormat
 from ..instances.literals import color_channels
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-SRGB_PREFIX = "srgb:"
+Kind = Literal["float", "depth", "int", "uint"]
+"""What a texture holds, in the reflection's words (``sample``)."""
 
-_DEFAULTS: dict[str, Sequence[int]] = {
+SRGB_PREFIX = "srgb:"
+FACES = ("+x", "-x", "+y", "-y", "+z", "-z")
+
+_COLORS: dict[str, Sequence[int]] = {
     "white": (255, 255, 255, 255),
     "black": (0, 0, 0, 255),
     "gray": (128, 128, 128, 255),
     "transparent": (0, 0, 0, 0),
     "flat_normal": (128, 128, 255, 255),
 }
+_DEPTHS = {"far": 1.0, "near": 0.0}
 
 
 class PictureError(ValueError):
@@ -42,42 +52,76 @@ class Texture:
     """Of the first level; each further one halves both, rounding down, to no less than 1."""
     height: int
     levels: tuple[bytes, ...]
+    """Row by row, layer by layer."""
+    dimension: Dimension = "2d"
+    depth: int = 1
+    """Layers, faces, or the slices of a volume's first level, which are halved likewise."""
 
     @classmethod
-    def load(cls, path: str | Path, *, srgb: bool = False) -> Texture:
-        """The first picture of a file, turned as its camera noted, with 8 bits a lane.
+    def load(
+        cls,
+        path: str | Path | Sequence[str | Path],
+        *,
+        srgb: bool = False,
+        dimension: Dimension = "2d",
+        sample: Kind = "float",
+    ) -> Texture:
+        """The first picture of a file, turned as its camera noted; or of a file for each layer.
 
-        Palettes are looked up, grey becomes three equal lanes, what has no alpha is opaque, and of
-        16 bits 8 are left. A file of floats keeps them. With ``srgb`` the colours
-        (not alpha) are decoded when a shader reads them.
+        Colours have 8 bits a lane: palettes are looked up, grey becomes three equal lanes, what has
+        no alpha is opaque, and of 16 bits 8 are left. A file of floats keeps them. With ``srgb``
+        the colours (not alpha) are decoded when a shader reads them. Of integers (``sample``
+        ``int`` or ``uint``) a file holds the numbers themselves, one with a palette the numbers
+        that point into it; depths are grey.
 
-        Raises ``PictureError`` if there is no picture, if it is damaged, or if a side has more than
-        8192 texels, the most that WebGPU promises.
+        Raises ``PictureError`` if there is no picture, if it is damaged, if pictures differ in size
+        or number from what they have to be, or if one is larger than WebGPU promises: no side may
+        have more than 8192 texels, of volumes more than 2048.
         """
-        from .arrays import read_picture
+        from .files import read_pictures
 
-        return cls.of_array(read_picture(Path(path)), srgb=srgb)
+        paths = [path] if isinstance(path, str | Path) else path
+        array = read_pictures([Path(each) for each in paths], dimension, sample)
+        return cls.of_array(array, srgb=srgb, dimension=dimension, sample=sample)
 
     @classmethod
-    def of_array(cls, array: Any, *, srgb: bool = False) -> Texture:
+    def of_array(
+        cls,
+        array: Any,
+        *,
+        srgb: bool = False,
+        dimension: Dimension = "2d",
+        sample: Kind = "float",
+        levels: Sequence[Any] = (),
+    ) -> Texture:
         """The texture of an array: (height, width), or with 1, 3 or 4 lanes (height, width, lanes).
 
-        ``uint8`` and ``uint16`` mean 0..1, and are kept with 8 bits; floats are kept as they are,
-        and are linear. Raises ``PictureError`` for arrays of other shapes and kinds.
-        """
-        from .arrays import texel_array
-        from .mipmaps import levels
+        Of other dimensions than ``2d``, layers, slices or faces come first: (6, size, size, 4).
 
-        texels, format_ = texel_array(array, srgb)
-        height, width, _ = texels.shape
-        stored = tuple(level.tobytes() for level in levels(texels, format_))
-        return cls(format_, width, height, stored)
+        Colours: ``uint8`` and ``uint16`` mean 0..1, and are kept with 8 bits; floats are kept as
+        they are, and are linear. Integers are kept as they are, up to 32 bits; depths have one lane
+        and lie in 0..1. Smaller levels are made of colours, unless there are ``levels`` to take.
+
+        Raises ``PictureError`` for arrays of other shapes and kinds.
+        """
+        from .arrays import check_level, texel_array
+        from .mipmaps import smaller
+
+        texels, format_ = texel_array(array, srgb, dimension, sample)
+        whole = [texels]
+        for number, level in enumerate(levels, start=1):
+            whole.append(check_level(whole[0], level, number, srgb, dimension, sample))
+        if not levels and sample == "float":
+            whole += smaller(texels, format_, dimension)
+        depth, height, width, _ = texels.shape
+        stored = tuple(level.astype(TEXELS[format_].kind).tobytes() for level in whole)
+        return cls(format_, width, height, stored, dimension, depth)
 
     @classmethod
-    def solid(cls, color: str | Sequence[float]) -> Texture:
+    def solid(cls, color: str | Sequence[float], *, dimension: Dimension = "2d") -> Texture:
         """One texel of a colour: ``"#b5651d"``, which is sRGB, or 3 or 4 linear lanes in 0..1.
 
-        Raises ``PictureError`` for what is neither.
+        A cube has such a texel on each face. Raises ``PictureError`` for what is neither.
         """
         import numpy as np
 
@@ -85,41 +129,88 @@ class Texture:
             channels = color_channels(color)
             if channels is None:
                 raise PictureError(f"{color!r} is no colour, which would be '#b5651d'")
-            return cls.of_array(np.array([[channels]], np.uint8), srgb=True)
+            return _texel(np.array(channels, np.uint8), dimension, "float", srgb=True)
         lanes = np.array(color, np.float64)
         if lanes.shape not in ((3,), (4,)) or not ((lanes >= 0) & (lanes <= 1)).all():
             raise PictureError(f"a colour has 3 or 4 lanes in 0..1, and {color!r} has not")
-        return cls.of_array(np.rint(lanes * 255).astype(np.uint8).reshape(1, 1, -1))
+        return _texel(np.rint(lanes * 255).astype(np.uint8), dimension, "float")
 
     @classmethod
-    def parse(cls, text: str) -> Texture:
+    def parse(cls, text: str, *, dimension: Dimension = "2d", sample: Kind = "float") -> Texture:
         """What a command line says: ``picture.png``, ``srgb:picture.png`` or ``#b5651d``.
 
-        Raises ``PictureError``.
+        Of other dimensions than ``2d``, pictures for each layer, slice or face, with commas
+        between them: ``srgb:px.png,nx.png,py.png,ny.png,pz.png,nz.png``. Raises ``PictureError``.
         """
         if text.startswith("#"):
-            return cls.solid(text)
-        return cls.load(text.removeprefix(SRGB_PREFIX), srgb=text.startswith(SRGB_PREFIX))
+            if sample != "float":
+                raise PictureError(f"{text} is a colour, and the texture holds {_HELD[sample]}")
+            return cls.solid(text, dimension=dimension)
+        srgb = text.startswith(SRGB_PREFIX)
+        if srgb and sample != "float":
+            raise PictureError(f"{_HELD[sample]} are never sRGB: leave out `{SRGB_PREFIX}`")
+        names = text.removeprefix(SRGB_PREFIX)
+        paths = [names] if dimension == "2d" else [name.strip() for name in names.split(",")]
+        return cls.load(paths, srgb=srgb, dimension=dimension, sample=sample)
+
+    @property
+    def sample(self) -> Kind:
+        """What it holds."""
+        held: dict[str, Kind] = {"float": "float", "depth": "depth", "sint": "int", "uint": "uint"}
+        return held[TEXELS[self.format].sample]
+
+    def _size(self, level: int) -> tuple[int, int, int]:
+        """Layers, faces or slices of a level, its height and its width."""
+        height, width = max(self.height >> level, 1), max(self.width >> level, 1)
+        return max(self.depth >> level, 1) if self.dimension == "3d" else self.depth, height, width
 
     def image(self) -> Image:
         """The texture as drivers take it."""
-        return Image(self.format, self.width, self.height, self.levels)
+        return Image(self.format, self.width, self.height, self.levels, self.dimension, self.depth)
 
-    def linear(self) -> list[NDArray[np.float64]]:
-        """Each level as a shader reads it, (height, width, 4): exactly what the bytes stand for."""
-        import numpy as np
+    def linear(self) -> list[NDArray[np.float64] | NDArray[np.int64]]:
+        """Each level as a shader reads it, exactly: (height, width, 4), or (height, width, 1).
 
-        from .mipmaps import decoded
+        The latter of depths. Of other dimensions than ``2d`` with the layers first.
+        """
+        from .mipmaps import stored_levels
 
-        kind = np.dtype("<f4" if self.format == "rgba32float" else "u1")
-        found = []
-        for number, level in enumerate(self.levels):
-            height, width = max(self.height >> number, 1), max(self.width >> number, 1)
-            texels = np.frombuffer(level, kind).reshape(height, width, 4)
-            found.append(decoded(texels, self.format))
-        return found
+        found = stored_levels(self.format, self.levels, self._size)
+        return [level[0] for level in found] if self.dimension == "2d" else found
 
 
-def default_texture(name: str) -> Texture:
+_HELD: dict[Kind, str] = {
+    "float": "colours", "depth": "depths", "int": "integers", "uint": "unsigned integers",
+}  # fmt: skip
+
+
+def described(dimension: Dimension, sample: Kind) -> str:
+    """A kind of texture in words: ``an array of textures of integers``."""
+    shapes: dict[Dimension, str] = {
+        "2d": "a flat texture", "2d_array": "an array of textures",
+        "3d": "a volume", "cube": "a cube",
+    }  # fmt: skip
+    return f"{shapes[dimension]} of {_HELD[sample]}"
+
+
+def default_texture(name: str, dimension: Dimension = "2d", sample: Kind = "float") -> Texture:
     """One of the textures that a ``map`` can have until a host sets one; not sRGB."""
-    return Texture("rgba8unorm", 1, 1, (bytes(_DEFAULTS[name]),))
+    import numpy as np
+
+    if sample == "float":
+        return _texel(np.array(_COLORS[name], np.uint8), dimension, sample)
+    if sample == "depth":
+        return _texel(np.array([_DEPTHS[name]]), dimension, sample)
+    return _texel(np.zeros(4, np.uint8 if sample == "uint" else np.int32), dimension, sample)
+
+
+def _texel(
+    lanes: NDArray[Any], dimension: Dimension, sample: Kind, *, srgb: bool = False
+) -> Texture:
+    """A texture of one texel, or of one on each face."""
+    import numpy as np
+
+    depth = len(FACES) if dimension == "cube" else 1
+    shape = (1, 1, len(lanes)) if dimension == "2d" else (depth, 1, 1, len(lanes))
+    whole = np.broadcast_to(lanes, shape)
+    return Texture.of_array(whole, srgb=srgb, dimension=dimension, sample=sample)

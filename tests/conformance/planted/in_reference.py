@@ -19,8 +19,16 @@ from burnish.compiler.reference import (
     operations,
     vectors,
 )
-from burnish.compiler.reference.picture import clip, coverage, drawing, faces, resolve
-from burnish.compiler.reference.picture import sampler as sampling
+from burnish.compiler.reference.picture import (
+    clip,
+    coverage,
+    drawing,
+    faces,
+    levels,
+    resolve,
+    sampler,
+    texels,
+)
 from burnish.compiler.reference.picture.quads import Barycentric
 from burnish.targets.conformance import plan
 from burnish.targets.runner.reference import expected
@@ -151,8 +159,9 @@ distances = clip._distances
 window = faces._window
 perspective = Barycentric.perspective
 snapped = faces._snapped
-level = sampling.Reader._level
-wrapped = sampling._wrapped
+level = levels.implicit
+wrapped = texels._wrapped
+load = texels.Image.load
 
 
 def _bottom_right(given: Any) -> Any:
@@ -185,20 +194,29 @@ def _farthest(fragments: Any, depth: Any) -> Any:
     return resolve.nearest(fragments, -depth)
 
 
-def _coarser(reader: Any, u: Any, v: Any) -> Any:
-    found = level(reader, u, v)
-    return np.clip(found + 1.0, 0, len(reader._image.widths) - 1)
+def _coarser(image: Any, coordinate: Any, ways: Any) -> Any:
+    return np.clip(level(image, coordinate, ways) + 1.0, 0, image.levels - 1)
 
 
-def _sixteenths(reader: Any, u: Any, v: Any) -> Any:
+def _sixteenths(image: Any, coordinate: Any, ways: Any) -> Any:
     """Half a level off."""
-    found = level(reader, u, v)
-    return np.clip(found + 0.5, 0, len(reader._image.widths) - 1)
+    return np.clip(level(image, coordinate, ways) + 0.5, 0, image.levels - 1)
 
 
 def _repeated(index: Any, size: Any, wrap: str) -> Any:
     """Mirroring without the mirror."""
     return wrapped(index, size, "repeat" if wrap == "mirror" else wrap)
+
+
+def _within_faces(place: Any, face: Any, size: Any) -> Any:
+    """No face has neighbours."""
+    return [np.clip(i, 0, size - 1) for i in place], face
+
+
+def _round_about(image: Any, place: Any, layer: Any, level: Any) -> Any:
+    """Texels beyond an edge are those at the other one."""
+    sizes = image.sizes(np.clip(level, 0, image.levels - 1))
+    return load(image, [i % size for i, size in zip(place, sizes, strict=True)], layer, level)
 
 
 def _reversed(node: Any, operands: Any, _xp: Any) -> Any:
@@ -231,11 +249,21 @@ _PICTURE = [
     Planted("premultiplied twice", "pipeline: Veil", HLSL,
             edited(resolve, "BLENDING", "premultiplied", resolve.BLENDING["alpha"])),
     Planted("mirrors that repeat", "textures: Wraps", GLSL,
-            replaced(sampling, "_wrapped", _repeated)),
+            replaced(texels, "_wrapped", _repeated)),
     Planted("a level too small", "textures: Levels", HLSL,
-            replaced(sampling.Reader, "_level", _coarser)),
+            replaced(levels, "implicit", _coarser)),
     Planted("half a level too small", "textures: Levels", WGSL,
-            replaced(sampling.Reader, "_level", _sixteenths)),
+            replaced(levels, "implicit", _sixteenths)),
+    Planted("a seam at every edge of a cube", "kinds: Explicit", WGSL,
+            replaced(texels, "across_edges", _within_faces)),
+    Planted("layers counted round", "kinds: Explicit", HLSL,
+            replaced(texels.Image, "layer", lambda self, number: number % self.layers)),
+    Planted("depths on the left", "kinds: Compared", GLSL,
+            edited(sampler, "_COMPARISONS", "less", np.greater)),
+    Planted("gathered the other way round", "gathered: Colors", WGSL,
+            replaced(sampler, "_GATHERED", sampler._GATHERED[::-1])),
+    Planted("loaded round the edges", "kinds: Loaded", HLSL,
+            replaced(texels.Image, "load", _round_about)),
     Planted("swizzles backwards", "storage: Plain", GLSL,
             edited(operations, "_STEPS", "swizzle", _reversed)),
     Planted("choices the wrong way round", "integers: Compared", WGSL,

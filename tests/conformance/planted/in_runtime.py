@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from burnish.targets.runner.drivers.checks import level_size
 from burnish.targets.runner.drivers.draw import Draw, Image, Job
 from burnish.targets.runner.instances import blocks, derived, instance, shapes
 from burnish.targets.runner.instances.shapes import Numbers, Shape
@@ -92,6 +93,17 @@ def _levels_of_another(texture: Texture) -> Image:
     return replace(whole, levels=(whole.levels[0], *others))
 
 
+def _backwards(texture: Texture) -> Image:
+    """The last layer, slice or face first."""
+    whole = image(texture)
+    sizes = (level_size(whole, number)[2] for number in range(len(whole.levels)))
+    turned = (
+        b"".join(part.tobytes() for part in np.split(np.frombuffer(level, "u1"), depth)[::-1])
+        for level, depth in zip(whole.levels, sizes, strict=True)
+    )
+    return replace(whole, levels=tuple(turned))
+
+
 def _draws(change: Callable[[Draw], Draw]) -> Callable[[Job], Job]:
     return lambda asked: replace(asked, draws=tuple(map(change, asked.draws)))
 
@@ -142,6 +154,14 @@ PLANTED = [
     Planted("rows from below", "textures: Wraps", HLSL, replaced(Texture, "image", _mirrored)),
     Planted("wrong smaller levels", "textures: Levels", WGSL,
             replaced(Texture, "image", _levels_of_another)),
+    Planted("faces in another order", "kinds: Shapes", GLSL,
+            replaced(Texture, "image", _backwards)),
+    Planted("layers of depths in another order", "kinds: Compared", WGSL,
+            replaced(Texture, "image", _backwards)),
+    Planted("slices of integers in another order", "kinds: Loaded", HLSL,
+            replaced(Texture, "image", _backwards)),
+    Planted("all compare likewise", "kinds: Compared", HLSL,
+            job(_samplers(compare="less"))),
     Planted("textures exchanged", "textures: Wraps", GLSL, job(_draws(_textures_exchanged))),
     Planted("all repeat", "textures: Wraps", GLSL, job(_samplers(wrap="repeat"))),
     Planted("all mirror", "textures: Wraps", HLSL, job(_samplers(wrap="mirror"))),

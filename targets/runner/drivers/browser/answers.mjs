@@ -20,7 +20,9 @@ export async function answer(work) {
 export const bytes = (base64) => Uint8Array.fromBase64(base64);
 export const base64 = (bytes) => bytes.toBase64();
 
-/** Width and height of a mip level. */
+/** Width and height of a mip level, and its layers, faces or slices. */
 export function levelSize(image, level) {
-  return [Math.max(image.width >> level, 1), Math.max(image.height >> level, 1)];
+  const halved = (side) => Math.max(side >> level, 1);
+  const depth = image.dimension === "3d" ? halved(image.depth) : image.depth;
+  return [halved(image.width), halved(image.height), depth];
 }

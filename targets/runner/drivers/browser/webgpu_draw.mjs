@@ -1,7 +1,8 @@
 // One draw of a job: its resources, the render pass, and the way back.
 
-import { base64, bytes, levelSize, Refusal } from "./answers.mjs";
+import { base64, bytes } from "./answers.mjs";
 import { groups, vertexBuffers } from "./webgpu_pipeline.mjs";
+import { makeSampler, makeTexture, viewOf } from "./webgpu_textures.mjs";
 
 const ROW_ALIGNMENT = 256;
 const TEXEL_SIZES = {
@@ -9,7 +10,6 @@ const TEXEL_SIZES = {
   "r16float": 2, "rg16float": 4, "rgba16float": 8,
   "r32float": 4, "rg32float": 8, "rgba32float": 16,
 };
-const ADDRESS_MODES = { repeat: "repeat", clamp: "clamp-to-edge", mirror: "mirror-repeat" };
 
 /** The picture of a draw: for each target its format and its texels. */
 export async function drawPicture(device, job, { pipeline, layouts }, draw) {
@@ -98,7 +98,10 @@ function bindGroups(device, job, layouts, draw, keep) {
       const data = bytes(draw.blocks[number]);
       return { buffer: keep(makeBuffer(device, data, GPUBufferUsage.UNIFORM)) };
     }
-    if (texture) return keep(makeTexture(device, draw.textures[number])).createView();
+    if (texture) {
+      const image = draw.textures[number];
+      return viewOf(keep(makeTexture(device, image)), image);
+    }
     return makeSampler(device, sampler);
   };
   return groups(job).map((group, at) =>
@@ -107,35 +110,6 @@ function bindGroups(device, job, layouts, draw, keep) {
       entries: [...group].map(([binding, what]) => ({ binding, resource: resource(what) })),
     }),
   );
-}
-
-function makeTexture(device, image) {
-  if (image.format === "rgba32float" && !device.features.has("float32-filterable")) {
-    throw new Refusal("the WebGPU adapter cannot filter rgba32float: it lacks float32-filterable");
-  }
-  const texture = device.createTexture({
-    format: image.format,
-    size: [image.width, image.height],
-    mipLevelCount: image.levels.length,
-    usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST,
-  });
-  image.levels.forEach((texels, mipLevel) => {
-    const size = levelSize(image, mipLevel);
-    const bytesPerRow = size[0] * TEXEL_SIZES[image.format];
-    device.queue.writeTexture({ texture, mipLevel }, bytes(texels), { bytesPerRow }, size);
-  });
-  return texture;
-}
-
-function makeSampler(device, { filter, mip, wrap }) {
-  return device.createSampler({
-    addressModeU: ADDRESS_MODES[wrap],
-    addressModeV: ADDRESS_MODES[wrap],
-    magFilter: filter,
-    minFilter: filter,
-    // There is no sampler without mip levels, but one that stays on the first.
-    ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip }),
-  });
 }
 
 const rowSize = ({ width, format }) => width * TEXEL_SIZES[format];

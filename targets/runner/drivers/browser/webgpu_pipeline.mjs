@@ -1,6 +1,7 @@
 // From the pipeline of a job to WebGPU's.
 
 import { Refusal } from "./answers.mjs";
+import { samplerLayout, textureLayout } from "./webgpu_textures.mjs";
 
 const BOTH_STAGES = 3; // GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT
 const FLOAT32_TARGETS = ["r32float", "rg32float", "rgba32float"];
@@ -114,8 +115,8 @@ function groupLayouts(device, job) {
         binding,
         visibility: BOTH_STAGES,
         ...(what.block && { buffer: { minBindingSize: what.block.size } }),
-        ...(what.texture && { texture: {} }),
-        ...(what.sampler && { sampler: {} }),
+        ...(what.texture && { texture: textureLayout(what.texture) }),
+        ...(what.sampler && { sampler: samplerLayout(what.sampler) }),
       })),
     }),
   );

@@ -8,12 +8,13 @@ import moderngl
 
 from ..checks import check_block_size, lane_count
 from ..draw import DriverError, Pipeline
+from .context import Functions
 
 KINDS = {"float32": "f", "sint32": "i", "uint32": "u"}
 """From the kind of a ``VertexFormat`` to moderngl's letter."""
 
 
-def link(context: moderngl.Context, pipeline: Pipeline) -> moderngl.Program:
+def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) -> moderngl.Program:
     """Compiles and links, and gives every block and texture a binding: its number in the pipeline.
 
     Raises ``DriverError`` with the driver's log, and where the text and the pipeline disagree.
@@ -28,10 +29,12 @@ def link(context: moderngl.Context, pipeline: Pipeline) -> moderngl.Program:
         if isinstance(member, moderngl.UniformBlock):
             check_block_size(block, member.size)
             member.binding = number
+    functions.glUseProgram(program.glo)
     for number, slot in enumerate(pipeline.textures):
         sampler = program.get(slot.texture.identifier, None)
         if isinstance(sampler, moderngl.Uniform):
-            sampler.value = number
+            # moderngl does not know samplers of all kinds.
+            functions.glUniform1i(sampler.location, number)
     return program
 
 

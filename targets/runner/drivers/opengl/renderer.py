@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
 
 import moderngl
 
@@ -10,7 +11,7 @@ from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Step
 from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, link
 from .screen import Screen
-from .textures import bind_texture
+from .textures import bound_texture
 
 RATES: Mapping[Step, str] = {"vertex": "/v", "instance": "/i"}
 """How moderngl's layouts end."""
@@ -37,7 +38,7 @@ class Renderer:
     def draw(self, job: Job) -> Sequence[Picture]:
         """Links the job's program and draws with it. Raises ``DriverError``."""
         self._context.clear_errors()  # of a job that broke off
-        program = link(self._context, job.pipeline)
+        program = link(self._context, self._functions, job.pipeline)
         try:
             return [
                 _picture(self._context, self._functions, program, job.pipeline, draw)
@@ -94,10 +95,6 @@ def _render(
     blocks = [context.buffer(data) for data in draw.blocks]
     for number, block in enumerate(blocks):
         block.bind_to_uniform_block(number)
-    textures = [
-        bind_texture(context, functions, slot, image, unit)
-        for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True))
-    ]
     attributes = [
         (
             context.buffer(data),
@@ -109,6 +106,7 @@ def _render(
     ]
     indices = context.buffer(draw.indices)
     array = context.vertex_array(program, attributes, index_buffer=indices, index_element_size=4)
-    array.render(instances=draw.instance_count)
-    for texture in textures:
-        texture.release()
+    with ExitStack() as textures:
+        for unit, (slot, image) in enumerate(zip(pipeline.textures, draw.textures, strict=True)):
+            textures.enter_context(bound_texture(functions, slot, image, unit))
+        array.render(instances=draw.instance_count)

@@ -1,53 +1,121 @@
-"""Textures from a job, each with the state of its sampler."""
+"""Textures from a job, each with the state of its sampler; OpenGL's own calls throughout.
+
+moderngl has not got every kind of texture with mip levels, nor all of a sampler's state.
+"""
 
 from __future__ import annotations
 
-import moderngl
+import ctypes
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from ..checks import level_size
-from ..draw import Filter, Image, Mip, TextureSlot, Wrap
+from ..draw import Compare, Dimension, Filter, Image, Mip, TextureFormat, TextureSlot, Wrap
 from .context import Functions
 
-GL_TEXTURE_2D = 0x0DE1
-GL_TEXTURE_WRAP_S = 0x2802
-GL_TEXTURE_WRAP_T = 0x2803
+GL_TEXTURE0 = 0x84C0
+GL_UNPACK_ALIGNMENT = 0x0CF5
+GL_TEXTURE_CUBE_MAP_SEAMLESS = 0x884F
+GL_TEXTURE_CUBE_MAP_POSITIVE_X = 0x8515
+
+TARGETS: dict[Dimension, int] = {"2d": 0x0DE1, "2d_array": 0x8C1A, "3d": 0x806F, "cube": 0x8513}
+
+GL_UNSIGNED_BYTE, GL_INT, GL_UNSIGNED_INT, GL_FLOAT = 0x1401, 0x1404, 0x1405, 0x1406
+GL_DEPTH_COMPONENT, GL_RED_INTEGER, GL_RGBA, GL_RGBA_INTEGER = 0x1902, 0x8D94, 0x1908, 0x8D99
+STORAGE: dict[TextureFormat, tuple[int, int, int]] = {
+    "rgba8unorm": (0x8058, GL_RGBA, GL_UNSIGNED_BYTE),
+    "rgba8unorm-srgb": (0x8C43, GL_RGBA, GL_UNSIGNED_BYTE),
+    "rgba32float": (0x8814, GL_RGBA, GL_FLOAT),
+    "depth32float": (0x8CAC, GL_DEPTH_COMPONENT, GL_FLOAT),
+    "r8uint": (0x8232, GL_RED_INTEGER, GL_UNSIGNED_BYTE),
+    "rgba8uint": (0x8D7C, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE),
+    "r32uint": (0x8236, GL_RED_INTEGER, GL_UNSIGNED_INT),
+    "rgba32uint": (0x8D70, GL_RGBA_INTEGER, GL_UNSIGNED_INT),
+    "r32sint": (0x8235, GL_RED_INTEGER, GL_INT),
+    "rgba32sint": (0x8D82, GL_RGBA_INTEGER, GL_INT),
+}
+"""Internal format, and what the bytes are: lanes and type."""
+
+GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER = 0x2800, 0x2801
+GL_TEXTURE_MAX_LOD, GL_TEXTURE_MAX_LEVEL, MOST_LEVELS = 0x813B, 0x813D, 1000
+GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R = 0x2802, 0x2803, 0x8072
+GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC = 0x884C, 0x884D
+GL_COMPARE_REF_TO_TEXTURE = 0x884E
 WRAPS: dict[Wrap, int] = {"repeat": 0x2901, "clamp": 0x812F, "mirror": 0x8370}
-
-MAGNIFY: dict[Filter, int] = {"linear": moderngl.LINEAR, "nearest": moderngl.NEAREST}
+MAGNIFY: dict[Filter, int] = {"linear": 0x2601, "nearest": 0x2600}
 MINIFY: dict[tuple[Filter, Mip], int] = {
-    ("linear", "none"): moderngl.LINEAR,
-    ("linear", "nearest"): moderngl.LINEAR_MIPMAP_NEAREST,
-    ("linear", "linear"): moderngl.LINEAR_MIPMAP_LINEAR,
-    ("nearest", "none"): moderngl.NEAREST,
-    ("nearest", "nearest"): moderngl.NEAREST_MIPMAP_NEAREST,
-    ("nearest", "linear"): moderngl.NEAREST_MIPMAP_LINEAR,
+    ("linear", "none"): 0x2701,
+    ("linear", "nearest"): 0x2701,
+    ("linear", "linear"): 0x2703,
+    ("nearest", "none"): 0x2700,
+    ("nearest", "nearest"): 0x2700,
+    ("nearest", "linear"): 0x2702,
 }
-
-STORAGE = {
-    "rgba8unorm": ("f1", 0x8058),
-    "rgba8unorm-srgb": ("f1", 0x8C43),
-    "rgba32float": ("f4", 0x8814),
-}
-"""moderngl's type of a lane, and OpenGL's internal format."""
+"""Without levels the sampler stays on the first one, but texels of others can be loaded."""
+COMPARES: dict[Compare, int] = {
+    "never": 0x0200, "less": 0x0201, "equal": 0x0202, "less_equal": 0x0203,
+    "greater": 0x0204, "not_equal": 0x0205, "greater_equal": 0x0206, "always": 0x0207,
+}  # fmt: skip
 
 
-def bind_texture(
-    context: moderngl.Context, functions: Functions, slot: TextureSlot, image: Image, unit: int
-) -> moderngl.Texture:
+@contextmanager
+def bound_texture(
+    functions: Functions, slot: TextureSlot, image: Image, unit: int
+) -> Iterator[None]:
     """A texture with all levels of an image, read as the slot wants it, bound to a unit.
 
     OpenGL counts rows from v = 0, and so does Burnish: the rows go up as they are.
     """
-    kind, internal_format = STORAGE[image.format]
-    texture = context.texture(
-        (image.width, image.height), 4, dtype=kind, internal_format=internal_format
+    target, name = TARGETS[slot.dimension], ctypes.c_uint()
+    functions.glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)
+    functions.glGenTextures(1, ctypes.byref(name))
+    functions.glActiveTexture(GL_TEXTURE0 + unit)
+    functions.glBindTexture(target, name)
+    functions.glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
+    for level in range(len(image.levels)):
+        _upload(functions, image, level)
+    for key, value in _state(slot, len(image.levels)).items():
+        functions.glTexParameteri(target, key, value)
+    try:
+        yield
+    finally:
+        functions.glDeleteTextures(1, ctypes.byref(name))
+
+
+def _upload(functions: Functions, image: Image, level: int) -> None:
+    internal_format, lanes, kind = STORAGE[image.format]
+    width, height, depth = level_size(image, level)
+    data = image.levels[level]
+    if image.dimension in ("2d", "cube"):
+        first = TARGETS["2d"] if image.dimension == "2d" else GL_TEXTURE_CUBE_MAP_POSITIVE_X
+        size = len(data) // depth
+        for face in range(depth):
+            functions.glTexImage2D(
+                first + face, level, internal_format, width, height, 0,
+                lanes, kind, data[face * size : (face + 1) * size],
+            )  # fmt: skip
+    else:
+        functions.glTexImage3D(
+            TARGETS[image.dimension], level, internal_format, width, height, depth, 0,
+            lanes, kind, data,
+        )  # fmt: skip
+
+
+def _state(slot: TextureSlot, levels: int) -> dict[int, int]:
+    """Parameters of the texture; one without a sampler may not want any filter."""
+    minify: tuple[Filter, Mip] = (
+        ("nearest", "nearest") if slot.sampling is None else (slot.filter, slot.mip)
     )
-    # Makes room for the levels, and says how many there are.
-    texture.build_mipmaps(max_level=len(image.levels) - 1)
-    for level, texels in enumerate(image.levels):
-        texture.write(texels, (0, 0, *level_size(image, level)), level)
-    texture.filter = MINIFY[slot.filter, slot.mip], MAGNIFY[slot.filter]
-    texture.use(unit)
-    for wrap in (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T):  # moderngl does not mirror
-        functions.glTexParameteri(GL_TEXTURE_2D, wrap, WRAPS[slot.wrap])
-    return texture
+    state = {
+        GL_TEXTURE_MAX_LOD: 0 if minify[1] == "none" else MOST_LEVELS,
+        GL_TEXTURE_MAX_LEVEL: levels - 1,
+        GL_TEXTURE_MIN_FILTER: MINIFY[minify],
+        GL_TEXTURE_MAG_FILTER: MAGNIFY[minify[0]],
+        **dict.fromkeys(
+            (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R), WRAPS[slot.wrap]
+        ),
+    }
+    if slot.compare is not None:
+        state[GL_TEXTURE_COMPARE_MODE] = GL_COMPARE_REF_TO_TEXTURE
+        state[GL_TEXTURE_COMPARE_FUNC] = COMPARES[slot.compare]
+    return state

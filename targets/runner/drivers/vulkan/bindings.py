@@ -93,7 +93,7 @@ def _descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
 
 
 def _texture_type(slot: TextureSlot) -> int:
-    return int(COMBINED if slot.sampler is None else TEXTURE)
+    return int(COMBINED if slot.sampler is None and slot.sampling is not None else TEXTURE)
 
 
 def _layouts(owned: ExitStack, gpu: Gpu, kinds: Sequence[tuple[Place, int]]) -> list[Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import vulkan as vk
 
-from ..draw import TargetFormat, TextureFormat, VertexFormat
+from ..draw import Dimension, TargetFormat, TextureFormat, VertexFormat
 
 DEPTH = vk.VK_FORMAT_D32_SFLOAT
 
@@ -12,6 +12,20 @@ TEXTURES: dict[TextureFormat, int] = {
     "rgba8unorm": vk.VK_FORMAT_R8G8B8A8_UNORM,
     "rgba8unorm-srgb": vk.VK_FORMAT_R8G8B8A8_SRGB,
     "rgba32float": vk.VK_FORMAT_R32G32B32A32_SFLOAT,
+    "depth32float": vk.VK_FORMAT_D32_SFLOAT,
+    "r8uint": vk.VK_FORMAT_R8_UINT,
+    "rgba8uint": vk.VK_FORMAT_R8G8B8A8_UINT,
+    "r32uint": vk.VK_FORMAT_R32_UINT,
+    "rgba32uint": vk.VK_FORMAT_R32G32B32A32_UINT,
+    "r32sint": vk.VK_FORMAT_R32_SINT,
+    "rgba32sint": vk.VK_FORMAT_R32G32B32A32_SINT,
+}
+
+VIEWS: dict[Dimension, int] = {
+    "2d": vk.VK_IMAGE_VIEW_TYPE_2D,
+    "2d_array": vk.VK_IMAGE_VIEW_TYPE_2D_ARRAY,
+    "3d": vk.VK_IMAGE_VIEW_TYPE_3D,
+    "cube": vk.VK_IMAGE_VIEW_TYPE_CUBE,
 }
 
 TARGETS: dict[TargetFormat, int] = {

@@ -81,11 +81,29 @@ def _target_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
 
 
 def _texture_problems(gpu: Gpu, slot: TextureSlot, image: Image) -> Iterator[str]:
-    name = repr(slot.texture.identifier)
-    yield from _size_problems(gpu, f"texture {name}", image.width, image.height)
-    wants_linear = "linear" in (slot.filter, slot.mip)
-    if wants_linear and not _features(gpu, TEXTURES[image.format]) & LINEAR:
+    name, limits = repr(slot.texture.identifier), gpu.properties.limits
+    if image.dimension == "3d":
+        most = limits.maxImageDimension3D
+        if max(image.width, image.height, image.depth) > most:
+            size = f"{image.width} × {image.height} × {image.depth}"
+            yield f"texture {name} is {size}, and the device takes no side over {most}"
+    else:
+        yield from _size_problems(gpu, f"texture {name}", image.width, image.height)
+        if image.depth > limits.maxImageArrayLayers:
+            yield (
+                f"texture {name} has {image.depth} layers, and the device takes at most "
+                f"{limits.maxImageArrayLayers}"
+            )
+    features = _features(gpu, TEXTURES[image.format])
+    if not features & vk.VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT:
+        yield f"the device cannot read {image.format}, as texture {name} wants it"
+    elif _filters(slot) and not features & LINEAR:
         yield f"the device cannot filter {image.format} linearly, as texture {name} wants it"
+
+
+def _filters(slot: TextureSlot) -> bool:
+    """Whether texels are mixed; results of comparisons are, with any format."""
+    return slot.sampling == "filtering" and "linear" in (slot.filter, slot.mip)
 
 
 def _size_problems(gpu: Gpu, what: str, width: int, height: int) -> Iterator[str]:

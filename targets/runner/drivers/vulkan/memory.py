@@ -48,7 +48,7 @@ def filled_buffer(owned: ExitStack, gpu: Gpu, usage: int, data: bytes) -> Buffer
 
 @dataclass(frozen=True, slots=True)
 class ImageSpec:
-    """A two-dimensional image to make."""
+    """An image to make, with a view of all of it."""
 
     format: int
     """Vulkan's."""
@@ -58,22 +58,37 @@ class ImageSpec:
     """``VK_IMAGE_USAGE`` bits."""
     levels: int = 1
     aspect: int = vk.VK_IMAGE_ASPECT_COLOR_BIT
+    depth: int = 1
+    """Slices of a volume, layers, or faces of a cube."""
+    view: int = vk.VK_IMAGE_VIEW_TYPE_2D
+
+    @property
+    def is_volume(self) -> bool:
+        """Whether the slices lie in one layer."""
+        return bool(self.view == vk.VK_IMAGE_VIEW_TYPE_3D)
+
+    @property
+    def layers(self) -> int:
+        """How many layers there are in Vulkan's sense, in which a cube has six."""
+        return 1 if self.is_volume else self.depth
 
     def subresources(self) -> Any:
-        """A ``VkImageSubresourceRange`` of all levels."""
+        """A ``VkImageSubresourceRange`` of all levels and layers."""
         return vk.VkImageSubresourceRange(
-            aspectMask=self.aspect, levelCount=self.levels, layerCount=1
+            aspectMask=self.aspect, levelCount=self.levels, layerCount=self.layers
         )
 
 
 def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
     """The image and a view of all of it."""
+    is_cube = spec.view == vk.VK_IMAGE_VIEW_TYPE_CUBE
     info = vk.VkImageCreateInfo(
-        imageType=vk.VK_IMAGE_TYPE_2D,
+        flags=vk.VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT if is_cube else 0,
+        imageType=vk.VK_IMAGE_TYPE_3D if spec.is_volume else vk.VK_IMAGE_TYPE_2D,
         format=spec.format,
-        extent=vk.VkExtent3D(spec.width, spec.height, 1),
+        extent=vk.VkExtent3D(spec.width, spec.height, spec.depth if spec.is_volume else 1),
         mipLevels=spec.levels,
-        arrayLayers=1,
+        arrayLayers=spec.layers,
         samples=vk.VK_SAMPLE_COUNT_1_BIT,
         tiling=vk.VK_IMAGE_TILING_OPTIMAL,
         usage=spec.usage,
@@ -87,7 +102,7 @@ def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
     vk.vkBindImageMemory(gpu.device, image, memory, 0)
     view_info = vk.VkImageViewCreateInfo(
         image=image,
-        viewType=vk.VK_IMAGE_VIEW_TYPE_2D,
+        viewType=spec.view,
         format=spec.format,
         subresourceRange=spec.subresources(),
     )

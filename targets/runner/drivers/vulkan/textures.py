@@ -8,9 +8,9 @@ from typing import Any
 import vulkan as vk
 
 from ..checks import level_size
-from ..draw import Filter, Image, Mip, TextureSlot, Wrap
+from ..draw import TEXELS, Compare, Filter, Image, Mip, TextureSlot, Wrap
 from .device import Gpu, recording
-from .formats import TEXTURES
+from .formats import TEXTURES, VIEWS
 from .memory import ImageSpec, filled_buffer, make_image
 
 READ = vk.VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL
@@ -27,6 +27,16 @@ WRAPS: dict[Wrap, int] = {
     "clamp": vk.VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
     "mirror": vk.VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT,
 }
+COMPARES: dict[Compare, int] = {
+    "never": vk.VK_COMPARE_OP_NEVER,
+    "less": vk.VK_COMPARE_OP_LESS,
+    "equal": vk.VK_COMPARE_OP_EQUAL,
+    "less_equal": vk.VK_COMPARE_OP_LESS_OR_EQUAL,
+    "greater": vk.VK_COMPARE_OP_GREATER,
+    "not_equal": vk.VK_COMPARE_OP_NOT_EQUAL,
+    "greater_equal": vk.VK_COMPARE_OP_GREATER_OR_EQUAL,
+    "always": vk.VK_COMPARE_OP_ALWAYS,
+}
 
 
 def make_sampler(owned: ExitStack, gpu: Gpu, slot: TextureSlot) -> Any:
@@ -39,6 +49,8 @@ def make_sampler(owned: ExitStack, gpu: Gpu, slot: TextureSlot) -> Any:
         addressModeU=wrap,
         addressModeV=wrap,
         addressModeW=wrap,
+        compareEnable=slot.compare is not None,
+        compareOp=COMPARES[slot.compare or "never"],
         maxLod=0.0 if slot.mip == "none" else vk.VK_LOD_CLAMP_NONE,
     )
     sampler = vk.vkCreateSampler(gpu.device, info, None)
@@ -48,38 +60,53 @@ def make_sampler(owned: ExitStack, gpu: Gpu, slot: TextureSlot) -> Any:
 
 def make_texture(owned: ExitStack, gpu: Gpu, image: Image) -> Any:
     """A view of a texture with its texels uploaded."""
+    is_depth = TEXELS[image.format].sample == "depth"
     spec = ImageSpec(
-        TEXTURES[image.format], image.width, image.height,
-        vk.VK_IMAGE_USAGE_TRANSFER_DST_BIT | vk.VK_IMAGE_USAGE_SAMPLED_BIT, len(image.levels),
-    )  # fmt: skip
+        TEXTURES[image.format],
+        image.width,
+        image.height,
+        vk.VK_IMAGE_USAGE_TRANSFER_DST_BIT | vk.VK_IMAGE_USAGE_SAMPLED_BIT,
+        len(image.levels),
+        vk.VK_IMAGE_ASPECT_DEPTH_BIT if is_depth else vk.VK_IMAGE_ASPECT_COLOR_BIT,
+        image.depth,
+        VIEWS[image.dimension],
+    )
     handle, view = make_image(owned, gpu, spec)
     usage = vk.VK_BUFFER_USAGE_TRANSFER_SRC_BIT
     with ExitStack() as scratch, recording(gpu) as commands:
-        staging = filled_buffer(scratch, gpu, usage, b"".join(image.levels))
+        staging = filled_buffer(scratch, gpu, usage, b"".join(map(_aligned, image.levels)))
         _to_be_written(commands, handle, spec)
-        copies = _copies(image)
+        copies = _copies(image, spec)
         vk.vkCmdCopyBufferToImage(commands, staging.handle, handle, WRITTEN, len(copies), copies)
         _to_be_read(commands, handle, spec)
     return view
 
 
-def _copies(image: Image) -> list[Any]:
-    """A ``VkBufferImageCopy`` for each level, which lie one behind the other."""
+def _copies(image: Image, spec: ImageSpec) -> list[Any]:
+    """A ``VkBufferImageCopy`` for each level with all its layers.
+
+    They lie one behind the other, each at a multiple of four bytes as Vulkan wants it.
+    """
     copies = []
     offset = 0
     for level, data in enumerate(image.levels):
+        width, height, depth = level_size(image, level)
         part = vk.VkImageSubresourceLayers(
-            aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, mipLevel=level, layerCount=1
+            aspectMask=spec.aspect, mipLevel=level, layerCount=spec.layers
         )
         copies.append(
             vk.VkBufferImageCopy(
                 bufferOffset=offset,
                 imageSubresource=part,
-                imageExtent=vk.VkExtent3D(*level_size(image, level), 1),
+                imageExtent=vk.VkExtent3D(width, height, depth if spec.is_volume else 1),
             )
         )
-        offset += len(data)
+        offset += len(_aligned(data))
     return copies
+
+
+def _aligned(data: bytes) -> bytes:
+    return data + bytes(-len(data) % 4)
 
 
 def _to_be_written(commands: Any, image: Any, spec: ImageSpec) -> None:

@@ -1,0 +1,41 @@
+"""What all pixels of a quad have to reach together.
+
+A read with an implicit level and a derivative compare neighbouring pixels. So a loop whose turns
+do that, or a call of a function that does, cannot stand in a branch that some pixels do not take.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...stdlib.builtins import BUILTINS
+from ..ir.node import Node, reachable
+
+LOOPS = frozenset({"fold", "iterate"})
+
+
+def compares(node: Node) -> bool:
+    """Whether an operation compares neighbouring pixels."""
+    return node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
+
+
+def needing_uniform_flow(roots: Iterable[Node]) -> frozenset[int]:
+    """The ids of operations, loops and calls under ``roots`` that all pixels have to reach.
+
+    What a loop's turns have in common is computed before it, and so does not count.
+    """
+    found: set[int] = set()
+    inside: set[int] = set()
+    turning: set[int] = set()
+    """What contains a comparison, and one that differs."""
+    for node in reachable(roots):
+        below = [operand.id for operand in node.operands]
+        own = compares(node)
+        if own or not inside.isdisjoint(below):
+            inside.add(node.id)
+        if (own and node.variables) or not turning.isdisjoint(below):
+            turning.add(node.id)
+        calls = node.op == "apply" and node.operands[0].id in inside
+        if own or calls or (node.op in LOOPS and node.id in turning):
+            found.add(node.id)
+    return frozenset(found)

@@ -1,0 +1,92 @@
+"""Cube maps: which face a direction meets and where, and what lies beyond a face's edges.
+
+Vulkan, "Cube Map Face Selection and Transformations" and "Cube Map Edge Handling"; Direct3D, OpenGL
+and WebGPU have the same faces, +x, -x, +y, -y, +z, -z, turned the same way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .scene import Bools, Floats, Ints
+
+_ACROSS = np.array([[0, 0, -1], [0, 0, 1], [1, 0, 0], [1, 0, 0], [1, 0, 0], [-1, 0, 0]])
+_DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0, -1, 0]])
+_OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
+"""For each face, where its columns and rows go, and where it lies."""
+
+
+@dataclass(frozen=True, slots=True)
+class Met:
+    """Where directions meet the cube."""
+
+    face: Ints
+    across: Floats
+    down: Floats
+    """In faces, from 0 to 1."""
+    out: Floats
+    """The largest lane of the direction, which is not negative."""
+
+    def change(self, lanes: Sequence[Floats]) -> list[Floats]:
+        """How fast both places change with a direction that changes so fast."""
+        along = _turned(self.face, lanes)
+        places = 2 * self.across - 1, 2 * self.down - 1
+        return [
+            0.5 * (step - place * along[2]) / self.out
+            for step, place in zip(along[:2], places, strict=True)
+        ]
+
+
+def met(direction: Sequence[Floats]) -> Met:
+    """Where directions (three lanes) meet the cube; where two faces meet, z goes before y before x.
+
+    A direction of length zero meets the middle of a face.
+    """
+    x, y, z = direction
+    ax, ay, az = abs(x), abs(y), abs(z)
+    face = np.where(
+        (az >= ax) & (az >= ay), np.where(z < 0, 5, 4),
+        np.where(ay >= ax, np.where(y < 0, 3, 2), np.where(x < 0, 1, 0)),
+    )  # fmt: skip
+    across, down, out = _turned(face, direction)
+    out = np.maximum(out, np.finfo(np.float64).tiny)
+    return Met(face, (across / out + 1) / 2, (down / out + 1) / 2, out)
+
+
+def between_faces(direction: Sequence[Floats], off: float) -> Bools:
+    """Whether a direction's largest lane is so little larger than another."""
+    _, second, largest = np.sort(np.abs(np.stack(np.broadcast_arrays(*direction))), axis=0)
+    return np.asarray(largest - second <= off * largest)
+
+
+def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[Ints], Ints]:
+    """The texel, and its face, for one that lies at most one beyond an edge of a face.
+
+    Beyond a corner there is none; the place is left as it is, to be put into the face.
+    """
+    outside = [(i < 0) | (i >= size) for i in place]
+    over = outside[0] ^ outside[1]
+    across, down = ((2 * i + 1 - size) / size for i in place)
+    weights = (across[..., None] * _ACROSS[face], down[..., None] * _DOWN[face], _OUT[face])
+    new = met(np.moveaxis(sum(weights[1:], weights[0]), -1, 0))
+    moved = [np.floor(at * size).astype(np.int64) for at in (new.across, new.down)]
+    return (
+        [np.where(over, new_i, i) for new_i, i in zip(moved, place, strict=True)],
+        np.where(over, new.face, face),
+    )
+
+
+def beyond_corner(place: Sequence[Ints], size: Ints) -> Bools:
+    """Whether a texel lies beyond two edges."""
+    column, row = place
+    return np.asarray(((column < 0) | (column >= size)) & ((row < 0) | (row >= size)))
+
+
+def _turned(face: Ints, lanes: Sequence[Floats]) -> tuple[Floats, Floats, Floats]:
+    """Lanes of a direction as a face has them: to its right, downwards, and out of it."""
+    stacked = np.stack(np.broadcast_arrays(*lanes), axis=-1)
+    across, down, out = ((axes[face] * stacked).sum(axis=-1) for axes in (_ACROSS, _DOWN, _OUT))
+    return across, down, out

@@ -1,0 +1,75 @@
+"""Textures and samplers as a target declares them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...compiler.ir.leaves import Resource
+from ...compiler.ir.program import Program, TextureRead
+from ...compiler.ir.types import Texture
+from ...stdlib.builtins.row import SamplerUse
+from .description import Profile, Target, TextureNames
+
+
+class TextureSpeller:
+    """Writes the types of one program's textures."""
+
+    def __init__(self, names: TextureNames, program: Program) -> None:
+        self._names = names
+        self._sampled = program.sampled
+
+    def texture(self, resource: Resource) -> str:
+        """The type of the texture alone."""
+        type_ = texture_type(resource)
+        return self._spelled(self._names.textures[type_.sample], type_)
+
+    def sampler(self, resource: Resource) -> str:
+        """The type of its sampler; empty where nothing is read by one."""
+        if resource not in self._sampled:
+            return ""
+        return self._names.samplers[sampler_use(resource)]
+
+    def combined(self, resource: Resource) -> str:
+        """The type of both in one object; empty where the language has no such."""
+        type_ = texture_type(resource)
+        compared = resource in self._sampled and sampler_use(resource) == "comparison"
+        form = self._names.compared if compared else self._names.combined.get(type_.sample, "")
+        return self._spelled(form, type_)
+
+    def _spelled(self, form: str, type_: Texture) -> str:
+        return form.format(dimension=self._names.dimensions[type_.dimension])
+
+
+def texture_type(resource: Resource) -> Texture:
+    """The type of a resource, all of which are textures."""
+    assert isinstance(resource.type, Texture)
+    return resource.type
+
+
+def sampler_use(resource: Resource) -> SamplerUse:
+    """What the sampler of a texture does."""
+    return "comparison" if texture_type(resource).sample == "depth" else "filtering"
+
+
+def opening_lines(
+    profile: Profile, textures: TextureSpeller, reads: Iterable[TextureRead]
+) -> list[str]:
+    """What a file has to say first to read textures as it does."""
+    found: dict[str, None] = {}
+    for read in reads:
+        if read.builtin in profile.requires:
+            found[profile.requires[read.builtin]] = None
+        if profile.precision:
+            found[profile.precision.format(type=textures.combined(read.resource))] = None
+    return [line for line in found if line not in profile.preamble]
+
+
+def helpers(target: Target, textures: TextureSpeller, reads: Iterable[TextureRead]) -> list[str]:
+    """The functions that reads need, each a text of some lines."""
+    found: dict[str, None] = {}
+    for read in reads:
+        forms = target.helpers.get(read.builtin)
+        if forms is not None:
+            form = forms[texture_type(read.resource).dimension]
+            found[form.replace("{texture}", textures.texture(read.resource))] = None
+    return list(found)

@@ -1,0 +1,100 @@
+"""Pictures in files as arrays."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageOps, UnidentifiedImageError
+
+from ..drivers.draw import Dimension
+from .arrays import MAX_SIDE, check_sides
+from .texture import FACES, Kind, PictureError
+
+
+def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> NDArray[Any]:
+    """The array for ``texel_array`` of a picture for each layer. Raises ``PictureError``."""
+    if dimension == "cube" and len(paths) != len(FACES):
+        wanted = f"a cube takes six pictures, {', '.join(FACES)}"
+        raise PictureError(f"{wanted}; there {_are(len(paths))}")
+    if dimension == "2d" and len(paths) != 1:
+        raise PictureError(f"a flat texture takes one picture; there {_are(len(paths))}")
+    arrays = [read_picture(path, sample) for path in paths]
+    if dimension == "2d":
+        return arrays[0]
+    for path, array in zip(paths[1:], arrays[1:], strict=True):
+        if array.shape != arrays[0].shape or array.dtype != arrays[0].dtype:
+            raise PictureError(
+                f"the pictures of one texture are alike, and {path} is {_told(array)}"
+                f" where {paths[0]} is {_told(arrays[0])}"
+            )
+    return np.stack(arrays)
+
+
+def read_picture(path: Path, sample: Kind = "float") -> NDArray[Any]:
+    """The picture in a file as an array for ``texel_array``. Raises ``PictureError``."""
+    try:
+        with warnings.catch_warnings():
+            # The size is checked below, before anything is unpacked, and more strictly.
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            with Image.open(path) as picture:
+                check_sides(*picture.size, str(path))
+                return _LANES[sample](ImageOps.exif_transpose(picture))
+    except PictureError:
+        raise
+    except UnidentifiedImageError:
+        raise PictureError(f"{path} is not a picture of a known format") from None
+    except Image.DecompressionBombError:
+        raise PictureError(f"{path} is too large: no side may have over {MAX_SIDE}") from None
+    except OSError as error:
+        raise PictureError(f"cannot read {path}: {error.strerror or error}") from None
+    except Exception as error:  # Of a damaged file, decoders raise whatever they come upon.
+        raise PictureError(f"{path} is damaged: {error}") from None
+
+
+def _colors(picture: Image.Image) -> NDArray[Any]:
+    """The lanes as they are where they have more than 8 bits, else RGBA."""
+    if picture.mode == "F":
+        return np.asarray(picture, np.float32)
+    if picture.mode.startswith("I"):
+        return _sixteen_bits(picture)
+    return np.asarray(picture.convert("RGBA"))
+
+
+def _depths(picture: Image.Image) -> NDArray[Any]:
+    """How bright it is."""
+    if picture.mode == "F":
+        return np.asarray(picture, np.float32)
+    if picture.mode.startswith("I"):
+        return _sixteen_bits(picture)
+    return np.asarray(picture.convert("L"))
+
+
+def _integers(picture: Image.Image) -> NDArray[Any]:
+    """The numbers in the file: of a palette's colours, which one."""
+    if picture.mode == "1":
+        return np.asarray(picture).astype(np.uint8)
+    if picture.mode in ("P", "L", "RGB", "RGBA") or picture.mode.startswith("I"):
+        return np.asarray(picture)
+    return np.asarray(picture.convert("RGBA"))
+
+
+_LANES = {"float": _colors, "depth": _depths, "int": _integers, "uint": _integers}
+
+
+def _sixteen_bits(picture: Image.Image) -> NDArray[np.uint16]:
+    clipped: NDArray[np.uint16] = np.clip(np.asarray(picture), 0, 65535).astype(np.uint16)
+    return clipped
+
+
+def _told(array: NDArray[Any]) -> str:
+    lanes = f" of {array.shape[2]} lanes" if array.ndim == 3 else ""
+    return f"{array.shape[1]} x {array.shape[0]} {array.dtype}{lanes}"
+
+
+def _are(count: int) -> str:
+    return "is one" if count == 1 else f"are {count}"

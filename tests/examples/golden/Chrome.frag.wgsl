@@ -1,0 +1,49 @@
+// Chrome: fragment shader, by Burnish.
+// Polished metal that mirrors its surroundings, blurred where it is rough.
+
+struct Rig {
+    ambient_light: vec3f,  /// Light from everywhere
+    sun_diffuse_color: vec3f,
+    sun_specular_color: vec3f,
+    sun_direction: vec3f,  /// Where the light travels
+}
+
+struct Material {
+    tint: vec3f,  /// Reflectance, seen head on
+    roughness: f32,  /// 0 is a mirror
+    levels: f32,  /// Levels of the map, each blurred more
+}
+
+struct MaterialDerived {
+    color_product: f32,
+    materialderived_pad_0: f32,
+    materialderived_pad_1: f32,
+    materialderived_pad_2: f32,
+    color_product_2: vec3f,
+}
+
+@group(1) @binding(0) var<uniform> rig: Rig;
+@group(2) @binding(0) var<uniform> material: Material;
+@group(2) @binding(1) var<uniform> material_derived: MaterialDerived;
+@group(2) @binding(2) var surroundings: texture_cube<f32>;
+@group(2) @binding(3) var surroundings_sampler: sampler;
+
+struct FragmentInput {
+    @location(0) position_shifted: vec3f,
+    @location(1) normal: vec3f,
+}
+
+/// Zero stays zero.
+fn safe_normalize(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
+}
+
+@fragment
+fn main(input: FragmentInput) -> @location(0) vec4f {
+    let to_eye = safe_normalize(input.position_shifted);
+    let normal = safe_normalize(input.normal);
+    let mirrored = reflect(-to_eye, normal);
+    let rim = pow(1.0 - saturate(dot(normal, to_eye)), 5.0);
+    let color = textureSampleLevel(surroundings, surroundings_sampler, mirrored, material_derived.color_product).xyz * mix(material.tint, vec3f(1.0), rim) + material_derived.color_product_2 * saturate(dot(normal, -rig.sun_direction)) * rig.sun_diffuse_color;
+    return vec4f(color, 1.0);
+}

@@ -1,0 +1,80 @@
+// Stage: fragment shader, by Burnish.
+
+cbuffer View : register(b0, space0) {
+    column_major float4x4 view_projection;  /// World to clip space
+    float3 eye;  /// Where the viewer stands
+};
+
+cbuffer Rig : register(b0, space1) {
+    float3 ambient_light;  /// Light from everywhere
+    float3 key_diffuse_color;
+    float3 key_specular_color;
+    float3 key_place;
+    float3 key_axis;  /// Where the light travels
+    float key_inner;
+    float key_outer;
+    float rig_pad_0;
+    float rig_pad_1;
+    float rig_pad_2;
+    column_major float4x4 key_to_map;  /// What the map was drawn with
+    float key_bias;  /// Against surfaces in their own shadow
+    float key_spread;  /// Between the samples, in texels
+};
+
+cbuffer RigDerived : register(b1, space1) {
+    float key_falloff_cos;
+    uint key_falloff_edges_meet;
+    float key_falloff_inverse_width;
+};
+
+cbuffer Material : register(b0, space2) {
+    float3 base;
+};
+
+Texture2D<float> key_shadow : register(t2, space1);
+SamplerComparisonState key_shadow_sampler : register(s3, space1);
+
+int2 texture_size(Texture2D<float> texels, int level) {
+    uint width, height, levels;
+    texels.GetDimensions(level, width, height, levels);
+    return int2(width, height);
+}
+
+struct FragmentInput {
+    [[vk::location(0)]] float3 position : TEXCOORD0;
+    [[vk::location(1)]] float3 normal : TEXCOORD1;
+};
+
+/// Zero over zero, and anything else over zero, is zero.
+float safe_div(float x, float y) {
+    return abs(y) >= 1.1754944e-38 ? x / y : 0.0;
+}
+
+/// Zero stays zero.
+float3 safe_normalize(float3 v) {
+    return v * rsqrt(max(dot(v, v), 1.1754944e-38));
+}
+
+float4 main(FragmentInput input) : SV_Target0 {
+    float3 normal = safe_normalize(input.normal);
+    float3 key_to_light = safe_normalize(key_place - input.position);
+    float normal_dot_key_to_light = dot(normal, key_to_light);
+    float3 color_negated = -key_to_light;
+    float key_falloff_cosine = dot(key_axis, color_negated);
+    float key_falloff_along = saturate((key_falloff_cosine - key_falloff_cos) * key_falloff_inverse_width);
+    float key_falloff = key_falloff_edges_meet != 0u ? step(key_falloff_cos, key_falloff_cosine) : key_falloff_along * key_falloff_along * (3.0 - 2.0 * key_falloff_along);
+    float4 key_projected = mul(key_to_map, float4(input.position, 1.0));
+    float key_projected_ = key_projected.w;
+    float2 key_centre = float2(0.5 + 0.5 * safe_div(key_projected.x, key_projected_), 0.5 - 0.5 * safe_div(key_projected.y, key_projected_));
+    float2 key_texel = key_spread / float2(texture_size(key_shadow, 0));
+    float key_lit_clamped = saturate(safe_div(key_projected.z, key_projected_) - key_bias);
+    float key_lit_total = 0.0;
+    for (int i = 0; i < 9; i++) {
+        key_lit_total += key_shadow.SampleCmpLevelZero(key_shadow_sampler, key_centre + key_texel * float2(float(i % 3 - 1), float(i / 3 - 1)), key_lit_clamped);
+    }
+    float key_falloff_ = key_falloff * (key_lit_total / 9.0);
+    float3 to_eye = safe_normalize(eye - input.position);
+    float3 lambert_phong = base * saturate(normal_dot_key_to_light) * (key_diffuse_color * key_falloff_) + 0.2 * (normal_dot_key_to_light > 0.0 ? pow(saturate(dot(reflect(color_negated, normal), to_eye)), 24.0) : 0.0) * (key_specular_color * key_falloff_);
+    float3 color = base * ambient_light + lambert_phong;
+    return float4(color, 1.0);
+}

@@ -1,0 +1,289 @@
+"""Arrays, volumes, cubes, depths and integers as the reference reads them, worked out by hand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from burnish.compiler.ir.leaves import Resource
+from burnish.compiler.ir.types import Dimension, Sample, Texture
+from burnish.compiler.reference.picture.cube import across_edges, met
+from burnish.compiler.reference.picture.margins import Margins
+from burnish.compiler.reference.picture.sampler import Reader
+from burnish.compiler.reference.picture.scene import Texels
+from burnish.compiler.reference.picture.texels import Image
+from burnish.compiler.reference.picture.variants import EXACT, Variants, variants
+
+DEFAULTS = {"filter": "nearest", "mip": "nearest", "wrap": "clamp"}
+
+
+class Read:
+    """A texture that is read at single places."""
+
+    def __init__(
+        self,
+        dimension: Dimension,
+        sample: Sample,
+        *levels: Any,
+        ways: Variants = EXACT,
+        **state: str,
+    ) -> None:
+        whole = tuple(sorted({**DEFAULTS, **state}.items()))
+        resource = Resource("t", Texture(dimension, sample), "material", "white", whole)
+        arrays = tuple(np.asarray(level) for level in levels)
+        self.margins = Margins((1, 1, 1))
+        self._reader = Reader(Image(Texels(arrays), resource), ways, self.margins)
+
+    def __call__(self, name: str, *operands: Any) -> list[Any]:
+        """The lanes of a read, in its exact variant."""
+        found = self._reader.read(name, tuple(map(_lanes, operands)))
+        return [np.ravel(lane)[0].item() for lane in found]
+
+    def spread(self, name: str, *operands: Any) -> list[float]:
+        """The first lane in all variants."""
+        found = self._reader.read(name, tuple(map(_lanes, operands)))
+        return [float(value) for value in np.ravel(found[0])]
+
+
+def _lanes(operand: Any) -> Any:
+    """Whole numbers are constants; all else differs from pixel to pixel, of which there is one."""
+    if isinstance(operand, int):
+        return (operand,)
+    return tuple(np.full((1, 1, 1), lane) for lane in np.atleast_1d(operand))
+
+
+def numbered(*shape: int) -> Any:
+    """Texels whose first lane counts them, and whose others are that and 1000, 2000, 3000."""
+    lanes = np.array([0.0, 1000.0, 2000.0, 3000.0])
+    return np.arange(np.prod(shape)).reshape(*shape, 1) + lanes
+
+
+# --- layers and volumes --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("layer", "first"), [(0, 0), (2, 8), (7, 8), (-3, 0)])
+def test_layers_are_limited_to_those_there_are(layer: int, first: int) -> None:
+    array = Read("2d_array", "float", numbered(3, 2, 2))
+    assert array("sample_level", (0.25, 0.25), layer, 0.0)[0] == first
+    assert array("load", (0, 0), layer, 0)[0] == first
+
+
+def test_slices_are_mixed() -> None:
+    volume = Read("3d", "float", numbered(2, 1, 2), filter="linear")
+    assert volume("sample_level", (0.5, 0.5, 0.5), 0.0)[0] == 1.5
+    assert volume("sample_level", (0.25, 0.5, 0.75), 0.0)[0] == 2
+    assert volume("sample_level", (0.25, 0.5, 0.375), 0.0)[0] == 0.5
+
+
+def test_a_filter_is_off_along_all_three_axes() -> None:
+    ways = variants(4, None, None, None, False, volumes=True)
+    volume = Read("3d", "float", numbered(2, 2, 2), ways=ways, filter="linear")
+    exact, *moved = volume.spread("sample_level", (0.5, 0.5, 0.5), 0.0)
+    assert sorted({abs(value - exact) for value in moved}) == [1 / 16, 2 / 16, 4 / 16]
+
+
+# --- cubes ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("direction", "face", "across", "down"),
+    [
+        ((1, -0.5, 0.25), 0, -0.25, 0.5),
+        ((-2, 1, -1), 1, -0.5, -0.5),
+        ((0.5, 1, 0.25), 2, 0.5, 0.25),
+        ((0.5, -1, 0.25), 3, 0.5, -0.25),
+        ((-0.5, 0.25, 1), 4, -0.5, -0.25),
+        ((-1, 0.5, -2), 5, 0.5, -0.25),
+    ],
+)
+def test_faces(direction: tuple[float, ...], face: int, across: float, down: float) -> None:
+    """Right and down from the middle of a face, -1 to 1."""
+    found = met([np.array(lane, dtype=float) for lane in direction])
+    assert int(found.face) == face
+    assert (2 * float(found.across) - 1, 2 * float(found.down) - 1) == (across, down)
+
+
+def direction_of(face: int, across: float, down: float) -> tuple[float, ...]:
+    x, y = across, down
+    return [(1, -y, -x), (-1, -y, x), (x, 1, y), (x, -1, -y), (x, -y, 1), (-x, -y, -1)][face]
+
+
+@given(st.integers(0, 5), st.floats(-0.99, 0.99), st.floats(-0.99, 0.99))
+def test_every_place_of_every_face_is_met(face: int, across: float, down: float) -> None:
+    found = met([np.array(lane) for lane in direction_of(face, across, down)])
+    assert int(found.face) == face
+    assert (2 * found.across - 1, 2 * found.down - 1) == pytest.approx((across, down))
+
+
+@given(st.integers(0, 5), st.integers(1, 9), st.integers(0, 8), st.integers(0, 3))
+def test_texels_beyond_an_edge_are_neighbours_whose_neighbours_they_are(
+    face: int, size: int, along: int, side: int
+) -> None:
+    """Over an edge and back again is where one came from."""
+    along %= size
+    out = [(-1, along), (size, along), (along, -1), (along, size)][side]
+    inside = [(0, along), (size - 1, along), (along, 0), (along, size - 1)][side]
+    place, other = _across(out, face, size)
+    assert other != face
+    assert all(0 <= i < size for i in place)
+    steps = [(-1, 0), (1, 0), (0, -1), (0, 1)]
+    around = [
+        _across((place[0] + dx, place[1] + dy), other, size)
+        for dx, dy in steps
+        if not (0 <= place[0] + dx < size and 0 <= place[1] + dy < size)
+    ]
+    assert (inside, face) in around
+
+
+def _across(place: tuple[int, int], face: int, size: int) -> tuple[tuple[int, int], int]:
+    numbers = [np.array(i) for i in place]
+    found, other = across_edges(numbers, np.array(face), np.array(size))
+    return (int(found[0]), int(found[1])), int(other)
+
+
+@settings(deadline=None)
+@given(st.floats(-0.9, 0.9), st.integers(0, 5), st.integers(0, 1))
+def test_a_filtered_cube_has_no_seams(along: float, face: int, side: int) -> None:
+    """Just before and just behind an edge it is nearly the same."""
+    sky = Read("cube", "float", numbered(6, 4, 4), filter="linear")
+    edge = (1.0, along) if side else (along, 1.0)
+    values = [
+        sky("sample_level", direction_of(face, *(lane * k for lane in edge)), 0.0)[0]
+        for k in (1 - 1e-9, 1 + 1e-9)
+    ]
+    assert values[0] == pytest.approx(values[1], abs=1e-5)
+
+
+def test_beyond_a_corner_is_the_mean_of_the_three_texels_around_it() -> None:
+    faces = np.zeros((6, 1, 1, 4))
+    faces[0], faces[2], faces[4] = 3, 6, 30
+    sky = Read("cube", "float", faces, filter="linear")
+    assert sky("sample_level", (1, 1, 1), 0.0)[0] == pytest.approx((3 + 6 + 30 + 13) / 4)
+    ways = variants(8, None, None, None, False, cubes=True)
+    sky = Read("cube", "float", faces, filter="linear", ways=ways)
+    corners = np.array(sky.spread("sample_level", (1, 1, 1), 0.0))[ways.kind == 12]
+    assert sorted(corners) == pytest.approx([(39 + x) / 4 for x in (3, 6, 30)])
+
+
+def test_between_two_faces_the_nearest_texel_is_undecided() -> None:
+    sky = Read("cube", "float", numbered(6, 4, 4))
+    sky("sample_level", (1, 0.3, 0.9), 0.0)
+    assert not sky.margins.undecided.any()
+    sky("sample_level", (1, 0.3, 1 + 1e-7), 0.0)
+    assert sky.margins.undecided.all()
+
+
+# --- levels --------------------------------------------------------------------------------------
+
+
+def steps(layers: tuple[int, ...] = ()) -> list[Any]:
+    return [np.full((*layers, 8 >> n, 8 >> n, 4), float(n)) for n in range(4)]
+
+
+@pytest.mark.parametrize(("level", "expected"), [(-1, 0), (0.25, 0.25), (1.5, 1.5), (9, 3)])
+def test_a_level_by_its_number(level: float, expected: float) -> None:
+    flat = Read("2d", "float", *steps(), mip="linear")
+    assert flat("sample_level", (0.5, 0.5), level)[0] == expected
+
+
+def test_a_sampler_without_levels_stays_on_the_first() -> None:
+    flat = Read("2d", "float", *steps(), mip="none")
+    assert flat("sample_level", (0.5, 0.5), 2.0)[0] == 0
+    assert flat("load", (0, 0), 2)[0] == 2
+
+
+@pytest.mark.parametrize(
+    ("across", "down", "level"),
+    [
+        ((0.25, 0), (0, 0.125), 1),
+        ((0, 0.125), (0.5, 0), 2),
+        ((0.3, 0.4), (0, 0), 2),
+        ((0, 0), (0, 0), 0),
+    ],
+)
+def test_a_level_by_gradients(across: Any, down: Any, level: float) -> None:
+    flat = Read("2d", "float", *steps(), mip="linear")
+    assert flat("sample_grad", (0.5, 0.5), across, down)[0] == pytest.approx(level)
+
+
+def test_gradients_of_a_cube_are_projected() -> None:
+    """Half a face is four texels of eight; and along the direction itself nothing changes."""
+    sky = Read("cube", "float", *steps((6,)), mip="linear")
+    assert sky("sample_grad", (0, 0, 2), (2, 0, 0), (0, 0.1, 0))[0] == pytest.approx(2)
+    assert sky("sample_grad", (0, 0.5, 2), (0, 1, 4), (0, 0, 0))[0] == 0
+
+
+# --- comparisons ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("compare", "outcomes"),
+    [("less", [1, 0, 0]), ("less_equal", [1, 1, 0]), ("greater", [0, 0, 1]),
+     ("greater_equal", [0, 1, 1])],
+)  # fmt: skip
+def test_the_reference_stands_on_the_left(compare: str, outcomes: list[int]) -> None:
+    depths = Read("2d", "depth", np.full((1, 1, 1), 0.5), compare=compare, mip="none")
+    assert [depths("compare", (0.5, 0.5), r)[0] for r in (0.25, 0.5, 0.75)] == outcomes
+
+
+def test_references_are_limited_to_what_depths_can_be() -> None:
+    depths = Read("2d", "depth", np.full((1, 1, 1), 1.0), compare="less_equal", mip="none")
+    assert depths("compare", (0.5, 0.5), 1.5) == [1]
+
+
+def test_comparisons_are_filtered_and_not_depths() -> None:
+    whole = np.array([[0.1, 0.9], [0.4, 0.45]])[..., None]
+    depths = Read("2d", "depth", whole, compare="less", filter="linear", mip="none")
+    assert depths("compare", (0.5, 0.5), 0.5) == [0.25]
+    assert depths("compare", (0.625, 0.25), 0.5) == [0.75]
+    assert depths("gather_compare", (0.5, 0.5), 0.42) == [0, 1, 1, 0]
+
+
+def test_a_reference_close_to_a_depth_is_undecided() -> None:
+    depths = Read("2d", "depth", np.full((1, 1, 1), 0.5), compare="less", mip="none")
+    depths("compare", (0.5, 0.5), 0.5001)
+    assert not depths.margins.undecided.any()
+    depths("compare", (0.5, 0.5), 0.500001)
+    assert depths.margins.undecided.all()
+
+
+# --- texels --------------------------------------------------------------------------------------
+
+
+def test_gathered_texels_go_round_from_the_lower_left() -> None:
+    flat = Read("2d", "float", numbered(3, 3), wrap="repeat")
+    assert flat("gather", (0.45, 0.45), 0) == [3, 4, 1, 0]
+    assert flat("gather", (0.1, 0.45), 2) == [2005, 2003, 2000, 2002]
+
+
+def test_gathering_between_four_and_four_is_undecided() -> None:
+    flat = Read("2d", "float", numbered(4, 4))
+    flat("gather", (0.6, 0.6), 0)
+    assert not flat.margins.undecided.any()
+    flat("gather", (0.625 + 1e-6, 0.6), 0)
+    assert flat.margins.undecided.all()
+
+
+@pytest.mark.parametrize(
+    ("place", "level", "expected"),
+    [((1, 1), 0, 5), ((-4, 9), 0, 12), ((9, -1), 0, 3), ((1, 1), 1, 103), ((1, 1), 7, 103)],
+)
+def test_loads_beyond_the_texture_take_the_nearest_texel(
+    place: Any, level: int, expected: int
+) -> None:
+    levels = [np.arange(16).reshape(4, 4, 1) + [0] * 4, np.arange(4).reshape(2, 2, 1) + [100] * 4]
+    numbers = Read("2d", "int", *levels)
+    assert numbers("load", place, level)[0] == expected
+    assert isinstance(numbers("load", place, level)[0], int)
+
+
+def test_sizes() -> None:
+    volume = Read("3d", "uint", np.zeros((8, 2, 4, 4), int), np.zeros((4, 1, 2, 4), int))
+    assert volume("texture_size", 0) == [4, 2, 8]
+    assert volume("texture_size", 1) == volume("texture_size", 5) == [2, 1, 4]
+    assert volume("texture_levels") == [2]
+    assert Read("2d_array", "depth", np.zeros((5, 1, 1, 1)))("texture_layers") == [5]
