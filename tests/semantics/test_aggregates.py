@@ -88,7 +88,7 @@ def test_constant_arrays_keep_their_name() -> None:
     text = """
     struct Wave { height : float, length : float }
     waves   = [Wave(1, 2), Wave(3, 5)]
-    weights = [1, 2, 4]
+    weights = [1.0, 2.0, 4.0]
     material M {
         param n : int
         color = vec3(weights[n], waves[n].height, waves[n].length)
