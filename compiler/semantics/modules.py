@@ -47,6 +47,8 @@ class Module:
 
     file: ast.File
     path: Path | None
+    library: bool = False
+    """Whether it belongs to the standard library, whose trees are read once a process."""
     declared: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
     imported: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
     chosen: set[tuple[Path | None, str]] = field(default_factory=set)
@@ -128,7 +130,7 @@ class Loader:
             source = self._read(path, self._report, _library_name(path))
             assert source is not None, "the library has no prelude"
             # Known before it is linked: the library files that it imports see it as well.
-            self._prelude = Module(self._parse_library(source, self._report), path)
+            self._prelude = Module(self._parse_library(source, self._report), path, library=True)
             self._link(self._prelude)
         return self._prelude
 
@@ -304,7 +306,7 @@ class Loader:
             return None
         self._loading.append((path, span))
         parse = self._parse_library if library else self._parse
-        linked = Module(parse(source, self._report), path, prelude=self.prelude())
+        linked = Module(parse(source, self._report), path, library=library, prelude=self.prelude())
         self._link(linked)
         self._loading.pop()
         self._modules[path] = linked

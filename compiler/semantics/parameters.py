@@ -90,8 +90,38 @@ def parameter_of(low: Lowering, definition: Definition, name: str) -> ParameterI
     """What a ``param`` declares, as a leaf called ``name``; ``None`` after reporting."""
     member = definition.member
     assert isinstance(member, ast.Param)
-    module = definition.owner.module
-    declared = declared_type(low, member.type, module)
+    said = _LIBRARY.get(member) or _said(low, member, definition)
+    if said is None:
+        return None
+    if definition.owner.module.library:
+        _LIBRARY[member] = said
+    declared, limits, default = said.declared, said.limits, said.default
+    fact = declared.fact if limits is None else Fact(*limits)
+    parameter = Parameter(
+        name, declared.type, _group(low, definition, member.group), fact,
+        tuple((short, part.fact) for short, part in declared.members), meaning=declared.meaning,
+    )  # fmt: skip
+    return ParameterInfo(
+        parameter, declared.text, limits, default, member.doc, member.name.span,
+        _members(declared, member.name.span),
+    )  # fmt: skip
+
+
+@frozen
+class _Said:
+    """What a ``param`` says of its values, wherever it is used."""
+
+    declared: Declared
+    limits: tuple[float, float] | None
+    default: Lanes | None
+
+
+_LIBRARY: dict[ast.Param, _Said] = {}
+"""Of the library's parameters, which every compile meets again."""
+
+
+def _said(low: Lowering, member: ast.Param, definition: Definition) -> _Said | None:
+    declared = declared_type(low, member.type, definition.owner.module)
     if declared is None:
         return None
     if isinstance(declared.type, Texture):
@@ -101,16 +131,7 @@ def parameter_of(low: Lowering, definition: Definition, name: str) -> ParameterI
         )  # fmt: skip
         return None
     limits = _range(low, member, definition, declared)
-    fact = declared.fact if limits is None else Fact(*limits)
-    default = _default(low, member, definition, declared, limits)
-    parameter = Parameter(
-        name, declared.type, _group(low, definition, member.group), fact,
-        tuple((short, part.fact) for short, part in declared.members), meaning=declared.meaning,
-    )  # fmt: skip
-    return ParameterInfo(
-        parameter, declared.text, limits, default, member.doc, member.name.span,
-        _members(declared, member.name.span),
-    )  # fmt: skip
+    return _Said(declared, limits, _default(low, member, definition, declared, limits))
 
 
 def _members(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
