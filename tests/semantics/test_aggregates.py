@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 import burnish
-
 from burnish.compiler.reference.namespace import Lanes
 
 from .kit import lanes, number
