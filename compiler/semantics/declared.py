@@ -95,6 +95,7 @@ def _struct(low: Lowering, symbol: Symbol) -> Declared | None:
             declaration.name.span,
             name=symbol.name,
             cycle=" → ".join([*names, symbol.name]),
+            hint="a structure cannot hold itself; an index into an array can stand for it",
         )
         low.structs[symbol] = None
         return None
