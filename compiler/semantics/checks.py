@@ -155,10 +155,15 @@ def _check_function(
 def _check_spelling(
     low: Lowering, surface: Instance, name: str, definitions: tuple[Definition, ...]
 ) -> None:
-    """Warn of an own slot that nothing reads and that is nearly called like an inherited one."""
+    """Warn of an own slot that nothing reads and that is nearly called like an inherited one.
+
+    What an imported file declares is an offer, and its names are for that file to check.
+    """
     root = surface.record.root
-    member = definitions[0].member
+    member, owner = definitions[0].member, definitions[0].owner
     if not isinstance(member, ast.Slot) or definitions[-1].owner is root:
+        return
+    if owner.module is not surface.record.symbol.module:
         return
     inherited = [n for n, ds in surface.record.definitions.items() if ds[-1].owner is root]
     hint = suggestion(name, inherited)

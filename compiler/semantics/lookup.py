@@ -14,7 +14,7 @@ from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.leaves import PIPELINE_TYPES
 from ..ir.node import Formal, Node, bare
-from ..ir.types import Texture, Type
+from ..ir.types import Array, Texture, Type
 from ..syntax import ast
 from ..trampoline import Step
 from . import advice, fitting
@@ -88,6 +88,9 @@ def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
             result = low.as_declared(result, wanted, declaration.value)
     low.active.pop(key)
     low.applied[key] = result
+    if isinstance(result, Node) and isinstance(result.type, Array):
+        # Anything else is written where it is used.
+        low.notes.names.setdefault(result.id, symbol.name)
     return result
 
 

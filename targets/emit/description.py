@@ -123,6 +123,8 @@ class Forms:
     matrix: str = "{type}({columns})"
     matrix_by_rows: bool = False
     """Whether a matrix of constants lists its lanes row by row."""
+    product_of_columns: str = ""
+    """A matrix from its columns times a vector, where that is shorter than as ``matrix`` has it."""
     column: str = "{matrix}[{position}]"
     array: str = "{type}({elements})"
     """An array from its elements."""

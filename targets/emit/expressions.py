@@ -125,7 +125,16 @@ class Expressions:
         return text if type_ == node.type else Text(f"{self._types.type(node.type)}({text.text})")
 
     def _native(self, node: Node) -> Text:
+        if node.data == "mul" and self._forms.product_of_columns:
+            made, vector = node.operands
+            if made.op == "matrix" and made.id not in self.bound and isinstance(node.type, Vector):
+                return self._product_of_columns(made, vector)
         return self._natives.print(node, [self.operand(operand) for operand in node.operands])
+
+    def _product_of_columns(self, made: Node, vector: Node) -> Text:
+        type_, columns = self._types.type(made.type), self._arguments(made.operands)
+        form = self._forms.product_of_columns
+        return Text(form.format(vector=self.text(vector), type=type_, columns=columns))
 
     def _vector(self, node: Node) -> Text:
         return Text(f"{self._types.type(node.type)}({self._arguments(node.operands)})")

@@ -13,7 +13,8 @@ from ...compiler.ir.node import Node
 
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARK = re.compile(f"{_OPEN}([0-9]+){_CLOSE}")
-_NO_STATEMENT = re.compile(r"\s*(//.*|[{}\s]*|\} else \{)$")
+_NO_STATEMENT = re.compile(r"//.*|[{}\s]*|\} else \{")
+"""Of a line without the blanks around it, of which deep branches have thousands."""
 
 
 class Marks:
@@ -51,7 +52,7 @@ def _completed(lines: Sequence[str], own: Mapping[int, Node]) -> Iterator[tuple[
             continue
         for number in range(first, last):
             line = lines[number - 1]
-            if line.startswith(" ") and not _NO_STATEMENT.match(line):
+            if line.startswith(" ") and not _NO_STATEMENT.fullmatch(line.strip()):
                 node = own.get(number, node)
                 yield number, node
 

@@ -38,6 +38,7 @@ FORMS = Forms(
     splat_constant=False,
     matrix="transpose({type}({columns}))",
     matrix_by_rows=True,
+    product_of_columns="mul({vector}, {type}({columns}))",
     array="{{{elements}}}",
     constant_array="static const {typed} = {value};",
     column="transpose({matrix})[{position}]",

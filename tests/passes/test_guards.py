@@ -58,3 +58,18 @@ def test_a_guard_says_where_and_why() -> None:
     assert guard.span is not None
     assert text[guard.span.start : guard.span.end] == "1 / uv.x"
     assert guard.reason.startswith("operands in [1, 1], ")
+
+
+ONE_QUESTION = {
+    "vec3(uv, 1) / x": "select(vec3f(0.0), vec3f(input.uv, 1.0) / material.x, abs(material.x)",
+    "vec3(uv, 1) mod frag_coord.w": "floor(color_joined / input.frag_coord.w)",
+    "vec3(ivec3(vec3(uv, 1)))": "vec3i(clamp(vec3f(input.uv, 1.0), vec3f(",
+    "vec3(uvec3(vec3(uv, 1)))": "vec3u(clamp(vec3f(input.uv, 1.0), vec3f(",
+}
+
+
+@pytest.mark.parametrize(("color", "guarded"), ONE_QUESTION.items())
+def test_lanes_share_a_guard_that_asks_the_same_of_all(color: str, guarded: str) -> None:
+    text = f"material M {{ param x : float  color = {color} }}"
+    shown = burnish.compile(text, ["wgsl"], hoist=False)["M"].text("wgsl", "fragment")
+    assert guarded in shown

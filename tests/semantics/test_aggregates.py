@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+import burnish
 from burnish.compiler.reference.namespace import Lanes
 
 from .kit import lanes, number
@@ -80,3 +81,19 @@ def test_values(text: str, expected: float) -> None:
 
 def test_a_whole_structure_is_shaded() -> None:
     assert lanes("doubled(stack.layers[0]).tint", MEMBERS, HEAD, **GIVEN) == (2, 4, 6)
+
+
+def test_constant_arrays_keep_their_name() -> None:
+    text = """
+    struct Wave { height : float, length : float }
+    waves   = [Wave(1, 2), Wave(3, 5)]
+    weights = [1.0, 2.0, 4.0]
+    material M {
+        param n : int
+        color = vec3(weights[n], waves[n].height, waves[n].length)
+    }
+    """
+    shown = burnish.compile(text, ("hlsl:sm6",))["M"].text("hlsl:sm6", "fragment")
+    assert "static const float weights[3] = {1.0, 2.0, 4.0};" in shown
+    assert "static const float waves_height[2] = {1.0, 3.0};" in shown
+    assert "static const float waves_length[2] = {2.0, 5.0};" in shown

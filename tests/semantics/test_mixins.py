@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import burnish
@@ -150,3 +152,18 @@ def test_what_each_instance_has_is_not_interpolated() -> None:
         "instance_index": "flat",
         "mul": "flat",
     }
+
+
+OFFERED = """
+burnish 1
+mixin Framed { object_to_wall : float = 1 }
+"""
+
+
+def test_only_the_file_that_declares_a_slot_is_told_that_nothing_reads_it(tmp_path: Path) -> None:
+    (tmp_path / "framed.burnish").write_text(OFFERED)
+    user = tmp_path / "user.burnish"
+    user.write_text('import "framed.burnish"\nmaterial Made : Surface + Framed {}')
+    assert not burnish.check(user)
+    user.write_text(f"{OFFERED}\nmaterial Made : Surface + Framed {{}}")
+    assert [d.rule.code for d in burnish.check(user)] == ["B0210"]

@@ -125,5 +125,24 @@ def test_stored_matrices(selected: Selected, declared: str, product: str, column
     assert f"{product} + {column};" in text
 
 
+@pytest.mark.parametrize(
+    ("selected", "product"),
+    [
+        (PROFILES[0], "mat3(axis, axis + axis, axis) * axis"),
+        (PROFILES[3], "mul(axis, float3x3(axis, axis + axis, axis))"),
+    ],
+    ids=str,
+)
+def test_columns_times_a_vector(selected: Selected, product: str) -> None:
+    make = Maker()
+    axis = Parameter("axis", VEC3, "material")
+    read = make.parameter(axis)
+    columns = build.matrix(make.graph, (read, make.native("add", VEC3, read, read), read))
+    turned = make.native("mul", VEC3, columns, read)
+    color = build.vector(make.graph, (turned, build.constant(make.graph, FLOAT, 1)))
+    program = tiny(color, make, (block("Material", "material", [(axis, "")]),))
+    assert product in emitted(program, selected)["fragment"]
+
+
 def constant_matrix(graph: Graph) -> Node:
     return graph.node("constant", Matrix(2), (), (1.0, 2.0, 3.0, 4.0))

@@ -45,11 +45,6 @@ struct FragmentInput {
     [[vk::location(1)]] float3 normal : TEXCOORD1;
 };
 
-/// Zero over zero, and anything else over zero, is zero.
-float safe_div(float x, float y) {
-    return abs(y) >= 1.1754944e-38 ? x / y : 0.0;
-}
-
 /// Zero stays zero.
 float3 safe_normalize(float3 v) {
     return v * rsqrt(max(dot(v, v), 1.1754944e-38));
@@ -65,9 +60,11 @@ float4 main(FragmentInput input) : SV_Target0 {
     float key_falloff = key_falloff_edges_meet != 0u ? step(key_falloff_cos, key_falloff_cosine) : key_falloff_along * key_falloff_along * (3.0 - 2.0 * key_falloff_along);
     float4 key_projected = mul(key_to_map, float4(input.position, 1.0));
     float key_projected_ = key_projected.w;
-    float2 key_centre = float2(0.5 + 0.5 * safe_div(key_projected.x, key_projected_), 0.5 - 0.5 * safe_div(key_projected.y, key_projected_));
+    // Zero over zero, and anything else over zero, is zero: in all lanes, or in none.
+    float3 key_seen = abs(key_projected_) >= 1.1754944e-38 ? key_projected.xyz / key_projected_ : float3(0.0, 0.0, 0.0);
+    float2 key_centre = float2(0.5 + 0.5 * key_seen.x, 0.5 - 0.5 * key_seen.y);
     float2 key_texel = key_spread / float2(texture_size(key_shadow, 0));
-    float key_lit_clamped = saturate(safe_div(key_projected.z, key_projected_) - key_bias);
+    float key_lit_clamped = saturate(key_seen.z - key_bias);
     float key_lit_total = 0.0;
     for (int i = 0; i < 9; i++) {
         key_lit_total += key_shadow.SampleCmpLevelZero(key_shadow_sampler, key_centre + key_texel * float2(float(i % 3 - 1), float(i / 3 - 1)), key_lit_clamped);
