@@ -113,12 +113,21 @@ def _struct(low: Lowering, symbol: Symbol) -> Declared | None:
     low.active.pop(symbol)
     if len(members) < len(declaration.members):
         return None
-    struct = Struct(symbol.name, tuple((name, member.type) for name, member in members))
+    struct = named_struct(low, symbol.name, tuple((name, m.type) for name, m in members))
     levels, parts = _extent(struct)
     if levels > MOST_LEVELS or parts > MOST_PARTS:
         _too_large(low, declaration)
         return None
-    return structure(struct, tuple(members))
+    return structure(struct, symbol.name, tuple(members))
+
+
+def named_struct(low: Lowering, name: str, members: tuple[tuple[str, Type], ...]) -> Struct:
+    """A structure for the texts, where one name cannot stand for two: files may each have a
+    ``Layer``, and lights of one kind have fewer members where a rig sets one of them."""
+    names = (name, *(f"{name}_{number}" for number in range(2, 3 + len(low.struct_members))))
+    free = next(n for n in names if low.struct_members.get(n, members) == members)
+    low.struct_members[free] = members
+    return Struct(free, members)
 
 
 def _is_struct(active: object) -> bool:

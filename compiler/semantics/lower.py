@@ -97,6 +97,8 @@ class Lowering:
         self.recursive: set[Symbol] = set()
         """Functions that call themselves, which has been reported."""
         self.structs: dict[Symbol, Declared | None] = {}
+        self.struct_members: dict[str, tuple[tuple[str, Type], ...]] = {}
+        """The members of structures, by the names that texts call them."""
         self.variables: dict[int, Declared] = {}
         """How the slots of `light` are declared, by the variables that stand for them in terms."""
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
