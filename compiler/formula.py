@@ -20,10 +20,14 @@ _FOLDS = {"add": "sum", "mul": "product"}
 _CONVERSION = "to_"
 """Conversions are written as their type: ``to_int`` is ``int``."""
 _LANES = "xyzw"
+_IN_BITS = 1_000_000
+"""Whole numbers from here on are hardly counts, but bits."""
 _TIGHTNESS = {
     "or": 1, "and": 2, "eq": 3, "ne": 3, "lt": 3, "le": 3, "gt": 3, "ge": 3,
-    "add": 4, "sub": 4, "mul": 5, "div": 5, "mod": 5,
+    "bit_or": 4, "bit_xor": 5, "bit_and": 6, "shift_left": 7, "shift_right": 7,
+    "add": 8, "sub": 8, "mul": 9, "div": 9, "mod": 9,
 }  # fmt: skip
+_SIGN, _TIGHTEST = 10, 13
 
 
 class Formulas:
@@ -63,7 +67,9 @@ class Formulas:
         if depth <= 0 and node.operands:
             return "…"
         text = self._formula(node, depth, named)
-        loose = node.op in ("call", "native") and _TIGHTNESS.get(str(node.data), 9) < tightness
+        loose = (
+            node.op in ("call", "native") and _TIGHTNESS.get(str(node.data), _TIGHTEST) < tightness
+        )
         return f"({text})" if loose or (tightness and node.op in ("select", "fold")) else text
 
     def _formula(self, node: Node, depth: int, named: Callable[[Node], str | None]) -> str:
@@ -78,16 +84,18 @@ class Formulas:
                 return _constant(node)
             case "swizzle":
                 assert isinstance(node.data, tuple)
-                return f"{part(operands[0], 9)}.{''.join(_LANES[lane] for lane in node.data)}"
+                return (
+                    f"{part(operands[0], _TIGHTEST)}.{''.join(_LANES[lane] for lane in node.data)}"
+                )
             case "index":
-                return f"{part(operands[0], 9)}[{part(operands[1])}]"
+                return f"{part(operands[0], _TIGHTEST)}[{part(operands[1])}]"
             case "member":
-                return f"{part(operands[0], 9)}.{node.data}"
+                return f"{part(operands[0], _TIGHTEST)}.{node.data}"
             case "select":
                 condition, then, otherwise = map(part, operands)
                 return f"if {condition} then {then} else {otherwise}"
             case "interpolate":
-                return f"@vertex {part(operands[0], 9)}"
+                return f"@vertex {part(operands[0], _TIGHTEST)}"
             case "fold":
                 assert isinstance(node.data, Folding)
                 word = _FOLDS.get(node.data.operator, node.data.operator)
@@ -113,7 +121,7 @@ class Formulas:
             right = self._inner(operands[1], depth, named, tightness + 1)
             return f"{left} {sign} {right}"
         if sign and len(operands) == 1:
-            return f"{sign}{self._inner(operands[0], depth, named, 6)}"
+            return f"{sign}{self._inner(operands[0], depth, named, _SIGN)}"
         texts = [self._inner(operand, depth, named) for operand in operands]
         if name == "sample":
             return f"{texts[0]}({', '.join(texts[1:])})"
@@ -132,4 +140,6 @@ def _constant(node: Node) -> str:
 
 
 def _number(lane: object) -> str:
+    if isinstance(lane, int) and abs(lane) >= _IN_BITS:
+        return f"{lane:#x}"
     return f"{lane:g}" if isinstance(lane, int | float) else "…"

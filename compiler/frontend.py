@@ -84,7 +84,10 @@ class Frontend:
         concrete = records_of(module, "material", abstract=False)
         if wanted is None:
             if not concrete and not self._report.failed:
-                self._report.add(rules.NO_MATERIAL, _whole(module), path=module.file.source.name)
+                unfinished = records_of(module, "material", abstract=True)
+                hint = f"`{unfinished[0].name}` is abstract: declare an heir" if unfinished else ""
+                path = module.file.source.name
+                self._report.add(rules.NO_MATERIAL, _whole(module), path=path, hint=hint)
             return concrete
         named = [symbol for symbol in concrete if symbol.name == wanted]
         if not named:

@@ -21,6 +21,8 @@ class Rule:
     """``str.format`` template over the arguments given where the rule is reported."""
     help: str
     """What the rule means and how to satisfy it; shown by ``burnish explain``."""
+    of_absence: bool = False
+    """Whether it says that nothing has its ``name``: no news about a name in text without sense."""
 
 
 @frozen
@@ -56,6 +58,15 @@ class Report:
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, str, Span | None], Diagnostic] = {}
+        self.unread_names: set[str] = set()
+        """Names that stand where the text makes no sense, and may have been declared there."""
+
+    def unread(self, names: Iterable[str]) -> None:
+        """These stand where the text makes no sense, and may have been declared there.
+
+        That has been reported, so nothing more is said about nobody's declaring them.
+        """
+        self.unread_names.update(names)
 
     def add(
         self,
@@ -68,6 +79,8 @@ class Report:
         **arguments: object,
     ) -> None:
         """Record a finding; ``arguments`` fill the rule's message."""
+        if rule.of_absence and arguments.get("name") in self.unread_names:
+            return
         message = rule.message.format(**arguments)
         found = Diagnostic(rule, message, span, caption, tuple(labels), hint)
         self._found.setdefault((rule.code, message, span), found)

@@ -9,8 +9,8 @@ from __future__ import annotations
 from .diagnostic import Rule
 
 
-def _error(code: str, message: str, help: str) -> Rule:
-    return Rule(code, "error", message, help)
+def _error(code: str, message: str, help: str, *, of_absence: bool = False) -> Rule:
+    return Rule(code, "error", message, help, of_absence)
 
 
 def _warning(code: str, message: str, help: str) -> Rule:
@@ -81,6 +81,7 @@ UNKNOWN_EXPORT = _error(
     "B0012",
     "`{path}` does not declare `{name}`",
     "Only what a file declares itself can be imported from it, not what it imports in turn.",
+    of_absence=True,
 )
 
 # --- B01: syntax ---------------------------------------------------------------------------------
@@ -175,6 +176,7 @@ UNKNOWN_NAME = _error(
     "unknown {kind} `{name}`",
     "A name is visible where it is declared in the same body, inherited, declared in the file, "
     "imported, or built in.",
+    of_absence=True,
 )
 DUPLICATE_NAME = _error(
     "B0202",
@@ -218,7 +220,8 @@ WRONG_BASE = _error(
 NOT_A_VALUE = _error(
     "B0209",
     "this is no value by itself",
-    "Functions and terms are called; of `light`, `material` and `inherited` a slot is read.",
+    "Functions, terms and structures are called; of `light`, `material` and `inherited` a slot is "
+    "read.",
 )
 
 MISSPELT_SLOT = _warning(
@@ -230,8 +233,8 @@ MISSPELT_SLOT = _warning(
 REPLACED_PARAMETER = _error(
     "B0211",
     "`{name}` has been replaced by an equation, so there is no value to inherit",
-    "An equation in place of a `param` takes it off the host's hands. Declare the parameter again "
-    "with another default, or compute under another name.",
+    "An equation in place of a `param` or `attribute` takes it off the host's hands. Declare it "
+    "again, with another default if need be, or compute under another name.",
 )
 UNUSUAL_GROUP = _warning(
     "B0212",
@@ -256,11 +259,12 @@ WRONG_TYPE = _error(
 NO_OVERLOAD = _error(
     "B0302",
     "`{name}` cannot be called with ({arguments})",
-    "The candidates are listed below the message; count and types of the arguments have to match.",
+    "Count and types of the arguments have to match one of the candidates, and arguments of one "
+    "type parameter each other.",
 )
 WRONG_COUNT = _error(
     "B0303",
-    "`{name}` takes {expected} arguments, found {found}",
+    "`{name}` takes {expected}, found {found}",
     "Arguments are given by position; none has a default.",
 )
 NO_MEMBER = _error(
@@ -271,8 +275,8 @@ NO_MEMBER = _error(
 NO_OPERATOR = _error(
     "B0305",
     "no `{operator}` between {left} and {right}",
-    "Both sides need the same shape, or one of them is a plain number. Values that live in two "
-    "spaces have to be brought into one first.",
+    "Arithmetic takes two operands of one shape, or one of them is a single number, and their "
+    "lanes are of one kind; `and` and `or` take truths.",
 )
 OVERRIDE_CHANGES_TYPE = _error(
     "B0306",
@@ -302,7 +306,7 @@ NOT_INDEXABLE = _error(
 )
 SPACE_COUNT = _error(
     "B0311",
-    "`{type}` names {expected} spaces, found {found}",
+    "`{type}` names {expected}, found {found}",
     "`point<world>` names one space, `transform<object, world>` two, plain types none.",
 )
 NO_RANGE = _error(
@@ -369,7 +373,7 @@ UNTOLD_PARAMETER = _error(
 )
 TEXTURE_LACKS_READ = _error(
     "B0350",
-    "a `{type}` has no {read}",
+    "`{type}` has no {read}",
     "Colours are filtered, depths compared with a reference, whole numbers loaded; texels have "
     "numbers in all but cubes.",
 )
@@ -380,7 +384,7 @@ NOT_A_LANE = _error(
 )
 SETTING_WITHOUT_USE = _error(
     "B0352",
-    "`{name}` says nothing about a `{type}`",
+    "`{name}` says nothing about `{type}`",
     "Cubes do not wrap, only depths are compared, depths are read at level 0, and nothing filters "
     "whole numbers.",
 )
@@ -474,6 +478,7 @@ ABSTRACT_SLOT = _error(
     "B0407",
     "`{record}` does not set the abstract slot `{name}`",
     "A slot declared without a value has to be set before its material, light or pass is used.",
+    of_absence=True,
 )
 ABSTRACT_USE = _error(
     "B0408",
@@ -609,7 +614,8 @@ NOT_AT_VERTEX = _error(
 CANNOT_CROSS = _error(
     "B0503",
     "a {type} cannot cross from the vertex to the fragment stage",
-    "Numbers and vectors of numbers can; let the columns of a matrix cross one by one.",
+    "Numbers and vectors of numbers can; let the columns of a matrix cross one by one. A truth "
+    "comes from the mesh as a `uint`.",
 )
 NO_CLIP_POSITION = _error(
     "B0504",

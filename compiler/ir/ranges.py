@@ -87,7 +87,7 @@ class Ranges:
         """What follows for ``node`` when so much is known of what it needs."""
         rule = self._rule(node)
         fact = UNKNOWN
-        if rule is not None and rule.name(node) not in self.without:
+        if rule is not None and not (self.without and rule.name(node) in self.without):
             fact = rule.derive(self, node, known)
         return fact.as_kind(_kind(node))
 

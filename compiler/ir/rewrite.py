@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Container, Iterable
 
 from .binding import Moved
 from .node import Graph, Node, reachable
@@ -12,24 +12,34 @@ Rule = Callable[[Graph, Node, tuple[Node, ...]], Node | None]
 
 
 def rewrite(
-    graph: Graph, roots: Iterable[Node], rule: Rule, moved: Moved | None = None
+    graph: Graph,
+    roots: Iterable[Node],
+    rule: Rule,
+    moved: Moved | None = None,
+    ops: Container[str] | None = None,
 ) -> list[Node]:
     """The roots, rebuilt with ``rule`` applied to every node they need, operands before users.
+
+    A rule that has something to say of some operations only names them: ``ops``.
 
     Bodies of folds and applies are ordinary operands here. A replacement therefore stands under
     the same binders as what it replaces and may use the same ``bound`` variables, no others.
     """
     wanted = list(roots)
     new: dict[int, Node] = {}
+    """What became of the nodes that changed."""
     for node in reachable(wanted):
         operands = node.operands
-        if operands:
-            operands = tuple([new[operand.id] for operand in operands])
-        replacement = rule(graph, node, operands) or with_operands(graph, node, operands)
-        new[node.id] = replacement
-        if moved is not None and replacement is not node:
-            moved(node, replacement)
-    return [new[root.id] for root in wanted]
+        if new and operands:
+            operands = tuple([new.get(operand.id, operand) for operand in operands])
+        replacement = rule(graph, node, operands) if ops is None or node.op in ops else None
+        if replacement is None:
+            replacement = with_operands(graph, node, operands)
+        if replacement is not node:
+            new[node.id] = replacement
+            if moved is not None:
+                moved(node, replacement)
+    return [new.get(root.id, root) for root in wanted]
 
 
 def with_operands(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ..ir.node import Node, Op
-from ..ir.types import Scalar, Type, scalar_kind
+from ..ir.types import Scalar, Type, scalar_kind, width, with_width
 from .arithmetic import BuiltinRule, uniform_lane
 
 if TYPE_CHECKING:
@@ -62,12 +62,24 @@ def _twice(name: str) -> BuiltinRule:
     return rule
 
 
-def _shift(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
-    shifted, amount = operands
-    by = uniform_lane(amount)
-    if by is not None and by % 32 == 0:
-        return shifted
-    return s.constant(type_, 0) if uniform_lane(shifted) == 0 else None
+def _shift(name: str) -> BuiltinRule:
+    """A constant amount becomes the `uint` below 32 by which every backend shifts."""
+
+    def rule(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+        shifted, amount = operands
+        if uniform_lane(shifted) == 0:
+            return s.constant(type_, 0)
+        by = uniform_lane(amount)
+        if by is None:
+            return None
+        if by % 32 == 0:
+            return shifted
+        if 0 < by < 32 and scalar_kind(amount.type) == "uint":
+            return None
+        lanes = with_width("uint", width(amount.type))
+        return s.make(op, type_, (shifted, s.constant(lanes, by % 32)), name)
+
+    return rule
 
 
 def _choose(s: Simplifier, _op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
@@ -89,7 +101,7 @@ BIT_RULES: Mapping[str, BuiltinRule] = {
     "bit_xor": _xor,
     "bit_not": _twice("bit_not"),
     "reverse_bits": _twice("reverse_bits"),
-    "shift_left": _shift,
-    "shift_right": _shift,
+    "shift_left": _shift("shift_left"),
+    "shift_right": _shift("shift_right"),
     "choose": _choose,
 }

@@ -22,7 +22,8 @@ NESTED_MATRICES = 8
 
 def dissolve(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots without structures, and with arrays of plain values only."""
-    return rewrite(graph, roots, _Dissolving(graph, notes).rule, notes.follow)
+    ops = ("member", "index", "select")
+    return rewrite(graph, roots, _Dissolving(graph, notes).rule, notes.follow, ops)
 
 
 class _Dissolving:

@@ -63,8 +63,11 @@ class Guarding(Expanding):
         outcome: Outcome,
         told: tuple[Told, ...] = (),
     ) -> None:
-        """As in any simplifier; but what is left away by now was part of an expansion."""
-        if outcome != "dropped":
+        """As in any simplifier; but what is left away by now was part of an expansion.
+
+        Nobody has to hear of a builtin that is expanded whatever is known of its operands.
+        """
+        if outcome != "dropped" and BUILTINS[builtin].needs:
             super().judge(builtin, operands, outcome, told)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
@@ -124,6 +127,6 @@ class Guarding(Expanding):
         if not self.expanding and asked is not None and asked.data == node.data:
             operands = asked.operands
         self.judge(row.name, operands, "guarded")
-        if row.outside:
+        if row.needs:
             facts = tuple(self.ranges.of(operand) for operand in operands)
             self.kept[node.id] = Guard(row.name, facts, self.at)

@@ -29,12 +29,10 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
         return costs[body.id] > TRIVIAL
 
     def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
-        if node.op != "apply":
-            return None
         if uses[node.operands[0].id] > 1 and is_dear(operands[0]):
             return None
         assert isinstance(node.data, tuple)
         replacements = dict(zip(node.data, operands[1:], strict=True))
         return substitute_through(simplifier, operands[0], replacements)
 
-    return rewrite(graph, wanted, rule, notes.follow)
+    return rewrite(graph, wanted, rule, notes.follow, ("apply",))

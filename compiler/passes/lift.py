@@ -19,7 +19,7 @@ GLOBALS = frozenset({"constant", "parameter", "resource"})
 
 def lift(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with every applied body closed but for uniforms."""
-    return rewrite(graph, roots, _Lifting(notes).rule, notes.follow)
+    return rewrite(graph, roots, _Lifting(notes).rule, notes.follow, ("apply",))
 
 
 class _Lifting:
@@ -30,8 +30,6 @@ class _Lifting:
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Pass the captured values along; callees inside the body have been closed already."""
-        if node.op != "apply":
-            return None
         assert isinstance(node.data, tuple)
         body = operands[0]
         if body.id not in self._lifted:

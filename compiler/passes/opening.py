@@ -27,11 +27,14 @@ from ..ir.rewrite import rewrite
 from ..ir.types import INT, Array, Struct, Type
 from ..semantics.shader import Notes
 
+BINDERS = frozenset({"fold", "iterate", "apply"})
+
 
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with every fold, loop and apply opened."""
     wanted = list(roots)
-    return rewrite(graph, wanted, _Opener(graph, notes, _taken_apart(wanted)).rule, notes.follow)
+    opener = _Opener(graph, notes, _taken_apart(wanted))
+    return rewrite(graph, wanted, opener.rule, notes.follow, BINDERS)
 
 
 def _taken_apart(roots: list[Node]) -> set[tuple[int, int]]:

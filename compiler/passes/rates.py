@@ -53,8 +53,10 @@ class _Moving:
 
     def _moved_operand(self, node: Node, operands: tuple[Node, ...]) -> int | None:
         """Which operand is a crossing that nothing else needs, if ``node`` is affine in it."""
+        if not _is_affine(node):
+            return None
         varying = [i for i, old in enumerate(node.operands) if not self._constant[old.id]]
-        if len(varying) != 1 or not _is_affine(node):
+        if len(varying) != 1:
             return None
         (position,) = varying
         crossing, old = operands[position], node.operands[position]

@@ -14,16 +14,17 @@ from ..ir.signatures import FAMILIES
 from ..ir.types import VEC3, Array, Struct, Texture, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
-from . import fitting, lights, lookup, overloads, textures
+from . import advice, fitting, lights, lookup, overloads, textures
 from .aggregates import structure
 from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type, numbers_of
 from .functions import bound, entered, fit_result
-from .generics import shown, untold
+from .generics import shown, unfounded, untold
 from .modules import Symbol
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
+from .wording import counted
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -49,7 +50,9 @@ def _of_value(
     owner = yield low.expression(e.callee.operand, scope)
     if isinstance(owner, Node) and isinstance(owner.type, Texture):
         method = e.callee.name
-        return FAILURE if failed else textures.read(low, owner, arguments, e, method)
+        if not textures.can_read(low, owner.type, method) or failed:
+            return FAILURE
+        return textures.read(low, owner, arguments, e, method)
     member = yield low.part(owner, e.callee.name)
     return FAILURE if failed else textures.read(low, member, arguments, e)
 
@@ -93,7 +96,10 @@ def _named(
     if surface is not None and _is_map(surface.record.definitions.get(name)):
         texture = yield lookup.slot(low, surface, name, callee.span)
         return FAILURE if failed else textures.read(low, texture, arguments, e)
-    if not failed or not scope.module.find(name):
+    if scope.instance is not None and scope.instance.has(name):
+        known = yield lookup.slot(low, scope.instance, name, callee.span)
+        failed = failed or isinstance(known, Failure)
+    if not failed or not lookup.is_declared(scope, name):
         _not_callable(low, name, callee.span, scope)
     return FAILURE
 
@@ -126,7 +132,7 @@ def _is_map(definitions: tuple[object, ...] | None) -> bool:
 
 
 def _not_callable(low: Lowering, name: str, span: Span, scope: Scope) -> None:
-    if scope.module.find(name) or (scope.instance is not None and scope.instance.has(name)):
+    if lookup.is_declared(scope, name):
         low.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`")
         return
     callables = {n for n in BUILTINS if n not in NOT_CALLED} | set(scope.module.visible())
@@ -145,6 +151,8 @@ def _elsewhere(name: str) -> str:
 
     if name in FUNCTIONS:
         return FUNCTIONS[name].hint
+    if advice.is_read(name):
+        return f"it is a read of a texture, written `map.{name}(…)`"
     return f"it is `{TYPES[name]}` here" if name in TYPES else ""
 
 
@@ -172,7 +180,7 @@ def no_signature(
         counts = sorted({len(s.split("->")[0].split(",")) for s in row.signatures})
         low.report.add(
             rules.WRONG_COUNT, span, name=shown,
-            expected=" or ".join(map(str, counts)), found=len(operands),
+            expected=counted(" or ".join(map(str, counts)), "argument"), found=len(operands),
         )  # fmt: skip
         return FAILURE
     if row.operator:
@@ -211,8 +219,9 @@ def _operator_hint(name: str, operands: tuple[Node, ...]) -> str:
         return "truths are joined by `and` and `or`, and turned over by `not`"
     if kinds == _INTEGERS:
         return "convert one with `int(…)` or `uint(…)`, which keep the bits"
-    mixed = "float" in kinds and kinds & _INTEGERS
-    return "convert the integer with `float(…)`" if mixed else ""
+    if kinds == {"float", *kinds & _INTEGERS} and len(kinds) > 1:
+        return "convert the integer with `float(…)`"
+    return advice.joined_types(name, operands[0].type, operands[-1].type)
 
 
 def _bare_moved(low: Lowering, operands: tuple[Node, ...]) -> str:
@@ -316,12 +325,12 @@ def _fit_arguments(
     if len(arguments) != len(function.arguments):
         low.report.add(
             rules.WRONG_COUNT, e.span, name=symbol.name,
-            expected=len(function.arguments), found=len(arguments),
+            expected=counted(len(function.arguments), "argument"), found=len(arguments),
             labels=[Label(function.name.span, "declared here")],
         )  # fmt: skip
         return None
     variables = bound(low, function, arguments)
-    if variables is None and untold(function):  # Which has been reported.
+    if variables is None and (untold(function) or unfounded(function)):  # Which is reported.
         return None
     if variables is None:
         low.report.add(

@@ -17,6 +17,7 @@ from ..library import conversions as library
 from ..syntax import ast
 from ..trampoline import Step
 from . import algebra, calls, lookup, mixing, ways
+from .modules import Module
 from .scope import FAILURE, Failure, Scope, Value
 from .typenames import HOMOGENEOUS, SPACES
 from .wording import tight
@@ -54,9 +55,14 @@ def _space(low: Lowering, name: ast.Name, scope: Scope) -> str | None:
     found = scope.module.find(name.text)
     if name.text in SPACES or (found and isinstance(found[0].declaration, ast.Space)):
         return name.text
-    hint = suggestion(name.text, SPACES)
+    spaces = [*SPACES, *(s for s in scope.module.visible() if _is_space(scope.module, s))]
+    hint = suggestion(name.text, spaces) or f"declare it: `space {name.text}`"
     low.report.add(rules.UNKNOWN_NAME, name.span, kind="space", name=name.text, hint=hint)
     return None
+
+
+def _is_space(module: Module, name: str) -> bool:
+    return any(isinstance(symbol.declaration, ast.Space) for symbol in module.known(name))
 
 
 def _no_way(low: Lowering, e: ast.Conversion, meaning: Meaning, space: str, scope: Scope) -> None:

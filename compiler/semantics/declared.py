@@ -30,6 +30,16 @@ def declared_type(
     variables: Variables = EMPTY,
 ) -> Declared | None:
     """The written type as seen from ``module``, or ``None`` after reporting."""
+    if variables:
+        return _resolved(low, written, module, variables)
+    if written not in low.declared:
+        low.declared[written] = _resolved(low, written, module, variables)
+    return low.declared[written]
+
+
+def _resolved(
+    low: Lowering, written: ast.TypeName, module: Module, variables: Variables
+) -> Declared | None:
     symbols = module.find(written.name.text)
     structs = {}
     if symbols and isinstance(symbols[0].declaration, ast.StructDeclaration):
@@ -90,6 +100,7 @@ def _struct(low: Lowering, symbol: Symbol) -> Declared | None:
             declaration.name.span,
             name=symbol.name,
             cycle=" → ".join([*names, symbol.name]),
+            hint="a structure cannot hold itself; an index into an array can stand for it",
         )
         low.structs[symbol] = None
         return None

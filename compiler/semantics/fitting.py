@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 from ...stdlib.builtins.facts import UNIT
 from ..diagnostics import rules
@@ -45,6 +45,16 @@ def meant(
         low.report.add(rules.BARE_ANGLE, span, text=number, hint=f"`{number}deg` or `{number}rad`?")
         return FAILURE
     return contracted(low, node, declared, span, written)
+
+
+def is_apart(node: Node | Failure, low: Lowering, declared: Declared) -> TypeGuard[Node]:
+    """Whether a value of another type means another kind of the same thing: both are geometry."""
+    if isinstance(node, Failure) or coerce(low.graph, node, declared.type) is not None:
+        return False
+    found, wanted = low.meanings.of(node), declared.meaning
+    if found is None or wanted is None or fits(found, wanted):
+        return False
+    return found.kind in GEOMETRY and wanted.kind in GEOMETRY
 
 
 def contracted(

@@ -51,6 +51,11 @@ def untold(function: ast.Function) -> list[ast.TypeParameter]:
     return [each for each in function.type_parameters if each.name.text not in told]
 
 
+def unfounded(function: ast.Function) -> list[ast.TypeParameter]:
+    """Type parameters of which nothing is said, since there is no such family."""
+    return [each for each in function.type_parameters if each.family.text not in FAMILIES]
+
+
 def _names(written: ast.TypeName) -> list[str]:
     """The names that a written type is made of."""
     names = [written.name.text, *(argument.text for argument in written.arguments)]

@@ -11,14 +11,13 @@ from typing import TYPE_CHECKING
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
-from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Span
 from ..ir.leaves import PIPELINE_TYPES
 from ..ir.node import Formal, Node, bare
 from ..ir.types import Texture, Type
 from ..syntax import ast
 from ..trampoline import Step
-from . import fitting
+from . import advice, fitting
 from .declared import declared_type
 from .modules import Module, Symbol
 from .records import Definition, NamedMember, Record
@@ -66,9 +65,13 @@ def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
     if isinstance(declaration, ast.ExternMember):
         return low.externs.value(symbol, span)
     if not isinstance(declaration, ast.Constant):
+        hint = ""
+        if isinstance(declaration, ast.Function | ast.StructDeclaration):
+            hint = f"call it: `{symbol.name}(…)`"
+        elif isinstance(declaration, ast.ExternBlock) and declaration.members:
+            hint = f"its members are names of the file: `{declaration.members[0].name.text}`"
         low.report.add(
-            rules.NOT_A_VALUE, span,
-            hint=f"call it: `{symbol.name}(…)`" if isinstance(declaration, ast.Function) else "",
+            rules.NOT_A_VALUE, span, hint=hint,
             labels=[Label(declaration.name.span, "declared here")],
         )  # fmt: skip
         return FAILURE
@@ -98,18 +101,27 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
             return
         if instance is not None:
             known += instance.record.definitions
-    from ...stdlib.builtins.elsewhere import VALUES
+    from ...stdlib.builtins.elsewhere import KEYWORDS, VALUES
 
-    if name in VALUES:
-        hint = f"it is `{VALUES[name]}` here"
+    here = f"it is `{VALUES[name]}` here" if name in VALUES else ""
+    if hint := here or advice.of_a_record(name, scope) or KEYWORDS.get(name, ""):
         low.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=hint)
+        return
+    if hint := advice.uncalled(name):
+        low.report.add(rules.NOT_A_VALUE, span, hint=hint)
         return
     unknown_here(low, "name", name, span, known, scope.module)
 
 
+def is_declared(scope: Scope, name: str) -> bool:
+    """Whether the record or the file gives a name to something, called or not."""
+    own = scope.instance is not None and scope.instance.has(name)
+    return own or bool(scope.module.find(name))
+
+
 def unknown(low: Lowering, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
     """Report a name that nothing declares, with the nearest one that something does."""
-    hint = suggestion(name, known)
+    hint = advice.nearest_or_all(name, known)
     low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 
 
@@ -119,6 +131,8 @@ def unknown_here(
     """The same for a name that an import could bring, or should have brought."""
     if name not in module.missing:
         hint = module.hint(name, known)
+        if module.incomplete and not hint:
+            return
         low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 
 
@@ -184,11 +198,20 @@ def _slot_value(
             rules.ABSTRACT_SLOT, instance.record.symbol.declaration.name.span,
             name=name, record=instance.record.name,
             labels=[Label(member.name.span, "declared here without a value")],
+            hint=_declaring(low, member, definition.owner.module),
         )  # fmt: skip
         return FAILURE
     scope = Scope(definition.owner.module, instance, definition.level, instance.surface or instance)
     result: Node | Failure = yield _defined(low, instance, name, member.value, scope)
     return result
+
+
+def _declaring(low: Lowering, member: ast.Slot, module: Module) -> str:
+    """How a texture is declared, for one that is declared as a slot."""
+    declared = None if member.type is None else declared_type(low, member.type, module)
+    if declared is None or not isinstance(declared.type, Texture):
+        return ""
+    return f"declare a texture with `map {member.name.text} : {declared.text}`"
 
 
 def _leaf(
@@ -269,7 +292,13 @@ def _is_cycle(low: Lowering, key: object, name: str, span: Span) -> bool:
     cycle = [step for step, _ in steps[start:]] + [name]
     labels = [Label(place, f"`{step}` is needed here") for step, place in steps[start + 1 :]]
     shown = " → ".join(cycle)
-    low.report.add(rules.CYCLIC_DEFINITION, span, name=name, cycle=shown, labels=labels[:8])
+    hint = ""
+    if isinstance(key, tuple) and isinstance(key[0], Instance) and len(cycle) == 2:
+        above = len(key[0].record.definitions.get(name, ())) > 1
+        hint = f"what it is otherwise is `inherited.{name}`" if above else ""
+    low.report.add(
+        rules.CYCLIC_DEFINITION, span, name=name, cycle=shown, labels=labels[:8], hint=hint
+    )
     return True
 
 

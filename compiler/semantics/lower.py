@@ -30,12 +30,11 @@ from ..ir.types import (
     Texture,
     Type,
     Vector,
-    scalar_kind,
     width,
 )
 from ..syntax import ast
 from ..trampoline import Step
-from . import aggregates, calls, conversions, fitting, folds, lookup, mixing, overloads
+from . import advice, aggregates, calls, conversions, fitting, folds, lookup, mixing, overloads
 from .coerce import coerce
 from .constants import ConstantValues
 from .declared import declared_type
@@ -99,6 +98,8 @@ class Lowering:
         self.structs: dict[Symbol, Declared | None] = {}
         self.struct_members: dict[str, tuple[tuple[str, Type], ...]] = {}
         """The members of structures, by the names that texts call them."""
+        self.declared: dict[ast.TypeName, Declared | None] = {}
+        """Written types that were looked up already."""
         self.variables: dict[int, Declared] = {}
         """How the slots of `light` are declared, by the variables that stand for them in terms."""
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
@@ -149,16 +150,9 @@ class Lowering:
             return FAILURE
         fitted = coerce(self.graph, node, wanted)
         if fitted is None:
-            hint = ""
-            if wanted == BOOL and scalar_kind(node.type) == "bool":
-                hint = "`all(…)` or `any(…)` makes one truth of them"
-            elif isinstance(node.type, Scalar) and isinstance(wanted, Vector):
-                hint = f"write `{wanted}(…)` for equal lanes"
-            elif isinstance(node.type, Scalar) and isinstance(wanted, Scalar):
-                hint = f"convert with `{wanted}(…)`"
             self.report.add(
-                rules.WRONG_TYPE, span, expected=declared, found=node.type, hint=hint,
-                caption=f"this is `{node.type}`",
+                rules.WRONG_TYPE, span, expected=declared, found=node.type,
+                hint=advice.fitting_type(node.type, wanted), caption=f"this is `{node.type}`",
             )  # fmt: skip
             return FAILURE
         return fitted
@@ -171,6 +165,8 @@ class Lowering:
         scope: Scope | None = None,
     ) -> Node | Failure:
         """The value of ``written`` as what was declared: its type, its meaning, its contract."""
+        if fitting.is_apart(node, self, declared):
+            return fitting.meant(self, node, declared, written.span, written, scope)
         fitted = self.fit(node, declared.type, declared.text, written.span)
         if isinstance(fitted, Failure):
             return FAILURE
@@ -270,8 +266,10 @@ def _component(low: Lowering, node: Node, name: ast.Name) -> Node | Failure:
             whole = build.swizzle(low.graph, node, lanes)
             is_color = low.meanings.of(node) == RGB and name.text == "rgb"
             return whole if is_color or whole is not node else low.meanings.ascribed(node, None)
-    hint = "read it: `name(coordinate)`" if isinstance(node.type, Texture) else ""
-    low.report.add(rules.NO_MEMBER, name.span, name=name.text, type=node.type, hint=hint)
+    low.report.add(
+        rules.NO_MEMBER, name.span, name=name.text, type=node.type,
+        hint=advice.missing_member(node.type, name.text),
+    )  # fmt: skip
     return FAILURE
 
 
@@ -285,6 +283,9 @@ def _swizzle_lanes(text: str, lanes: int) -> tuple[int, ...] | None:
 
 def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
     operand = yield low.node(e.operand, scope)
+    if isinstance(operand, Node) and isinstance(operand.type, Texture):
+        low.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type, hint=advice.READ)
+        return FAILURE
     position = yield low.typed(e.index, scope, INT, "int")
     if isinstance(operand, Failure) or isinstance(position, Failure):
         return FAILURE

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ...frozen import EMPTY, frozen
 from ..diagnostics import rules
 from ..ir.leaves import Resource
-from ..ir.types import Texture
+from ..ir.types import Array, Texture
 from ..syntax import ast
 from .declared import declared_type
 from .records import Definition
@@ -71,7 +71,9 @@ def resource(low: Lowering, definition: Definition, name: str, group: str) -> Re
     if not isinstance(declared.type, Texture):
         low.report.add(
             rules.WRONG_TYPE, member.type.span, expected="a texture type", found=declared.text,
-            hint="`texture2d` is one",
+            hint="layers of one texture are a `texture2d_array`"
+            if isinstance(declared.type, Array)
+            else "`texture2d` is one",
         )  # fmt: skip
         return None
     kind = kind_of(declared.type)

@@ -27,6 +27,8 @@ class Meanings:
 
     def of(self, node: Node) -> Meaning | None:
         """What ``node`` means; ``None`` for a bare number."""
+        if node.op not in _RULES:
+            return None
         if node.id in self._known:
             return self._known[node.id]
         pending = [node]
@@ -45,6 +47,10 @@ class Meanings:
             self._known[top.id] = found if isinstance(found, Meaning) else None
         return self._known[node.id]
 
+    def keep(self, node: Node, meaning: Meaning | None) -> None:
+        """Remember what was worked out for ``node`` already."""
+        self._known[node.id] = meaning
+
     def ascribed(self, node: Node, meaning: Meaning | None) -> Node:
         """The value of ``node`` with a meaning given to it; ``None`` makes it a bare number."""
         if self.of(node) == meaning:
@@ -57,7 +63,7 @@ def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> l
     wanted = list(roots)
     if not any(node.op == "as" for node in reachable(wanted)):
         return wanted
-    return rewrite(graph, wanted, lambda _g, n, ops: ops[0] if n.op == "as" else None, moved)
+    return rewrite(graph, wanted, lambda _graph, _node, operands: operands[0], moved, ("as",))
 
 
 def combined(node: Node, meanings: Iterable[Meaning | None]) -> Found:

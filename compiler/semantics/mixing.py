@@ -37,6 +37,7 @@ def checked(
     else:
         found = combined(node, meanings)
     if not isinstance(found, Clash):
+        low.meanings.keep(node, found)
         return node
     return complain(low, found, meanings, shown, span, written, scope)
 

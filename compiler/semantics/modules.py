@@ -18,7 +18,7 @@ from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Source, Span
 from ..syntax import ast
-from .generics import FAMILIES, untold
+from .generics import FAMILIES, unfounded, untold
 from .typenames import described
 from .unique import check_once
 
@@ -53,6 +53,8 @@ class Module:
     """Names that were imported one by one, with their files."""
     missing: set[str] = field(default_factory=set)
     """Names whose import failed, about which enough has been said."""
+    incomplete: bool = False
+    """Whether a file that was to be imported whole could not be, and its names are not known."""
     doubtful: dict[str, Callable[[], None]] = field(default_factory=dict)
     """Names that several imported files declare, with what reports them once they are used."""
     prelude: Module | None = None
@@ -182,13 +184,13 @@ class Loader:
                 rules.UNKNOWN_NAME, function.per.span, kind="summation", name=function.per.text,
                 hint="terms are summed `per light`",
             )  # fmt: skip
-        for parameter in function.type_parameters:
-            if parameter.family.text not in FAMILIES:
-                known = ", ".join(f"`{family}`" for family in FAMILIES)
-                self._report.add(
-                    rules.UNKNOWN_NAME, parameter.family.span, kind="family of types",
-                    name=parameter.family.text, hint=f"one of {known}",
-                )  # fmt: skip
+        for parameter in unfounded(function):
+            listed = ", ".join(f"`{family}`" for family in FAMILIES)
+            self._report.add(
+                rules.UNKNOWN_NAME, parameter.family.span, kind="family of types",
+                name=parameter.family.text,
+                hint=suggestion(parameter.family.text, FAMILIES) or f"one of {listed}",
+            )  # fmt: skip
         for parameter in untold(function):
             self._report.add(
                 rules.UNTOLD_PARAMETER, parameter.span, name=parameter.name.text,
@@ -206,6 +208,7 @@ class Loader:
         names = wanted.names
         if found is None:
             module.missing.update(name.text for name in names or ())
+            module.incomplete |= names is None
             return
         if names is None:
             self._import_whole(module, found, wanted.span)

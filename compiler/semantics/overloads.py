@@ -79,8 +79,24 @@ def takes(name: str, count: int) -> bool:
 
 
 def signatures(row: Builtin) -> str:
-    """The candidates as one line for a message."""
-    return "; ".join(f"{row.name}({signature})" for signature in row.signatures)
+    """The candidates as one line for a message, as functions of a user's are declared."""
+    shown: list[str] = []
+    used: set[str] = set()
+    for signature in row.signatures:
+        operands, result = parsed(signature)
+        used.update(operands)
+        words = [str(FIXED.get(word, word)) for word in (*operands, result)]
+        shown.append(f"`{row.name}({', '.join(words[:-1])}) -> {words[-1]}`")
+    told = {
+        letter: name
+        for name, family in WRITTEN_FAMILIES.items()
+        for letter in sorted(used)
+        if FAMILIES.get(letter) is family
+    }
+    if "M" in used:
+        told["M"] = "matrices"
+    families = " and ".join(f"`{letter}` one of the {name}" for letter, name in told.items())
+    return f"{', '.join(shown)}{' with ' if families else ''}{families}"
 
 
 def adapts(operand: Operand, kind: ScalarKind) -> bool:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
-from ..diagnostics.nearest import suggestion
 from ..syntax import ast
+from .advice import nearest_or_all
 from .declared import count_of
 from .modules import Symbol
 from .parameters import DEFAULT_GROUPS, as_array, count_parameter, leaves_of
@@ -116,7 +116,7 @@ def _overrides(
             low.report.add(
                 rules.UNKNOWN_NAME, slot.name.span,
                 kind=f"slot of light `{record.name}`", name=slot.name.text,
-                hint=suggestion(slot.name.text, record.definitions),
+                hint=nearest_or_all(slot.name.text, record.definitions),
             )  # fmt: skip
             continue
         given[slot.name.text] = Replacement(definition=Definition(slot, rig, -1))

@@ -20,6 +20,7 @@ from ..ir.signatures import FIXED, TEXTURE_FAMILIES, dependent, meaning, parsed
 from ..ir.types import INT, Texture, Type
 from ..syntax import ast
 from .scope import FAILURE, Failure, Value
+from .wording import counted
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -67,6 +68,14 @@ def read(
     return low.builtin(way.row.name, (texture, *operands), e.span, "a texture read")
 
 
+def can_read(low: Lowering, type_: Texture, method: ast.Name) -> bool:
+    """Whether textures of a type have a read; reports if they have not."""
+    if next(_ways(type_, method.text), None) is None:
+        _no_way(low, type_, method.text, method.span)
+        return False
+    return True
+
+
 def _ways(type_: Texture, method: str) -> Iterator[_Way]:
     """How textures of a type can be read by a method: in one way, if at all."""
     for row in _READS:
@@ -107,7 +116,9 @@ def _operands(
         written = span.source.text[span.start : span.end]
         low.report.add(
             rules.WRONG_COUNT, e.span, name=written,
-            expected=f"{least} or {len(way.operands)}" if way.row.optional else least,
+            expected=counted(
+                f"{least} or {len(way.operands)}" if way.row.optional else least, "argument"
+            ),
             found=len(arguments), hint=f"it is `{way.usage(written)}`",
         )  # fmt: skip
         return None

@@ -31,6 +31,7 @@ from ..ir.types import (
     Vector,
 )
 from ..syntax import ast
+from .wording import counted
 
 SCALAR_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 SPACES = frozenset({"object", "world", "view", "clip", "tangent", "light"})
@@ -154,13 +155,15 @@ class TypeResolver:
         if name.arguments and len(name.arguments) != named.spaces:
             self._report.add(
                 rules.SPACE_COUNT, name.span, type=name.name.text,
-                expected=named.spaces, found=len(name.arguments),
+                expected=counted(named.spaces, "space"), found=len(name.arguments),
             )  # fmt: skip
             return False
         for argument in name.arguments:
             is_variable = isinstance(variables.get(argument.text), str)
             if not is_variable and argument.text not in SPACES | spaces:
-                self._unknown("space", argument, [*SPACES, *spaces])
+                known = [*SPACES, *spaces]
+                near = suggestion(argument.text, known) or f"declare it: `space {argument.text}`"
+                self._unknown("space", argument, known, near)
                 return False
         return True
 

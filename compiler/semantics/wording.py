@@ -23,3 +23,8 @@ def tight(expression: ast.Expression) -> str:
     """The same where a word follows: in parentheses, if need be."""
     text = quoted(expression)
     return text if isinstance(expression, _TIGHT) or text == "…" else f"({text})"
+
+
+def counted(count: int | str, thing: str) -> str:
+    """``1 argument``, ``no arguments``, ``2 or 3 arguments``."""
+    return f"{count or 'no'} {thing}" + ("" if str(count) == "1" else "s")

@@ -207,7 +207,7 @@ Expression = (
 # --- types ---------------------------------------------------------------------------------------
 
 
-@frozen
+@frozen(eq=False)
 class TypeName:
     """``float``, ``point<world>``, ``vec3[4]``: name, space arguments, array length if any."""
 

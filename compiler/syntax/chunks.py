@@ -62,6 +62,13 @@ class Outline:
             return token.kind == "NAME" or token.kind in RESERVED
         return token.text in _MEMBER_WORDS and (following == "NAME" or following in RESERVED)
 
+    def begins_line(self, index: int) -> bool:
+        """Whether a token is the first of its line."""
+        if index == 0 or index >= len(self.tokens):
+            return True
+        before = self.tokens[index - 1].end
+        return "\n" in self._text[before : self.tokens[index].start]
+
     def can_end(self, index: int) -> bool:
         """Whether an expression or declaration can end with the token at ``index``."""
         token = self.tokens[index]
@@ -106,7 +113,7 @@ class Outline:
             return 0
         length = 3 if word in _TWO_WORDS else 2
         if not self._open and self._may_follow(index):
-            return length
+            return 1 if self._is_unfinished(index) else length
         complete = (
             self._kind(index + length - 1) == "NAME"
             and self._text_of(index + length - 1) != "in"
@@ -114,6 +121,14 @@ class Outline:
         )
         fits = self._may_follow(index) or self._is_at_margin(index)
         return length if complete and fits else 0
+
+    def _is_unfinished(self, index: int) -> bool:
+        """Whether a declaration's word is followed by another declaration instead of a name."""
+        return (
+            self._text_of(index + 1) in _DECLARATION_WORDS - _TWO_WORDS
+            and self._is_at_margin(index + 1)
+            and self._kind(index + 2) == "NAME"
+        )
 
     def _text_of(self, index: int) -> str:
         return self.tokens[index].text if index < len(self.tokens) else ""
@@ -129,6 +144,8 @@ class Outline:
             return False
         following = self._kind(index + 1)
         starts_member = self.tokens[index].text in _MEMBER_WORDS and following == "NAME"
+        if self._text_of(index - 1) in ("(", ",") and not self.begins_line(index):
+            return False  # An argument that is given by its name, as elsewhere.
         return following == "=" or (starts_member and self._may_follow(index))
 
     def _begin(self, index: int) -> None:

@@ -7,22 +7,15 @@ from bisect import bisect_left
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.source import Source, Span
+from .advice import STATEMENTS, Advice
 from .chunks import NESTING_LIMIT, Chunk, Outline
 from .expectations import describe_expected, describe_found
 from .tables import END
 from .tokens import RESERVED, Token
 
 _COMPARISONS = frozenset(("==", "!=", "<", "<=", ">", ">="))
-_FOLDS = frozenset(("sum", "product"))
-_DECLARATORS = frozenset(("let", "var", "const"))
+_FOLDS = frozenset(("sum", "product", "min", "max", "any", "all", "iterate"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
-
-
-def _statement(word: str) -> str:
-    """What there is in place of a statement or declaration that begins with ``word`` elsewhere."""
-    from ...stdlib.builtins.elsewhere import KEYWORDS
-
-    return KEYWORDS.get(word, "")
 
 
 class Complaints:
@@ -33,27 +26,32 @@ class Complaints:
         self._outline = outline
         self._tokens = outline.tokens
         self._report = report
+        self._advice = Advice(outline)
 
     def too_deep(self, index: int) -> None:
         """Brackets beyond the limit."""
         self._report.add(rules.TOO_NESTED, self._span(self._tokens[index]), limit=NESTING_LIMIT)
 
-    def report(self, index: int, chunk: Chunk, expected: set[str]) -> int:
-        """Say what is wrong at ``index``; returns where the next member may begin."""
+    def report(self, index: int, chunk: Chunk, expected: set[str], start: int) -> int:
+        """Say what is wrong at ``index``; returns where the next member may begin.
+
+        ``start`` is the first token of what cannot be read.
+        """
         found = self._token(index)
         if found.kind == "FOREIGN":
             return index
         opener = self._unclosed_before(index, chunk)
         interrupted = self._equation_interrupts(index)
         if opener is not None:
-            self._unclosed(opener, self._token(index - interrupted))
-            return index - interrupted
+            before = index - (interrupted or self._next_has_begun(index))
+            self._unclosed(opener, self._token(before))
+            return before
         if interrupted:
             self._unexpected(self._tokens[index - 1], {"NUMBER", "NAME"})
             return index - 1
         if self._special(index, found, expected):
             return index
-        self._unexpected(found, expected, self._hint(index, found, expected))
+        self._unexpected(found, expected, self._advice.at(index, expected, start, chunk.start))
         return index
 
     def _special(self, index: int, found: Token, expected: set[str]) -> bool:
@@ -62,10 +60,13 @@ class Complaints:
         if found.kind in _COMPARISONS and "and" in expected and found.kind not in expected:
             self._report.add(rules.CHAINED_COMPARISON, span)
         elif found.kind in RESERVED and "NAME" in expected and not expected & {"NUMBER", "+"}:
-            self._report.add(rules.RESERVED_WORD, span, word=found.text)
+            hint = STATEMENTS.get(found.kind, "") if "param" in expected else ""
+            self._report.add(rules.RESERVED_WORD, span, word=found.text, hint=hint)
         elif found.kind == "if" and "NUMBER" in expected:
             self._report.add(rules.UNPARENTHESISED, span, word=found.text)
-        elif found.text == "in" and index > 1 and self._tokens[index - 2].text in _FOLDS:
+        elif self._fold_before(index) and (fold := self._tokens[index - 1]):
+            self._report.add(rules.UNPARENTHESISED, self._span(fold), word=fold.text)
+        elif found.text == "in" and self._fold_before(index - 1):
             fold = self._tokens[index - 2]
             self._report.add(rules.UNPARENTHESISED, self._span(fold), word=fold.text)
         else:
@@ -113,25 +114,27 @@ class Complaints:
             map(begins, range(opener + 1, index - 1))
         )
 
+    def _fold_before(self, index: int) -> bool:
+        """Whether the name at ``index`` is the variable of a fold that begins before it."""
+        if index < 1 or self._token(index).kind != "NAME":
+            return False
+        word, follows = self._tokens[index - 1].text, self._token(index + 1).text
+        before = self._tokens[index - 2].text if index > 1 else ""
+        is_fold = word in _FOLDS and follows == ("from" if word == "iterate" else "in")
+        return is_fold and before not in ("=", "(", ",", ":", "then", "else", "[")
+
     def _equation_interrupts(self, index: int) -> bool:
         """Whether an unfinished expression ran into the next equation: ``a = 1 +  b = 2``."""
+        if not self._next_has_begun(index) or self._outline.can_end(index - 2):
+            return False
+        before = self._tokens[index - 2].text
+        return before not in ("(", ",", ":", "{") or self._outline.begins_line(index - 1)
+
+    def _next_has_begun(self, index: int) -> bool:
+        """Whether the token before ``index`` is the name in front of an equation."""
         if index < 2 or self._token(index).kind not in ("=", ":"):
             return False
-        return self._tokens[index - 1].kind == "NAME" and not self._outline.can_end(index - 2)
-
-    def _hint(self, index: int, found: Token, expected: set[str]) -> str:
-        """The edit that is probably wanted, for habits from other languages."""
-        previous = self._tokens[index - 1] if index else found
-        if found.kind == "==" and "=" in expected:
-            return "an equation is written with a single `=`"
-        if expected & {"=", "when"} and (hint := _statement(previous.text)):
-            return hint
-        if found.kind == "NAME" and "=" in expected and previous.kind == "NAME":
-            if previous.text in _DECLARATORS:
-                return f"equations need no `{previous.text}`: write `{found.text} = …`"
-            if self._token(index + 1).kind == "=":
-                return f"a type stands behind the name: write `{found.text} : {previous.text} = …`"
-        return ""
+        return self._tokens[index - 1].kind == "NAME"
 
     def _token(self, index: int) -> Token:
         """The token at ``index``, or one for the end of the file."""

@@ -40,7 +40,7 @@ def describe_expected(expected: set[str]) -> str:
     elif "param" in left:
         kinds.append("a member")
         left -= _MEMBER
-    if "+" in left or {".", "["} <= left:
+    if left & {"+", "or"} or {".", "["} <= left:
         left -= _OPERATORS
         kinds = kinds or ["an operator"]
     kinds += sorted(_WORDS.get(symbol, f"`{symbol}`") for symbol in left)

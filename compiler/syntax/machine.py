@@ -84,15 +84,26 @@ class Machine:
 
     def unwind(self, origins: Sequence[str]) -> bool:
         """Drop what is unfinished, down to where one of ``origins`` may begin; False if nowhere."""
+        depth = self._depth(origins)
+        if depth is None:
+            return False
+        del self._states[depth + 1 :]
+        del self._values[depth:]
+        del self._starts[depth:]
+        del self._ends[depth:]
+        return True
+
+    def begun(self, origins: Sequence[str]) -> int | None:
+        """The place in the text where what ``unwind`` would drop begins, if it drops anything."""
+        depth = self._depth(origins)
+        return None if depth is None or depth == len(self._starts) else self._starts[depth]
+
+    def _depth(self, origins: Sequence[str]) -> int | None:
         gotos = self._tables.gotos
         for depth in range(len(self._states) - 1, -1, -1):
             if any(origin in gotos[self._states[depth]] for origin in origins):
-                del self._states[depth + 1 :]
-                del self._values[depth:]
-                del self._starts[depth:]
-                del self._ends[depth:]
-                return True
-        return False
+                return depth
+        return None
 
     def expected(self) -> set[str]:
         """The symbols that the grammar has a place for, now."""

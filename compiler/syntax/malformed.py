@@ -2,33 +2,42 @@
 
 from __future__ import annotations
 
+import re
+
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from .tokens import Token
 
 MALFORMED = [
+    ("DIRECTIVE", r"#(?:define|undef|include|version|pragma|extension|ifn?def|if|endif)\b[^\n]*"),
+    ("HASH", r"#(?![\w])[^\n]*"),
     ("BAD_NAME", r"[^\W\d]\w*"),
     ("BAD_NUMBER", r"(?:[0-9]+(?:\.(?!\.)[0-9]*)?|\.[0-9]+)(?:[eE][+-][0-9]+)?\w*"),
     ("BAD_COLOR", r"#\w*"),
     ("BAD_STRING", r'"[^"\n]*'),
     ("BAD_COMMENT", r"/\*[\s\S]*"),
-    ("FOREIGN", r"&&|\|\||\+\+|\*\*|(?:[-+*/%&|^]|<<|>>)=|::|=>|!(?!=)|[%?]"),
+    ("FOREIGN", r"&&|\|\||\+\+|\*\*|:=|<>|[=!]==|\.\.=|(?:[-+*/%&|^]|<<|>>)=|::|=>|!(?!=)|[%?]"),
 ]
 """Tried after the proper patterns, before the marks."""
 
 _SIMPLE = {
     "BAD_NAME": (rules.BAD_NAME, "NAME", ""),
     "BAD_COLOR": (rules.BAD_COLOR, "COLOR", "#000"),
-    "BAD_STRING": (rules.UNFINISHED_TEXT, "STRING", '""'),
+    "BAD_STRING": (rules.UNFINISHED_TEXT, "STRING", ""),
 }
 """The rule that is broken, and the token put in place."""
 
-_INSTEAD = {"&&": "and", "||": "or", "!": "not", "%": "mod"}
+_INSTEAD = {
+    "&&": "and", "||": "or", "!": "not", "%": "mod", ":=": "=", "<>": "!=", "===": "==",
+    "!==": "!=", "..=": "..",
+}  # fmt: skip
 
 _HINTS = {
     "?": "write `if condition then a else b`",
     "=>": "an equation is written `name = expression`",
+    ":=": "an equation is written `name = expression`",
+    "..=": "write `..`; the upper bound of a fold is not among its numbers",
     "**": "a power is written `pow(x, y)`",
     "++": "nothing changes its value: an equation gives a new name to `x + 1`",
     **dict.fromkeys(
@@ -36,6 +45,15 @@ _HINTS = {
         "nothing changes its value: an equation `name = expression` gives a new name to it",
     ),
 }
+
+
+_CHARACTERS = {
+    "°": "write `deg`", "×": "write `*`", "·": "write `*`", "÷": "write `/`", "–": "write `-`",
+    "−": "write `-`", "≤": "write `<=`", "≥": "write `>=`", "≠": "write `!=`",
+    "\N{LEFT DOUBLE QUOTATION MARK}": 'write `"`', "\N{RIGHT DOUBLE QUOTATION MARK}": 'write `"`',
+    "π": "write `pi`",
+}  # fmt: skip
+"""What is meant by characters that painting and writing programs put in."""
 
 
 def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
@@ -47,15 +65,37 @@ def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
     if kind == "BAD_COMMENT":
         report.add(rules.UNFINISHED_COMMENT, Span(span.source, span.start, span.start + 2))
         return None
+    if kind in ("DIRECTIVE", "HASH"):
+        _hash(word, span, report)
+        return None
     if kind not in _SIMPLE:
-        report.add(rules.UNKNOWN_CHARACTER, span, character=_character(word[0]))
+        hint = _CHARACTERS.get(word[0], "")
+        report.add(rules.UNKNOWN_CHARACTER, span, character=_character(word[0]), hint=hint)
         return Token("FOREIGN", word, span.start, span.end)
     rule, symbol, instead = _SIMPLE[kind]
     report.add(rule, span, text=word)
+    if kind == "BAD_STRING":
+        instead = f'{word}"'
     return Token(symbol, instead or word, span.start, span.end)
 
 
+def _hash(line: str, span: Span, report: Report) -> None:
+    """A line of another language's: a remark, or one for a preprocessor, with what it defines."""
+    words = line.split()
+    hint = "a remark begins with `//`"
+    if words[0] != "#":
+        hint = "there is no preprocessor: a constant is `name = expression`, a file is imported"
+        report.unread(word.partition("(")[0] for word in words[1:2])
+    mark = Span(span.source, span.start, span.start + len(words[0]))
+    report.add(rules.UNKNOWN_CHARACTER, mark, character=_character("#"), hint=hint)
+
+
 def _number(word: str, span: Span, report: Report) -> Token:
+    number = re.match(r"[0-9.]+(?=°|degrees?$)", word)
+    if number:
+        better = f"{number[0]}deg"
+        report.add(rules.BAD_NUMBER, span, text=word, hint=f"write `{better}`")
+        return Token("NUMBER", better, span.start, span.end)
     digits = word.rstrip("fFhHlL")
     better = f"{digits}0" if digits.endswith(".") else digits
     proper = better.replace(".", "", 1).isdigit()
@@ -65,7 +105,7 @@ def _number(word: str, span: Span, report: Report) -> Token:
 
 def _foreign(word: str, span: Span, report: Report) -> Token:
     instead = _INSTEAD.get(word, "")
-    hint = f"write `{instead}`" if instead else _HINTS.get(word, "")
+    hint = _HINTS.get(word) or (f"write `{instead}`" if instead else "")
     report.add(rules.FOREIGN_OPERATOR, span, operator=word, hint=hint)
     return Token(instead or "FOREIGN", instead or word, span.start, span.end)
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from itertools import chain
+from operator import attrgetter
 from typing import cast
 
 from ..diagnostics import rules
@@ -35,6 +37,7 @@ def parse(source: Source, report: Report) -> ast.File:
         for line in lexed.docs.unclaimed():
             found.add(rules.STRAY_DOC, Span(source, line.start, line.end))
     report.extend(sorted(found.diagnostics, key=_place))
+    report.unread(found.unread_names | parser.unread)
     edition = max((part[0] for part in parts), default=1)
     declarations = tuple(chain.from_iterable(part[1] for part in parts))
     return ast.File(source, edition, "\n".join(lexed.docs.file), declarations)
@@ -53,11 +56,14 @@ class _Parser:
         self._machine = machine
         self._complaints = complaints
         self._words = load_tables().literals
+        self.unread: set[str] = set()
+        """Names that what could not be read may have declared."""
 
     def parse(self, chunk: Chunk) -> tuple[int, tuple[ast.Declaration, ...]]:
         """The edition and declarations of ``chunk``, less what is broken in it."""
         if chunk.too_deep is not None:
             self._complaints.too_deep(chunk.too_deep)
+            self._give_up(chunk.start, chunk.start + 1, chunk.end)
             return 1, ()
         self._machine.reset()
         index, failed = chunk.start, -1
@@ -65,8 +71,10 @@ class _Parser:
             if self._machine.feed(self._symbol(index), self._tokens[index]):
                 index += 1
             else:
-                begin = self._complaints.report(index, chunk, self._machine.expected())
-                index, failed = self._next_start(max(begin, failed + 1), chunk), index
+                start = self._start(index)
+                begin = self._complaints.report(index, chunk, self._machine.expected(), start)
+                failed, index = index, self._next_start(max(begin, failed + 1), chunk)
+                self._give_up(start, failed, index)
         self._finish(chunk)
         return cast(tuple[int, tuple[ast.Declaration, ...]], self._machine.result)
 
@@ -87,6 +95,32 @@ class _Parser:
             return [t.kind for t in following[:1]] != ["NAME"] or following[-1].text != second
         return bool(following) and following[0].kind in ("=", ":")
 
+    def _start(self, index: int) -> int:
+        """The first token of the member or declaration that cannot be read on at ``index``."""
+        start = self._machine.begun(_BODY_PARTS)
+        if start is None and not self._machine.knows("param"):
+            start = self._machine.begun(_FILE_PARTS)
+        if start is None:
+            return index
+        return bisect_left(self._tokens, start, key=attrgetter("start"))
+
+    def _give_up(self, start: int, failed: int, end: int) -> None:
+        """Keep the names that the tokens from ``start`` to ``end`` may have been to declare.
+
+        They are all up to the first that ``failed``, with those written next to them, and what
+        looks like a declaration after that.
+        """
+        while start > 0 and self._tokens[start - 1].kind == "NAME" and self._same_line(start):
+            start -= 1
+        for index in range(start, min(end + 1, len(self._tokens))):
+            declared = index <= failed + 1 or self._outline.begins_member(index)
+            if declared and self._tokens[index].kind == "NAME":
+                self.unread.add(self._tokens[index].text)
+
+    def _same_line(self, index: int) -> bool:
+        """Whether a token stands on the line of the one before it."""
+        return not self._outline.begins_line(index)
+
     def _next_start(self, begin: int, chunk: Chunk) -> int:
         """Drop what is broken; the next token from ``begin`` that can be read after that."""
         if not self._machine.unwind(_BODY_PARTS):
@@ -104,7 +138,9 @@ class _Parser:
         end, brace = Token(END, "", last, last), Token("}", "}", last, last)
         if self._machine.feed(END, end):
             return
-        self._complaints.report(chunk.end, chunk, self._machine.expected())
+        start = self._start(chunk.end)
+        self._complaints.report(chunk.end, chunk, self._machine.expected(), start)
+        self._give_up(start, chunk.end, chunk.end)
         if not self._machine.feed("}", brace):
             origins = _BODY_PARTS if self._machine.unwind(_BODY_PARTS) else _FILE_PARTS
             self._machine.unwind(origins)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from ...frozen import changed
 from .facts import Fact
 from .row import EXACT, Accuracy, Builtin, nowhere
 
@@ -16,14 +17,6 @@ _FIELD = "The field ends at bit 31: an offset is clamped to 0 to 32, and the cou
 BITS = 32
 
 
-def _whole(lo: float, hi: float) -> Fact:
-    return Fact(lo, hi, kind="int")
-
-
-def _unknown(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact().as_kind(facts[0].kind)
-
-
 def _intersection(facts: tuple[Fact, ...], _same: bool) -> Fact:
     """No bit is added: an operand without a sign bounds the result."""
     ends = [fact.hi for fact in facts if fact.lo >= 0]
@@ -31,7 +24,7 @@ def _intersection(facts: tuple[Fact, ...], _same: bool) -> Fact:
     return Fact(0.0, min(ends), kind=kind) if ends else Fact().as_kind(kind)
 
 
-def _union(facts: tuple[Fact, ...], _same: bool) -> Fact:
+def _difference(facts: tuple[Fact, ...], _same: bool) -> Fact:
     """Without signs, no bit is set above the highest of either."""
     kind = facts[0].kind
     if any(fact.lo < 0 for fact in facts):
@@ -40,10 +33,17 @@ def _union(facts: tuple[Fact, ...], _same: bool) -> Fact:
     return Fact(0.0, top, kind=kind)
 
 
-def _complement(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    (x,) = facts
-    shift = -1.0 if x.kind == "int" else 2.0**BITS - 1
-    return Fact(shift - x.hi, shift - x.lo, kind=x.kind)
+def _union(facts: tuple[Fact, ...], same: bool) -> Fact:
+    """As ``_difference``; and no bit is lost."""
+    union = _difference(facts, same)
+    return changed(union, lo=max(fact.lo for fact in facts)) if union.lo >= 0 else union
+
+
+def _shifted_left(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    x, amount = facts
+    if x.lo < 0 or not amount.within(0, BITS - 1):
+        return Fact().as_kind(x.kind)
+    return Fact(x.lo * 2.0**amount.lo, x.hi * 2.0**amount.hi, kind=x.kind)
 
 
 def _shifted_right(facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -65,15 +65,7 @@ def _is_unsigned(facts: tuple[Fact, ...]) -> bool:
 
 
 def _count(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return _whole(0, BITS)
-
-
-def _place(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return _whole(-1, BITS - 1)
-
-
-def _any_bits(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact().as_kind("uint")
+    return Fact(0.0, BITS, kind="int")
 
 
 def _is_number(facts: tuple[Fact, ...]) -> bool:
@@ -84,14 +76,6 @@ def _are_numbers(facts: tuple[Fact, ...]) -> bool:
     """Neither zero nor subnormal, infinite or NaN."""
     (x,) = facts
     return x.within(0x00800000, 0x7F7FFFFF) or x.within(0x80800000, 0xFF7FFFFF)
-
-
-def _exponent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return _whole(-125, 128)
-
-
-def _mantissa(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact(-1.0, 1.0)
 
 
 _TOTAL = Accuracy("exact", "integers and bit patterns")
@@ -118,7 +102,7 @@ ROWS = (
         signatures=_PAIR,
         doc="The bits that just one has.",
         operator="^",
-        range=_union,
+        range=_difference,
         accuracy=_TOTAL,
     ),
     Builtin(
@@ -126,7 +110,6 @@ ROWS = (
         signatures=("I -> I",),
         doc="The bits that it has not.",
         operator="~",
-        range=_complement,
         accuracy=_TOTAL,
     ),
     Builtin(
@@ -135,9 +118,10 @@ ROWS = (
         doc="The bits moved up; zeros follow. The amount is an `int` or a `uint`.",
         operator="<<",
         domain=_shifts,
+        needs="the amount is a `uint` below 32",
         outside=_BY_32,
         expansion="shift_left",
-        range=_unknown,
+        range=_shifted_left,
         accuracy=_TOTAL,
         samples=((1, 31), (1, 32), (1, 33), (-1, 4)),
     ),
@@ -150,6 +134,7 @@ ROWS = (
         ),
         operator=">>",
         domain=_shifts,
+        needs="the amount is a `uint` below 32",
         outside=_BY_32,
         expansion="shift_right",
         range=_shifted_right,
@@ -171,7 +156,6 @@ ROWS = (
         signatures=("I -> I",),
         doc="The bits in the opposite order.",
         definition="reverse_bits",
-        range=_unknown,
         accuracy=_TOTAL,
         cost=2,
         samples=((0,), (1,), (-2,)),
@@ -187,7 +171,6 @@ ROWS = (
         outside="DXC takes an `int` for a `uint`, so that of an `int` is found by way of one.",
         expansion="first_leading_bit",
         definition="first_leading_bit",
-        range=_place,
         accuracy=_TOTAL,
         cost=2,
         samples=((0,), (-1,), (1,), (-2,)),
@@ -197,7 +180,6 @@ ROWS = (
         signatures=("I -> J",),
         doc="The place of the lowest bit that is set, counted from 0; -1 where there is none.",
         definition="first_trailing_bit",
-        range=_place,
         accuracy=_TOTAL,
         cost=2,
         samples=((0,), (-1,), (8,)),
@@ -212,7 +194,6 @@ ROWS = (
         domain=nowhere,
         outside=_FIELD,
         expansion="extract_bits",
-        range=_unknown,
         accuracy=_TOTAL,
         cost=6,
         samples=((-256, 4, 8), (7, 0, 0), (-1, 28, 9), (-1, -3, 40), (5, 40, 2)),
@@ -227,7 +208,6 @@ ROWS = (
         domain=nowhere,
         outside=_FIELD,
         expansion="insert_bits",
-        range=_unknown,
         accuracy=_TOTAL,
         cost=8,
         samples=((0, -1, 4, 8), (7, 0, 0, 0), (0, -1, 28, 9), (5, -1, 40, 2)),
@@ -237,9 +217,9 @@ ROWS = (
         signatures=_TO_UINT,
         doc="The bits of the float32 (IEEE 754 binary32): sign, 8 of exponent, 23 of fraction.",
         domain=_is_number,
+        needs="the operand is not 0",
         outside="Magnitudes below 2^-126 and -0.0 count as 0, whose bits are 0.",
         expansion="bits_of",
-        range=_any_bits,
         accuracy=_TOTAL,
         samples=((0.0,), (-0.0,), (1.0,), (-2.5,), (1e-40,), (3.4028234663852886e38,)),
     ),
@@ -248,6 +228,7 @@ ROWS = (
         signatures=_FROM_UINT,
         doc="The float32 that has these bits.",
         domain=_are_numbers,
+        needs="the bits of a number that is not 0",
         outside=(
             "0 for the bits of what is no number here: infinities, NaN, and magnitudes below "
             "2^-126, zeros among them."
@@ -264,7 +245,6 @@ ROWS = (
         domain=nowhere,
         outside="0 for magnitudes below 2^-126.",
         expansion="exponent",
-        range=_exponent,
         accuracy=_TOTAL,
         cost=4,
         samples=((0.0,), (1.0,), (-0.75,), (1e-40,)),
@@ -276,7 +256,6 @@ ROWS = (
         domain=nowhere,
         outside="0 for magnitudes below 2^-126.",
         expansion="mantissa",
-        range=_mantissa,
         accuracy=EXACT,
         cost=4,
         samples=((0.0,), (1.0,), (-0.75,), (1e-40,)),

@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-from .facts import Fact
 from .row import EXACT, Builtin, nowhere
 
 _ORDERED = ("N, N -> Q",)
 _LOGIC = ("B, B -> B",)
 _LANES = ("bvec2 -> bool", "bvec3 -> bool", "bvec4 -> bool")
-
-
-def _either(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    x, y = facts[1:]
-    return Fact(min(x.lo, y.lo), max(x.hi, y.hi), x.excludes_zero and y.excludes_zero, kind=x.kind)
 
 
 def _comparison(
@@ -75,11 +69,11 @@ ROWS = (
     Builtin(
         name="choose",
         signatures=("Q, P, P -> P",),
+        meaning="limits",
         doc="choose(c, x, y): x where the condition holds, else y, lane by lane.",
         domain=nowhere,
         outside="Both are computed: it is no branch. For one condition, write `if`.",
         expansion="choose",
-        range=_either,
         accuracy=EXACT,
     ),
 )

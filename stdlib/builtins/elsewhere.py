@@ -221,7 +221,13 @@ TYPES: Mapping[str, str] = MappingProxyType(
         **{f"mat{n}x{n}f": f"mat{n}" for n in (2, 3, 4)},
         "f32": "float", "f16": "float", "half": "float", "double": "float", "i32": "int",
         "u32": "uint", "dword": "uint", "sampler2D": "texture2d", "Texture2D": "texture2d",
-        "texture_2d": "texture2d", "color": "rgb", "colour": "rgb",
+        "texture_2d": "texture2d",
+        "sampler3D": "texture3d", "Texture3D": "texture3d", "texture_3d": "texture3d",
+        "samplerCube": "texture_cube", "TextureCube": "texture_cube",
+        "sampler2DArray": "texture2d_array", "Texture2DArray": "texture2d_array",
+        "texture_2d_array": "texture2d_array", "sampler2DShadow": "depth2d",
+        "texture_depth_2d": "depth2d", "isampler2D": "itexture2d", "usampler2D": "utexture2d",
+        "color": "rgb", "colour": "rgb",
     }
 )  # fmt: skip
 """Types of other languages, and the nearest one here."""
@@ -231,6 +237,12 @@ VALUES: Mapping[str, str] = MappingProxyType(
         "gl_FragCoord": "frag_coord", "SV_Position": "frag_coord",
         "gl_FrontFacing": "front_facing", "SV_IsFrontFace": "front_facing",
         "gl_Position": "clip_position", "gl_FragColor": "color",
+        "gl_VertexID": "vertex_index", "SV_VertexID": "vertex_index", "vertex_id": "vertex_index",
+        "gl_InstanceID": "instance_index", "SV_InstanceID": "instance_index",
+        "instance_id": "instance_index", "M_PI": "pi", "PI": "pi", "True": "true", "TRUE": "true",
+        "False": "false", "FALSE": "false",  "red": "#f00", "green": "#0f0",
+        "blue": "#00f", "yellow": "#ff0", "white": "#fff", "black": "#000", "gray": "#808080",
+        "grey": "#808080",
     }
 )  # fmt: skip
 """What other pipelines supply or take."""
@@ -249,6 +261,30 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         "switch": "there are no statements; `if c then a else b` chooses",
         "discard": "a pass says `discard when condition`",
         "sampler": "a texture is `map name : texture2d`",
+        **dict.fromkeys(
+            ("def", "func", "function", "sub", "proc"),
+            "a function is `fn name(x: float, y: vec3) -> float = expression`",
+        ),
+        **dict.fromkeys(
+            ("class", "shader", "surface", "technique", "effect"),
+            "a surface is `material Name { … }`",
+        ),
+        **dict.fromkeys(
+            ("include", "using", "use", "from", "require"),
+            "a file is imported by `import std.terms` or `import std.terms.{lambert}`",
+        ),
+        **dict.fromkeys(
+            ("export", "public", "private"),
+            "all that a file declares can be imported from it; no word says so",
+        ),
+        **dict.fromkeys(
+            ("enum", "typedef", "type", "interface", "namespace", "module"),
+            "types are made by `struct Name { member : type, … }` only",
+        ),
+        "super": "the value that a base gives is `inherited.name`",
+        **dict.fromkeys(("this", "self"), "a record's own slots are read by their names alone"),
+        **dict.fromkeys(("null", "nil", "None"), "every slot has a value"),
+        "burnish": "`burnish 1` stands in front of all declarations",
         **dict.fromkeys(
             ("static", "inline", "precise", "highp", "mediump", "lowp", "invariant", "flat"),
             "an equation is `name = expression`; the compiler sees to the rest",

@@ -53,10 +53,6 @@ def _logarithm2(facts: tuple[Fact, ...], _same: bool) -> Fact:
     return _log2(facts[0], 1.0)
 
 
-def _logarithm10(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return _log2(facts[0], math.log10(2.0))
-
-
 def _log2(x: Fact, scale: float) -> Fact:
     """Bounds on ``scale * log2(x)``; near 1 the error is absolute."""
     lo, hi = (
@@ -168,7 +164,6 @@ ROWS = (
         domain=nowhere,
         outside="Operands below the smallest normal number, 2^-126, count as that.",
         expansion="log10",
-        range=_logarithm10,
         cost=5,
         samples=((0.0,), (-1.0,), (1.0,), (1000.0,)),
     ),

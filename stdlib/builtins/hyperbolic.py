@@ -12,8 +12,6 @@ _FLOATS = ("T -> T",)
 _TANH = Accuracy("the worse of abs 1e-5 and inherited", WGSL_ACCURACY)
 _FLAT = 16.0
 """From here on tanh is 1 in float32; further out, the quotient of exponentials would overflow."""
-_FARTHEST = 9.0
-"""atanh of the greatest float32 below 1 is 8.66."""
 
 
 def _tangent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -24,14 +22,6 @@ def _cosine(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     return Fact(1.0 - 2.0**-20, math.inf)
 
 
-def _not_negative(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact(-(2.0**-20), math.inf)
-
-
-def _inverse_tangent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact(-_FARTHEST, _FARTHEST)
-
-
 def _is_near(facts: tuple[Fact, ...]) -> bool:
     return facts[0].within(-_FLAT, _FLAT)
 
@@ -40,12 +30,14 @@ ROWS = (
     Builtin(
         name="sinh",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="Hyperbolic sine, (exp(x) - exp(-x)) / 2. Beyond 88 the result leaves float32.",
         cost=10,
     ),
     Builtin(
         name="cosh",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="Hyperbolic cosine, (exp(x) + exp(-x)) / 2. Beyond 88 the result leaves float32.",
         range=_cosine,
         cost=10,
@@ -53,8 +45,10 @@ ROWS = (
     Builtin(
         name="tanh",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="Hyperbolic tangent, sinh(x) / cosh(x).",
         domain=_is_near,
+        needs="the operand lies within -16..16",
         outside="-1 or 1 beyond -16 to 16, also where exponentials leave float32.",
         expansion="tanh",
         range=_tangent,
@@ -65,6 +59,7 @@ ROWS = (
     Builtin(
         name="asinh",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="The x whose hyperbolic sine this is: log(x + sqrt(x * x + 1)).",
         domain=nowhere,
         outside="Also where the square leaves float32, and without loss for negative operands.",
@@ -75,22 +70,22 @@ ROWS = (
     Builtin(
         name="acosh",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="The x of 0 or more whose hyperbolic cosine this is: log(x + sqrt(x * x - 1)).",
         domain=nowhere,
         outside="0 for operands below 1.",
         expansion="acosh",
-        range=_not_negative,
         cost=14,
         samples=((1.0,), (0.0,), (2.0,), (1e30,)),
     ),
     Builtin(
         name="atanh",
         signatures=_FLOATS,
+        meaning="numbers",
         doc="The x whose hyperbolic tangent this is: log((1 + x) / (1 - x)) / 2.",
         domain=nowhere,
         outside="The operand is clamped to -0.99999994 to 0.99999994, the last floats within.",
         expansion="atanh",
-        range=_inverse_tangent,
         cost=12,
         samples=((0.0,), (0.5,), (1.0,), (-7.0,)),
     ),

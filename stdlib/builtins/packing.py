@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
-from .bits import BITS
-from .facts import Fact
-from .row import Accuracy, Builtin, RangeRule, nowhere
+from .row import Accuracy, Builtin, nowhere
 
 _PACKED = Accuracy("correct, but for the choice at a half", "by its expansion")
 _UNPACKED = Accuracy("2.5 ulp", "by its expansion, a division")
 _EXACT = Accuracy("exact", "integers and bit patterns")
-_LARGEST_HALF = 65504.0
-UNIT, SIGNED_UNIT = (0.0, 1.0), (-1.0, 1.0)
-
-
-def _any_bits(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact(0.0, 2.0**BITS - 1, kind="uint")
-
-
-def _between(lo: float, hi: float) -> RangeRule:
-    fact = Fact(lo, hi)
-    return lambda _facts, _same: fact
 
 
 def _pack(name: str, vector: str, doc: str, outside: str) -> Builtin:
@@ -30,16 +17,13 @@ def _pack(name: str, vector: str, doc: str, outside: str) -> Builtin:
         domain=nowhere,
         outside=outside,
         expansion=name,
-        range=_any_bits,
         accuracy=_PACKED,
         cost=12,
         samples=((0.0,), (1.0,), (-1.0,), (2.0,), (0.5,)),
     )
 
 
-def _unpack(
-    name: str, vector: str, doc: str, ends: tuple[float, float], accuracy: Accuracy = _UNPACKED
-) -> Builtin:
+def _unpack(name: str, vector: str, doc: str, accuracy: Accuracy = _UNPACKED) -> Builtin:
     return Builtin(
         name=name,
         signatures=(f"uint -> {vector}",),
@@ -47,7 +31,6 @@ def _unpack(
         domain=nowhere,
         outside="Every pattern of bits has a value.",
         expansion=name,
-        range=_between(*ends),
         accuracy=accuracy,
         cost=8,
         samples=((0,), (0xFFFFFFFF,), (0x80FF7F01,)),
@@ -68,22 +51,18 @@ ROWS = (
         "Two lanes as floats of 16 bits (IEEE 754 binary16), rounded to the nearest, ties to even.",
         "Lanes are clamped to -65504 to 65504, the largest such floats; zeros have no sign.",
     ),
-    _unpack("unpack_unorm4x8", "vec4", "Four bytes as lanes: byte / 255.", UNIT),
-    _unpack(
-        "unpack_snorm4x8", "vec4", "Four signed bytes as lanes: max(byte / 127, -1).", SIGNED_UNIT
-    ),
-    _unpack("unpack_unorm2x16", "vec2", "Two times 16 bits as lanes: bits / 65535.", UNIT),
+    _unpack("unpack_unorm4x8", "vec4", "Four bytes as lanes: byte / 255."),
+    _unpack("unpack_snorm4x8", "vec4", "Four signed bytes as lanes: max(byte / 127, -1)."),
+    _unpack("unpack_unorm2x16", "vec2", "Two times 16 bits as lanes: bits / 65535."),
     _unpack(
         "unpack_snorm2x16",
         "vec2",
         "Two times 16 signed bits as lanes: max(bits / 32767, -1).",
-        SIGNED_UNIT,
     ),
     _unpack(
         "unpack_half2x16",
         "vec2",
         "Two floats of 16 bits; infinities and NaN are 0.",
-        (-_LARGEST_HALF, _LARGEST_HALF),
         _EXACT,
     ),
     Builtin(
@@ -93,7 +72,6 @@ ROWS = (
         domain=nowhere,
         outside="Clamped to -65504 to 65504.",
         expansion="quantize_half",
-        range=_between(-_LARGEST_HALF, _LARGEST_HALF),
         accuracy=_EXACT,
         cost=12,
         samples=((0.1,), (1e-6,), (70000.0,), (2049.0,), (1e-9,)),

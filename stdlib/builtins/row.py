@@ -88,7 +88,8 @@ class Builtin:
     """Infix or prefix spelling common to all targets; empty for functions."""
     domain: Domain = everywhere
     needs: str = ""
-    """What ``domain`` asks of the operands, in words, for proofs."""
+    """What ``domain`` asks of the operands, in words, for proofs; empty where there
+    is nothing to prove, since types alone decide or the domain is ``nowhere``."""
     outside: str = ""
     """The meaning outside the naive domain, for the manual."""
     expansion: str = ""

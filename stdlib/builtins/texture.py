@@ -24,6 +24,11 @@ def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
     return facts[-1].within(0.0, 1.0)
 
 
+def _share(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    """What a comparison gives, or a mean of some."""
+    return Fact(0.0, 1.0)
+
+
 def _counted(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     """At least one of everything, and no more than any device has."""
     return Fact(1.0, 65536.0, nonzero=True)
@@ -91,9 +96,10 @@ ROWS = (
         doc="The share, filtered, of depths at a coordinate that the last operand compares with as "
         "the map says: with `less_equal`, 1 where it is not behind what is stored. Reads level 0.",
         domain=_reference_is_depth,
+        needs="the reference lies in 0..1",
         outside="References are taken to 0..1, where depths are.",
         expansion="compare",
-        range=lambda _facts, _same: Fact(0.0, 1.0),
+        range=_share,
         accuracy=FILTERED,
         cost=16,
         sampler="comparison",
@@ -106,9 +112,10 @@ ROWS = (
         signatures=("depth2d, vec2, float -> vec4", "depth2d_array, vec2, int, float -> vec4"),
         doc="The four comparisons that a filtered one mixes, each 0 or 1, as `gather` orders them.",
         domain=_reference_is_depth,
+        needs="the reference lies in 0..1",
         outside="References are taken to 0..1, where depths are.",
         expansion="gather_compare",
-        range=lambda _facts, _same: Fact(0.0, 1.0),
+        range=_share,
         accuracy=TEXEL,
         cost=16,
         sampler="comparison",
@@ -122,6 +129,7 @@ ROWS = (
         signatures=("G, W, int -> E", "H, ivec2, int, int -> E"),
         doc="One texel by its place, the first at the top left, and its level; not filtered.",
         domain=_all_zero,
+        needs="place, layer and level are 0, which every texture has",
         outside="Places, layers and levels beyond the texture are those at its edge.",
         expansion="load",
         accuracy=TEXEL,
@@ -136,6 +144,7 @@ ROWS = (
         signatures=("X, int -> W",),
         doc="The size of a level in texels; of one layer or face.",
         domain=_all_zero,
+        needs="the level is 0, which every texture has",
         outside="Levels beyond the last one have its size.",
         expansion="texture_size",
         range=_counted,

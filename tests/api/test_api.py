@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 import burnish
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
+PLASTIC = EXAMPLES / "plastic.burnish"
 TWO = "material A { color = vec3(1) }\nmaterial B { color = vec3(0) }\n"
 LIGHTS = "import std.lights.{Point}\nimport std.terms.{lambert, phong}\n"
 
@@ -74,3 +79,19 @@ def test_sums_that_share_sums_take_no_longer_than_their_graph() -> None:
     )
     source = f"fn f0(x: float) -> float = x\n{functions}\nmaterial A {{ alpha = f39(uv.x) }}"
     assert burnish.compile(source, ("glsl",))["A"].text("glsl", "fragment").count("sin(") == 39
+
+
+def test_what_was_compiled_before_changes_nothing() -> None:
+    """Not even the order of a reflection's lists: hosts compare them with stored ones."""
+    script = (
+        "import burnish, json, sys\n"
+        "material = burnish.compile(sys.argv[1]).materials[0]\n"
+        "print(json.dumps([[file.text for file in material.files], material.reflection]))"
+    )
+    fresh = subprocess.run(
+        [sys.executable, "-c", script, PLASTIC], capture_output=True, check=True, text=True
+    )
+    for other in ("normal_map", "skinned", "octaves"):
+        burnish.compile(EXAMPLES / f"{other}.burnish")
+    (material,) = burnish.compile(PLASTIC)
+    assert [[file.text for file in material.files], material.reflection] == json.loads(fresh.stdout)

@@ -15,6 +15,9 @@ from .lean import STAGES
 from .table import Row, Section
 
 LENGTHS = (10, 100, 1000, 10_000)
+LONGEST = 100_000
+"""Tried of the plainest shape only: it takes a minute."""
+DEPTHS = (10, 20, 30)
 ACCEPTED = 5000
 TIME_LIMIT = 300.0
 PATIENCE = 10.0
@@ -28,6 +31,9 @@ def measure() -> Iterator[Section]:
     rows = {name: list(_lengths(name, text)) for name, text in SHAPES.items()}
     everything = [row for found in rows.values() for row in found]
     yield Section("chains", "Time a node, text to all targets", everything)
+    yield Section("longest", f"A chain of {LONGEST} equations, text to WGSL", [_longest()])
+    doubled = list(map(_doubled, DEPTHS))
+    yield Section("doublings", "What would double at each step if sharing were lost", doubled)
     bearable = [name for name, found in rows.items() if len(found) == len(LENGTHS)]
     answers = [row for name in bearable for row in _answers(name, SHAPES[name](ACCEPTED))]
     yield Section("accepted", f"Chains of {ACCEPTED} nodes downstream", answers)
@@ -55,6 +61,14 @@ def total(length: int) -> str:
     return _material(f"total = {terms}\ncolor = vec3(total)")
 
 
+def doublings(depth: int) -> str:
+    """Values and functions that each use the one before twice."""
+    steps = "\n".join(f"x{i + 1} = twice(x{i}) + twice(x{i})" for i in range(depth))
+    function = "fn twice(x: float) -> float = half(half(x) + half(x))\n"
+    function += "fn half(x: float) -> float = sin(x + x)\n"
+    return function + _material(f"x0 = uv.x\n{steps}\ncolor = vec3(x{depth})")
+
+
 SHAPES: dict[str, Callable[[int], str]] = {
     "equations": equations,
     "affine": affine,
@@ -62,8 +76,25 @@ SHAPES: dict[str, Callable[[int], str]] = {
 }
 
 
+def _longest() -> Row:
+    source = equations(LONGEST)
+    start = perf_counter()
+    (material,) = burnish.compile(source, ("wgsl",)).materials
+    spent = perf_counter() - start
+    lines = material.text("wgsl", "fragment").count("\n")
+    return {"seconds": spent, "us a node": 1e6 * spent / LONGEST, "lines": lines}
+
+
+def _doubled(depth: int) -> Row:
+    source = doublings(depth)
+    (material,) = burnish.compile(source).materials
+    best = min(seconds(partial(burnish.compile, source), 10))
+    lines = material.text("wgsl", "fragment").count("\n")
+    return {"depth": depth, "best ms": 1000 * best, "lines of WGSL": lines}
+
+
 def _material(body: str) -> str:
-    return f"burnish 1\nmaterial Long {{\n{body}\n}}\n"
+    return f"material Long {{\n{body}\n}}\n"
 
 
 def _lengths(name: str, shape: Callable[[int], str]) -> Iterator[Row]:

@@ -59,7 +59,8 @@ material Everything {
     map   second   : texture2d = gray
     map   bumps    : texture2d = flat_normal
 
-    color = vec3(exponent + far + half + below + free + large + float(signed + lowest)) * dim * vec3(near)
+    color = vec3(exponent + far + half + below + free + large + float(signed + lowest)) * dim
+        * vec3(near)
         + way * place + vec3(axis) + turn[0] + corner[1].xyz * angled + vec3(flags) * weights[2]
         + parts[1].tint * vec3(parts[2].way) * float(parts[0].count) + vec3(parts[1].turn[0], 1)
         + (first(uv) + second(uv) + bumps(uv)).rgb + vec3(masks.xyz) * float(highest)

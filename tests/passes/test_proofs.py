@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,8 @@ from burnish.compiler.ir.rulebook import RULES, rule_names
 from burnish.compiler.passes import guard
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.stdlib.builtins import BUILTINS
-from burnish.stdlib.builtins.row import everywhere, nowhere
+from burnish.stdlib.builtins.facts import UNKNOWN, Fact, Kind
+from burnish.stdlib.builtins.row import Builtin
 from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
 from tests.golden import assert_golden
@@ -22,11 +24,8 @@ from tests.golden import assert_golden
 from .kit import shaders
 
 MATERIALS = sorted((Path(__file__).parent / "proofs").glob("*.burnish"))
-LIMITED = [
-    row.name
-    for row in BUILTINS.values()
-    if row.expansion and row.domain not in (nowhere, everywhere)
-]
+PROVABLE = [row.name for row in BUILTINS.values() if row.needs]
+KINDS: tuple[Kind, ...] = ("float", "int", "uint")
 
 
 def snapshot(path: Path, *without: str) -> tuple[str, ...]:
@@ -45,15 +44,21 @@ def usual(path: Path) -> tuple[str, ...]:
     return snapshot(path)
 
 
+def unknown(*facts: Fact) -> tuple[Fact, ...]:
+    """What types alone tell of some operands."""
+    return tuple(UNKNOWN.as_kind(fact.kind) for fact in facts)
+
+
 @pytest.mark.parametrize("rule", rule_names())
 def test_every_rule_shows_in_a_material(rule: str) -> None:
     assert any(snapshot(path, rule) != usual(path) for path in MATERIALS)
 
 
-@pytest.mark.parametrize("name", LIMITED)
+@pytest.mark.parametrize("name", PROVABLE)
 def test_every_domain_shows_in_a_material(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     plain = [usual(path) for path in MATERIALS]
-    row = replace(BUILTINS[name], domain=lambda _facts: False)
+    domain = BUILTINS[name].domain
+    row = replace(BUILTINS[name], domain=lambda facts: domain(unknown(*facts)))
     monkeypatch.setattr(guard, "BUILTINS", {**BUILTINS, name: row})
     assert [snapshot(path) for path in MATERIALS] != plain
 
@@ -72,8 +77,13 @@ def test_guards_are_where_proofs_say_so(path: Path) -> None:
     assert {(g.builtin, str(g.span)) for g in material.guards if g.builtin != "div"} <= told
 
 
-def test_builtins_that_are_limited_say_what_they_need() -> None:
-    assert not [name for name in LIMITED if not BUILTINS[name].needs]
+@pytest.mark.parametrize("row", BUILTINS.values(), ids=lambda row: row.name)
+def test_builtins_with_something_to_prove_say_what(row: Builtin) -> None:
+    count = row.signatures[0].split(" -> ")[0].count(",") + 1
+    numbers = [Fact(n, n, length=n, kind=kind) for kind in KINDS for n in (0.0, 1.0, 2.0**24)]
+    known = list(product(numbers, repeat=count)) if row.expansion else []
+    by_facts = any(row.domain(facts) != row.domain(unknown(*facts)) for facts in known)
+    assert bool(row.needs) == by_facts
 
 
 def test_rules_of_builtins_and_others_have_names_of_their_own() -> None:

@@ -1,0 +1,135 @@
+"""The way out of a mistake about types and names, as messages tell it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from typing import TYPE_CHECKING
+
+from ...stdlib.builtins import BUILTINS
+from ..diagnostics.nearest import suggestion
+from ..ir.types import BOOL, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
+from ..syntax import ast
+from .typenames import NAMED
+
+if TYPE_CHECKING:
+    from .scope import Scope
+
+_FEW = 8
+"""As many names can be listed."""
+
+READ = "a texture is read: `name(coordinate)`"
+_LANES = "xyzw"
+_COLORS = "rgba"
+
+
+def fitting_type(found: Type, wanted: Type) -> str:
+    """How to make a value of a type that is not the wanted one fit."""
+    if isinstance(found, Texture):
+        return "" if isinstance(wanted, Texture) else READ
+    if wanted == BOOL and isinstance(found, Vector) and found.kind == "bool":
+        return "`all(…)` or `any(…)` makes one truth of them"
+    if wanted == BOOL:
+        return "a truth is a comparison, as in `x > 0`"
+    if isinstance(found, Scalar) and isinstance(wanted, Vector):
+        return f"write `{wanted}(…)` for equal lanes"
+    if isinstance(found, Scalar) and isinstance(wanted, Scalar):
+        return f"convert with `{wanted}(…)`"
+    if isinstance(found, Array) and isinstance(wanted, Vector):
+        lanes = ", ".join(_LANES[: wanted.size])
+        return f"brackets make an array; a vector is `{wanted}({lanes})`"
+    if isinstance(found, Vector) and isinstance(wanted, Scalar | Vector):
+        return _of_lanes(found, wanted)
+    return ""
+
+
+def _of_lanes(found: Vector, wanted: Scalar | Vector) -> str:
+    if scalar_kind(wanted) != found.kind:
+        return f"convert with `{wanted}(…)`" if width(wanted) == found.size else ""
+    if isinstance(wanted, Scalar):
+        return "read one lane, as in `v.x`"
+    if wanted.size < found.size:
+        return f"read {wanted.size} lanes: `(…).{_LANES[: wanted.size]}`"
+    return f"say what the other lanes are: `{wanted}(…{', 0' * (wanted.size - found.size)})`"
+
+
+def joined_types(operator: str, left: Type, right: Type) -> str:
+    """How to mend an operator between truths and numbers, or a vector in front of a matrix."""
+    kinds = [scalar_kind(type_) for type_ in (left, right) if isinstance(type_, Scalar | Vector)]
+    if isinstance(left, Texture) or isinstance(right, Texture):
+        return READ
+    if operator in ("and", "or"):
+        return "`and` and `or` join truths: a comparison, as in `x > 0`, makes one of a number"
+    if len(kinds) == 2 and "bool" in kinds and kinds != ["bool", "bool"]:
+        return "`float(…)` makes 0 or 1 of a truth"
+    if isinstance(left, Vector) and isinstance(right, Matrix):
+        return "vectors are columns: the matrix stands first, `m * v`"
+    return ""
+
+
+def _is_called(name: str) -> bool:
+    """Whether a name is that of a builtin function."""
+    row = BUILTINS.get(name)
+    return row is not None and not row.operator and row.method is None
+
+
+def is_read(name: str) -> bool:
+    """Whether textures are read by a method of this name."""
+    return any(row.method == name for row in BUILTINS.values())
+
+
+def missing_member(type_: Type, name: str) -> str:
+    """What to write in place of ``v.name``, which there is not."""
+    if isinstance(type_, Texture):
+        return f"reads are called: `{name}(…)`" if is_read(name) else READ
+    if isinstance(type_, Array):
+        return "elements are read by their number, `a[i]`; the length is that of the declared type"
+    if _is_called(name):
+        return f"functions are called with what they are of: `{name}(…)`"
+    if isinstance(type_, Matrix):
+        return "columns are read by their number, `m[i]`, and rows of them behind that, `m[i][j]`"
+    if isinstance(type_, Scalar):
+        return f"{type_} is one number" + (", called `x` if need be" if set(name) != {"x"} else "")
+    lanes = width(type_) if isinstance(type_, Vector) else 0
+    names = f"its lanes are `{_LANES[:lanes]}`, or `{_COLORS[:lanes]}`"
+    return f"{names}: up to four of them, and not mixed" if lanes else ""
+
+
+def nearest_or_all(name: str, known: Iterable[str]) -> str:
+    """The nearest of the known names, or all, where they are few."""
+    names = list(dict.fromkeys(known))
+    hint = suggestion(name, names)
+    if hint or not 0 < len(names) <= _FEW:
+        return hint
+    return f"there is {', '.join(f'`{each}`' for each in names)}"
+
+
+def of_a_record(name: str, scope: Scope) -> str:
+    """About a slot that is named outside of all records: in a function, a constant or a default."""
+    if scope.surface is not None or scope.instance is not None:
+        return ""
+    if not any(name in slots for slots in _slots(scope)):
+        return ""
+    return (
+        f"`{name}` belongs to a record: functions see their arguments and constants, terms also "
+        "the surface, and constants and defaults see constants only"
+    )
+
+
+def _slots(scope: Scope) -> Iterable[Collection[str]]:
+    """The names of the slots of each record that is visible."""
+    for visible in scope.module.visible():
+        for symbol in scope.module.known(visible):
+            if isinstance(symbol.declaration, ast.Record | ast.Mixin):
+                members = symbol.declaration.members
+                yield {
+                    member.name.text for member in members if not isinstance(member, ast.Discard)
+                }
+
+
+def uncalled(name: str) -> str:
+    """What to write for a function or type without arguments; empty if it is neither."""
+    if name in NAMED:
+        return f"`{name}` is a type: `{name}(…)` makes a value of it"
+    if _is_called(name):
+        return f"`{name}` is a function: `{name}(…)`"
+    return ""

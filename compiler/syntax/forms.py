@@ -1,0 +1,42 @@
+"""How each kind of declaration and member is written: the advice where one cannot be read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+_RECORD = "a {} is `{} Name : Base + Mixin {{ … }}`, where base and mixins may be left out"
+
+DECLARATIONS: Mapping[str, str] = MappingProxyType(
+    {
+        **{kind: _RECORD.format(kind, kind) for kind in ("material", "light")},
+        "pass": "a pass is `pass Name : Base blend mode { … }`; base and mode may be left out",
+        "abstract": "what heirs complete is `abstract material Name : Base { … }`",
+        "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, or `… for pass`",
+        "fn": "a function is `fn name(x: float, y: vec3) -> float = expression`",
+        "term": "a term is `term name(k: rgb) -> rgb per light = expression`",
+        "rig": "a rig is `rig Name { one : Kind  four : Kind[4] { slot = value } }`",
+        "struct": "a structure is `struct Name { member : type, … }`",
+        "extern": "a block of the host's is "
+        "`extern block Name per frame at group 0, binding 3 { member : type at 16 }`",
+        "space": "a space is `space name`",
+        "import": "a file is imported by `import folder.file`, `import folder.file.{name}` or "
+        '`import "folder/file.burnish"`',
+    }
+)
+"""By the word that a declaration begins with."""
+
+MEMBERS: Mapping[str, str] = MappingProxyType(
+    {
+        "param": "a parameter is `param name : type in low..high per group = default`, where all "
+        "behind the type may be left out",
+        "map": "a texture is `map name : texture2d per group = white with { filter = nearest }`, "
+        "where all behind the type may be left out",
+        "attribute": "what a mesh brings along is `attribute name : type` or "
+        "`attribute name : type per instance`, and has no default",
+        "target": "a target is `target name : format = expression blend mode`, where the blending "
+        "may be left out",
+        "discard": "a pass says `discard when condition`",
+    }
+)
+"""By the word that a member begins with."""
