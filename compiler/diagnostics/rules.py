@@ -581,6 +581,21 @@ TOO_LARGE_TO_DRAW = _error(
     "there are only the values that have names.",
 )
 
+# Structures
+
+STRUCT_TOO_LARGE = _error(
+    "B0480",
+    "`{name}` has more than {parts} parts, or more than {levels} levels of structures",
+    "A structure is taken apart into the numbers, vectors and matrices in it, those of the "
+    "structures in it included.",
+)
+
+EMPTY_STRUCT = _error(
+    "B0481",
+    "the structure `{name}` has no members",
+    "Give it what its values are made of: `width : float`.",
+)
+
 # --- B05: stages and rates -----------------------------------------------------------------------
 
 UNKNOWN_RATE = _error(

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
-from ..ir.types import Matrix, Texture
+from ..ir.types import BOOL, Matrix, Texture
 from ..semantics.shader import Notes
 from ..trampoline import Step, run
 from .cost import cost_of
@@ -89,7 +89,6 @@ class Scheduler:
         homes: dict[int, list[_Block]] = {root.id: [self._top] for root in self._roots}
         for root in self._roots:
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
-        # A `?:` evaluates one of its sides: what stands in them is computed for some pixels only.
         optional: set[int] = set()
         for node in reversed(self._order):
             home = _enclosing(homes[node.id])
@@ -113,7 +112,7 @@ class Scheduler:
                 region = self._region_of(node, position, home)
                 homes.setdefault(operand.id, []).append(region)
                 self._uses[operand.id] = self._uses.get(operand.id, 0) + 1
-                if node.id in optional or (node.op == "select" and position > 0):
+                if node.id in optional or _may_skip(node, position):
                     optional.add(operand.id)
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
@@ -310,6 +309,16 @@ def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
 
 def _reads_texture(node: Node) -> bool:
     return bool(node.operands) and isinstance(node.operands[0].type, Texture)
+
+
+def _may_skip(user: Node, position: int) -> bool:
+    """Whether an operand that is printed in place is computed for some pixels only.
+
+    A `?:` evaluates one of its sides, `&&` and `||` the right one where the left does not decide.
+    """
+    if user.op == "select":
+        return position > 0
+    return user.op == "native" and user.data in ("and", "or") and user.type == BOOL and position > 0
 
 
 def _has_to_branch(select: Node) -> bool:

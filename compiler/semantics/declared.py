@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING
 
 from ...frozen import EMPTY
 from ..diagnostics import rules
 from ..ir import build
-from ..ir.types import INT, Struct, Texture
+from ..ir.types import INT, Array, Struct, Texture, Type
 from ..syntax import ast
 from ..trampoline import run
 from .modules import Module, Symbol
@@ -16,6 +17,10 @@ from .typenames import Declared, Variables, array_of, structure
 
 if TYPE_CHECKING:
     from .lower import Lowering
+
+
+MOST_LEVELS, MOST_PARTS = 64, 4096
+"""How deep structures nest, and into how many numbers, vectors and matrices one is taken apart."""
 
 
 def declared_type(
@@ -99,6 +104,12 @@ def _struct(low: Lowering, symbol: Symbol) -> Declared | None:
         )
         low.structs[symbol] = None
         return None
+    if not declaration.members:
+        low.report.add(rules.EMPTY_STRUCT, declaration.name.span, name=symbol.name)
+        return None
+    if sum(_is_struct(active) for active in low.active) == MOST_LEVELS:
+        _too_large(low, declaration)
+        return None
     low.active[symbol] = (symbol.name, declaration.name.span)
     members = []
     for member in declaration.members:
@@ -113,5 +124,45 @@ def _struct(low: Lowering, symbol: Symbol) -> Declared | None:
     low.active.pop(symbol)
     if len(members) < len(declaration.members):
         return None
-    types = tuple((name, member.type) for name, member in members)
-    return structure(Struct(symbol.name, types), tuple(members))
+    struct = named_struct(low, symbol.name, tuple((name, m.type) for name, m in members))
+    levels, parts = _extent(struct)
+    if levels > MOST_LEVELS or parts > MOST_PARTS:
+        _too_large(low, declaration)
+        return None
+    return structure(struct, symbol.name, tuple(members))
+
+
+def named_struct(low: Lowering, name: str, members: tuple[tuple[str, Type], ...]) -> Struct:
+    """A structure for the texts, where one name cannot stand for two: files may each have a
+    ``Layer``, and lights of one kind have fewer members where a rig sets one of them."""
+    names = (name, *(f"{name}_{number}" for number in range(2, 3 + len(low.struct_members))))
+    free = next(n for n in names if low.struct_members.get(n, members) == members)
+    low.struct_members[free] = members
+    return Struct(free, members)
+
+
+def _is_struct(active: object) -> bool:
+    return isinstance(active, Symbol) and isinstance(active.declaration, ast.StructDeclaration)
+
+
+def _too_large(low: Lowering, declaration: ast.StructDeclaration) -> None:
+    low.report.add(
+        rules.STRUCT_TOO_LARGE, declaration.name.span, name=declaration.name.text,
+        parts=MOST_PARTS, levels=MOST_LEVELS,
+    )  # fmt: skip
+
+
+@cache
+def _extent(type_: Type) -> tuple[int, int]:
+    """Levels of structures, and parts that are none; the elements of an array are one part.
+
+    Members are measured before what holds them, so the cache keeps this from recursing deeply.
+    """
+    match type_:
+        case Array(element=element):
+            return _extent(element)
+        case Struct(members=members):
+            extents = [_extent(member) for _, member in members]
+            return 1 + max(levels for levels, _ in extents), sum(parts for _, parts in extents)
+        case _:
+            return 0, 1

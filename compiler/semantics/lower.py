@@ -96,6 +96,8 @@ class Lowering:
         self.recursive: set[Symbol] = set()
         """Functions that call themselves, which has been reported."""
         self.structs: dict[Symbol, Declared | None] = {}
+        self.struct_members: dict[str, tuple[tuple[str, Type], ...]] = {}
+        """The members of structures, by the names that texts call them."""
         self.declared: dict[ast.TypeName, Declared | None] = {}
         """Written types that were looked up already."""
         self.variables: dict[int, Declared] = {}

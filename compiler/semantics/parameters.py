@@ -14,12 +14,12 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Attribute, Parameter, Step
 from ..ir.meaning import ANGLE, Meaning
 from ..ir.node import Node
-from ..ir.types import INT, Array, Matrix, Scalar, Struct, Texture, Type, Vector, scalar_kind
+from ..ir.types import INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
 from ..syntax import ast
 from ..trampoline import run
 from .algebra import weakened
-from .declared import declared_type
+from .declared import declared_type, named_struct
 from .fitting import needs_unit
 from .maps import resource, unknown_word
 from .records import Definition, Record
@@ -223,11 +223,11 @@ def _attribute(low: Lowering, definition: Definition, name: str) -> list[Attribu
     return [AttributeInfo(attribute, declared.text, doc, span)]
 
 
-def as_array(name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,
+def as_array(low: Lowering, name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,
              group: str) -> ParameterInfo:  # fmt: skip
     """The parameters of ``count`` lights of one type as one array of structs."""
     members = tuple((info.parameter.name.rpartition(".")[2], info) for info in infos)
-    struct = Struct(light, tuple((short, info.parameter.type) for short, info in members))
+    struct = named_struct(low, light, tuple((short, i.parameter.type) for short, i in members))
     facts = tuple((short, info.parameter.fact) for short, info in members)
     meanings = tuple((short, info.parameter.meaning) for short, info in members)
     meaning = Meaning("struct", members=meanings)

@@ -96,7 +96,7 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
         low.report.add(rules.NO_ARRAY_OF, written.name.span, light=record.name)
         return None
     group = DEFAULT_GROUPS["light"]
-    array = as_array(name, record.name, leaves.parameters, bound, group)
+    array = as_array(low, name, record.name, leaves.parameters, bound, group)
     array = changed(array, span=written.name.span)
     count = count_parameter(name, bound, group, array) if written.at_most else None
     entry = RigEntry(

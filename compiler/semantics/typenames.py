@@ -187,11 +187,11 @@ def _spatial(name: ast.TypeName, named: Named, variables: Variables) -> Declared
     return Declared(type_, text, named.fact, meaning)
 
 
-def structure(type_: Struct, members: tuple[tuple[str, Declared], ...]) -> Declared:
-    """A structure as a written type."""
+def structure(type_: Struct, name: str, members: tuple[tuple[str, Declared], ...]) -> Declared:
+    """A structure as the written type ``name``."""
     meanings = tuple((name, member.meaning) for name, member in members)
     meaning = Meaning("struct", members=meanings) if any(m for _, m in meanings) else None
-    return Declared(type_, type_.name, meaning=meaning, members=members)
+    return Declared(type_, name, meaning=meaning, members=members)
 
 
 def _elsewhere(name: str) -> str:

@@ -31,11 +31,14 @@ _LIMITS = {"i": (-(2**31), 2**31 - 1), "u": (0, 2**32 - 1)}
 
 
 def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> None:
-    """Sets every parameter that no scene does to a value within its promise.
+    """Sets every parameter that no scene does to a value within its promise, for all lights.
 
     With ``missing``, only those that have no value.
     """
     placed = _set_by_scene(instance.reflection)
+    for light in instance.reflection["lights"]:
+        if light["count"]:
+            instance.set(light["count"], light["capacity"])
     without = [name.replace("[", ".") for name in instance.missing]
     for row in instance.reflection["parameters"]:
         name = row["name"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -58,9 +59,10 @@ material Everything {
     map   second   : texture2d = gray
     map   bumps    : texture2d = flat_normal
 
-    color = vec3(exponent + far + half + below + free + large + float(signed + lowest)) * dim * near
-        + way * place + axis + turn[0] + corner[1].xyz * angled + vec3(flags) * weights[2]
-        + parts[1].tint * parts[2].way * float(parts[0].count) + vec3(parts[1].turn[0], 1)
+    color = vec3(exponent + far + half + below + free + large + float(signed + lowest)) * dim
+        * vec3(near)
+        + way * place + vec3(axis) + turn[0] + corner[1].xyz * angled + vec3(flags) * weights[2]
+        + parts[1].tint * vec3(parts[2].way) * float(parts[0].count) + vec3(parts[1].turn[0], 1)
         + (first(uv) + second(uv) + bumps(uv)).rgb + vec3(masks.xyz) * float(highest)
         + curl * float(level)
 }
@@ -154,6 +156,21 @@ def test_only_what_is_missing() -> None:
     sample_values(instance, 0, missing=True)
     assert instance.get("half") == 0.5 and instance.get("large") == 100.0
     assert instance.get("exponent") is not None and instance.get("way") is not None
+
+
+def test_missing_are_also_parts_of_lights_that_only_a_scene_turns_on(tmp_path: Path) -> None:
+    file = tmp_path / "lamps.burnish"
+    file.write_text(
+        "struct Place { at : vec3 }\n"
+        "light Lamp : Light { param place : Place  to_light = normalize(place.at) }\n"
+        "term lit() per light = light.diffuse * saturate(dot(normal, light.to_light))\n"
+        "material M { color = lit() }\nrig R { lamps : Lamp[<= 3] }\n",
+        encoding="utf-8",
+    )
+    instance = Instance(burnish.compile(file, targets=("wgsl",))["M"].reflection)
+    sample_values(instance, 0, missing=True)
+    instance.set("lamps.count", 3)
+    assert not [name for name in instance.missing if name.startswith("lamps[")]
 
 
 def test_textures_vary_and_differ() -> None:

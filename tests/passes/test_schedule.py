@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeVar
 
+import pytest
+
 from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.ir.program import Branch, Let, Loop, Region, Statement
 
@@ -103,6 +105,17 @@ def test_reads_with_implicit_level_stay_in_uniform_control_flow() -> None:
     ]
     assert len(reads) == 2
     assert not any(statement.node in reads for statement in inside)
+
+
+@pytest.mark.parametrize("connective", ["and", "or"])
+def test_what_a_connective_may_skip_is_read_before_it(connective: str) -> None:
+    text = f"color = vec3(if uv.x > 0.5 {connective} m(uv).r > 0.2 then uv.y else fwidth(uv.x))"
+    top = region("map m : texture2d  " + text)
+    assert calls([s.node for s in top.statements], "sample")
+    skipped_nothing = region(
+        f"color = vec3(if uv.x > 0.5 {connective} sin(uv.y) > 0.2 then 1 else 0)"
+    )
+    assert not calls([s.node for s in skipped_nothing.statements], "sin")
 
 
 def test_a_shared_value_is_bound_once() -> None:
