@@ -217,7 +217,7 @@ def test_missing_values() -> None:
     assert result.stderr == (
         "error: Wave needs values for\n"
         "  `time` : float   Seconds\n"
-        "  `coats[1].tint` : vec3\n"
+        "  `coats[1].tint` : rgb\n"
         "Sea needs values for\n"
         "  `water` : rgb\n"
         "  = help: set each of them: --set 'time=…'\n"
@@ -296,9 +296,16 @@ def test_a_driver_that_breaks_down(deed: str, said: str, monkeypatch: pytest.Mon
     assert Path("sheet.png").exists()
 
 
-@pytest.mark.parametrize(("module", "package"), [("numpy", "NumPy"), ("PIL", "Pillow")])
-@pytest.mark.parametrize("command", ["render m.burnish -o x.png", "conform m.burnish"])
+@pytest.mark.parametrize(
+    ("module", "package", "command"),
+    [
+        ("numpy", "NumPy", "render m.burnish -o x.png"),
+        ("numpy", "NumPy", "conform m.burnish"),
+        ("PIL", "Pillow", "render m.burnish -o x.png"),
+    ],
+)
 def test_missing_packages(module: str, package: str, command: str, folder: Path) -> None:
+    """Pillow only where a picture is read or written."""
     before = tree(folder)
     run = without(module, *command.split())
     assert (run.returncode, run.stdout) == (1, "")
