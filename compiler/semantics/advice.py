@@ -106,7 +106,8 @@ def nearest_or_all(name: str, known: Iterable[str]) -> str:
 def of_a_record(name: str, scope: Scope) -> str:
     """About a slot that is named outside of all records: in a function, a constant or a default."""
     if scope.surface is not None or scope.instance is not None:
-        return ""
+        term = name == "material" and scope.instance is None
+        return "a term reads the slots of the surface by their own names" if term else ""
     if not any(name in slots for slots in _slots(scope)):
         return ""
     return (

@@ -40,9 +40,8 @@ def construct(low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call
             pass
     if result is None:
         found = ", ".join(str(argument.type) for argument in arguments)
-        low.report.add(
-            rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=_hint(name, type_)
-        )
+        hint = _hint(name, type_, arguments)
+        low.report.add(rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=hint)
         return FAILURE
     if isinstance(result, Failure):
         return FAILURE
@@ -58,8 +57,11 @@ def _meaning(low: Lowering, name: str, arguments: tuple[Node, ...]) -> Meaning |
     return Meaning(named.meaning) if named.meaning is not None and not named.spaces else None
 
 
-def _hint(name: str, type_: Type) -> str:
+def _hint(name: str, type_: Type, arguments: tuple[Node, ...]) -> str:
+    kinds = {scalar_kind(argument.type) for argument in arguments}
     match type_:
+        case Vector(kind="float") if len(arguments) > 1 and kinds & {"int", "uint"}:
+            return "lanes that are joined have one kind: convert the integer with `float(…)`"
         case Vector(kind=kind, size=size):
             return f"`{name}` takes {size} lanes in all, or one {kind} for every lane"
         case Matrix(size=size):

@@ -105,7 +105,9 @@ def _struct(low: Lowering, symbol: Symbol) -> Declared | None:
         low.structs[symbol] = None
         return None
     if not declaration.members:
-        low.report.add(rules.EMPTY_STRUCT, declaration.name.span, name=symbol.name)
+        # What could not be read of the file may have been its members.
+        if not low.report.unread_names:
+            low.report.add(rules.EMPTY_STRUCT, declaration.name.span, name=symbol.name)
         return None
     if sum(_is_struct(active) for active in low.active) == MOST_LEVELS:
         _too_large(low, declaration)

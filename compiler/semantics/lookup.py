@@ -201,7 +201,7 @@ def _slot_value(
             rules.ABSTRACT_SLOT, instance.record.symbol.declaration.name.span,
             name=name, record=instance.record.name,
             labels=[Label(member.name.span, "declared here without a value")],
-            hint=_declaring(low, member, definition.owner.module),
+            hint=_declaring(low, member, definition.owner.module) or member.doc,
         )  # fmt: skip
         return FAILURE
     scope = Scope(definition.owner.module, instance, definition.level, instance.surface or instance)
