@@ -116,9 +116,8 @@ def light_rows(parameters: Sequence[ParameterInfo]) -> list[dict[str, Any]]:
     """The rig's lights: an array is one parameter, a single light one parameter for each member."""
     entries: dict[str, list[ParameterInfo]] = {}
     for info in parameters:
-        name, dot, _member_name = info.parameter.name.partition(".")
-        if info.parameter.group == LIGHT_GROUP and (dot or info.members):
-            entries.setdefault(name, []).append(info)
+        if info.light and info.parameter.group == LIGHT_GROUP:
+            entries.setdefault(info.light, []).append(info)
     return [_light_row(name, infos) for name, infos in entries.items()]
 
 

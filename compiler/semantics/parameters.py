@@ -243,4 +243,4 @@ def count_parameter(name: str, bound: int, group: str, of: ParameterInfo) -> Par
     """How many of at most ``bound`` lights shine."""
     parameter = Parameter(f"{name}.count", INT, group, Fact(0.0, float(bound), kind="int"))
     doc = f"How many of `{name}` shine"
-    return ParameterInfo(parameter, "int", (0, bound), 0, doc, of.span)
+    return ParameterInfo(parameter, "int", (0, bound), 0, doc, of.span, light=of.light)

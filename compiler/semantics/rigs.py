@@ -84,11 +84,12 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
     replaced = _overrides(low, rig, written, record)
     name = written.name.text
     leaves = leaves_of(low, record, f"{name}.", frozenset(replaced))
+    infos = tuple(changed(info, light=name) for info in leaves.parameters)
     resources = tuple(info.resource for info in leaves.resources)
     if written.count is None:
         parameters = tuple(info.parameter for info in leaves.parameters)
         entry = RigEntry(name, record, "single", parameters, resources, replaced=replaced)
-        return entry, leaves.parameters, leaves.resources
+        return entry, infos, leaves.resources
     bound = count_of(low, written.count, rig.module)
     if bound is None:
         return None
@@ -97,7 +98,7 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
         return None
     group = DEFAULT_GROUPS["light"]
     array = as_array(low, name, record.name, leaves.parameters, bound, group)
-    array = changed(array, span=written.name.span)
+    array = changed(array, span=written.name.span, light=name)
     count = count_parameter(name, bound, group, array) if written.at_most else None
     entry = RigEntry(
         name, record, "array", (array.parameter,), (), bound,

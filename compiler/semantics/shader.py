@@ -26,7 +26,9 @@ class ParameterInfo:
     doc: str
     span: Span
     members: tuple[ParameterInfo, ...] = ()
-    """For an array of lights: one row for each member of the element."""
+    """Of a structure, or of an array's elements: one row for each member."""
+    light: str = ""
+    """The rig's entry that it belongs to."""
 
 
 @frozen

@@ -67,25 +67,27 @@ def _info(
     default: Lanes | None = None,
     range_: tuple[float, float] | None = None,
     members: tuple[ParameterInfo, ...] = (),
+    light: str = "",
 ) -> ParameterInfo:
-    return ParameterInfo(parameter, declared, range_, default, doc, HERE, members)
+    return ParameterInfo(parameter, declared, range_, default, doc, HERE, members, light)
 
 
 PARAMETERS = (
     _info(TIME, "float", "Seconds since the start."),
-    _info(AXIS, "direction<world>", default=(0.0, -1.0, 0.0)),
-    _info(OUTER, "angle", default=0.5),
+    _info(AXIS, "direction<world>", default=(0.0, -1.0, 0.0), light="torch"),
+    _info(OUTER, "angle", default=0.5, light="torch"),
     _info(
         LAMPS,
         "Point[8]",
         "Lamps on the ceiling.",
+        light="lamps",
         members=(
             _info(Parameter("place", VEC3, "rig"), "point<world>", "Where it hangs."),
             _info(Parameter("reach", FLOAT, "rig"), "float", range_=(0.0, 50.0), default=10.0),
             _info(Parameter("on", BOOL, "rig"), "bool", default=True),
         ),
     ),
-    _info(COUNT, "uint", default=0),
+    _info(COUNT, "uint", default=0, light="lamps"),
     _info(POWER, "float", "Specular exponent", default=48.0, range_=(1.0, 512.0)),
     _info(SHINE, "rgb", "Highlight colour", default=(1.0, 1.0, 1.0)),
 )

@@ -137,3 +137,22 @@ def test_members_of_structures_have_the_types_that_were_written() -> None:
     assert written == [
         ("point<world>", "vec3"), ("direction<world>", "vec3"), ("float[2]", "float[2]")
     ]  # fmt: skip
+
+
+def test_only_lights_are_listed_as_lights() -> None:
+    """Structures per rig, and members of a host's block, have parts of their own but do not shine."""
+    (material,) = burnish.compile(
+        """
+        import std.terms.{lambert}
+        import std.lights.{Point}
+        extern block Host per rig at group 1, binding 9 { tone : vec3 at 0 }
+        struct Glow { tint : rgb, size : float }
+        material Lit {
+            param glow : Glow per rig
+            color = lambert(glow.tint * glow.size) * tone
+        }
+        rig Hall { lamp : Point  more : Point[<= 2] }
+        """,
+        ("wgsl",),
+    )
+    assert [row["name"] for row in material.reflection["lights"]] == ["lamp", "more"]
