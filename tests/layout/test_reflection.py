@@ -140,7 +140,7 @@ def test_members_of_structures_have_the_types_that_were_written() -> None:
 
 
 def test_only_lights_are_listed_as_lights() -> None:
-    """Structures per rig, and members of a host's block, have parts of their own but do not shine."""
+    """Structures per rig and members of a host's block have parts, too, but do not shine."""
     (material,) = burnish.compile(
         """
         import std.terms.{lambert}
