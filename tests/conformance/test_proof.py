@@ -40,7 +40,7 @@ SOUND = {
     "layers by number": "material M { color = vec3(float(int(floor(uv.x * 8)) mod 3)) }",
 }
 PROVING_NOTHING = {
-    "a speck": "material M { position = 0.03 * normal  color = vec3(fract(1e7 * uv.x)) }",
+    "a speck": "material M { position = 0.03 * vec3(normal)  color = vec3(fract(1e7 * uv.x)) }",
     "noise": "material M { color = vec3(fract(1e7 * uv.x)) }",
     "nothing": "material M {}\npass P : Forward { discard when true }",
 }
