@@ -109,11 +109,11 @@ class Statements:
         self._namer.leave()
         self._expressions.bound[loop.node.id] = name
 
-    def _variable(self, name: str, node: Node, value: str) -> str:
+    def _variable(self, name: str, node: Node, value: str, owner: Node | None = None) -> str:
+        """``owner`` has a place in the source where the value, a bare constant, may have none."""
         typed = self._types.declare(name, node.type)
-        return self._mark(
-            self._forms.variable_set.format(name=name, typed=typed, value=value), node
-        )
+        text = self._forms.variable_set.format(name=name, typed=typed, value=value)
+        return self._mark(text, owner or node)
 
     def _opened(self, loop: Loop | Iterate, count: str, going: Node | None = None) -> str:
         """A loop's first line; what is declared from now on is inside of it.
@@ -149,7 +149,7 @@ class Statements:
         starts = [expressions.text(state.start) for state in loop.states]
         names = [self._namer.declare(state.name) for state in loop.states]
         for state, name, start in zip(loop.states, names, starts, strict=True):
-            yield self._variable(name, state.start, start)
+            yield self._variable(name, state.start, start, loop.node)
             expressions.formals[state.formal] = name
         if not loop.head.statements and loop.going.op != "constant":
             yield self._opened(loop, count, loop.going)

@@ -10,6 +10,8 @@ import pytest
 from .kit import VARIANTS, Variant
 
 FUNCTION = re.compile(r"(?!struct|cbuffer|layout|uniform)\S.*\{$")
+HELPER = re.compile(r"int\d? texture_\w+\(\w+<\w+> texels")
+"""What a language needs to ask for a texture's size comes from no material."""
 NO_STATEMENT = re.compile(r"\s*(//.*|\}|\} else \{|)$")
 
 
@@ -21,7 +23,7 @@ def statements(text: str) -> Iterator[int]:
             inside = False
         elif inside and not NO_STATEMENT.match(line):
             yield number
-        elif FUNCTION.match(line):
+        elif FUNCTION.match(line) and not HELPER.match(line):
             inside = True
 
 
