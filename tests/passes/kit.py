@@ -106,7 +106,7 @@ class World:
             return self._drawn(f"attribute {leaf.name}", leaf.type, UNKNOWN)
         if node.op == "resource":
             return (Smooth(node.type),)
-        return (True,) if node.op == "input" else None
+        return self._drawn(str(leaf), node.type, UNKNOWN) if node.op == "input" else None
 
     def _parameter(self, leaf: Parameter) -> Lanes:
         for value in self.derived:
