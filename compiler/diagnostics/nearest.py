@@ -4,16 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+_ALIKE = 0.62
+"""How much of two names has to agree."""
+_SHORT, _ALIKE_IF_SHORT = 4, 0.7
+"""Names of so few letters agree in most of them by chance: `i` and `pi`, `key` and `eye`."""
+
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The name most like ``name``, if any is like it at all; a slip in case counts least."""
+    """The name most like ``name``, if any is like it; a slip in case or order counts least."""
     from difflib import get_close_matches
 
     candidates = sorted(set(known) - {name})
     for candidate in candidates:
         if candidate.casefold() == name.casefold():
             return candidate
-    matches = get_close_matches(name, candidates, n=1, cutoff=0.6)
+    for candidate in candidates:
+        if sorted(candidate) == sorted(name):
+            return candidate
+    cutoff = _ALIKE_IF_SHORT if len(name) <= _SHORT else _ALIKE
+    matches = get_close_matches(name, candidates, n=1, cutoff=cutoff)
     return matches[0] if matches else None
 
 

@@ -390,7 +390,7 @@ SETTING_WITHOUT_USE = _error(
 )
 MEMBER_COUNT = _error(
     "B0380",
-    "`{name}` has the members ({members}), found {found} values",
+    "`{name}` has the members ({members}), found {found}",
     "A structure is made by calling it with a value for each member, in the order of the "
     "declaration.",
 )

@@ -99,11 +99,18 @@ def _no_way(low: Lowering, type_: Texture, method: str, span: Span) -> None:
     if method and all(row.method != method for row in _READS):
         low.report.add(
             rules.UNKNOWN_NAME, span, kind=f"read of `{type_}`", name=method,
-            hint=suggestion(method, known) or f"it has {listed}",
+            hint=_foreign(method) or suggestion(method, known) or f"it has {listed}",
         )  # fmt: skip
         return
     what = f"`{method}`" if method else "read by coordinate"
     low.report.add(rules.TEXTURE_LACKS_READ, span, type=type_, read=what, hint=f"it has {listed}")
+
+
+def _foreign(method: str) -> str:
+    """How a texture is read by a method of another language's."""
+    from ...stdlib.builtins.elsewhere import METHODS
+
+    return f"it is `{METHODS[method]}` here" if method in METHODS else ""
 
 
 def _operands(
