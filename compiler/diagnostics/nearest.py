@@ -21,9 +21,17 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     for candidate in candidates:
         if sorted(candidate) == sorted(name):
             return candidate
+    for candidate in candidates:
+        if len(name) <= _SHORT and _continues(name, candidate):
+            return candidate
     cutoff = _ALIKE_IF_SHORT if len(name) <= _SHORT else _ALIKE
     matches = get_close_matches(name, candidates, n=1, cutoff=cutoff)
     return matches[0] if matches else None
+
+
+def _continues(name: str, other: str) -> bool:
+    """Whether one of two names is the other with a letter more: `tt` for `t`."""
+    return abs(len(name) - len(other)) == 1 and (name.startswith(other) or other.startswith(name))
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

@@ -38,6 +38,9 @@ def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> str:
             return "a truth is a comparison, as in `x > 0`"
         case Scalar(), Vector():
             return f"write `{wanted}({text})` for equal lanes"
+        case Scalar(kind="float"), Scalar(kind="int" | "uint") if _is_literal(text):
+            whole = f"{float(text):.0f}"
+            return f"write `{whole}`" if float(text) == float(whole) else "it is a whole number"
         case Scalar(), Scalar():
             return f"write `{wanted}({text})`"
         case Array(), Vector():
@@ -50,6 +53,11 @@ def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> str:
     return ""
 
 
+def _is_literal(text: str) -> bool:
+    """Whether a text is one number in decimals."""
+    return text.replace(".", "", 1).isdecimal()
+
+
 def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, text: str, tight: str) -> str:
     if scalar_kind(wanted) != found.kind:
         return f"write `{wanted}({text})`" if width(wanted) == found.size else ""
@@ -58,7 +66,7 @@ def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, text: str, 
     if wanted.size < found.size:
         letters = _COLORS if declared.startswith("rgb") else _LANES
         return f"read {wanted.size} lanes: `{tight}.{letters[: wanted.size]}`"
-    filled = ", 0" * (wanted.size - found.size)
+    filled = "".join((", 0", ", 0", ", 0", ", 1")[found.size : wanted.size])
     return f"say what the other lanes are: `{wanted}({text}{filled})`"
 
 
@@ -156,7 +164,8 @@ def unshaded(symbol: Symbol) -> str:
 _DECLARED_AS: Mapping[str, str] = MappingProxyType(
     {
         "name": "nothing declares it: `{0} = …` does, or `param {0} : type` if the host sets it",
-        "function": "nothing declares it: `fn {0}(…) = …` does",
+        "function": "nothing declares it: a function is `fn {0}(…) = …`, "
+        "a texture `map {0} : texture2d`",
     }
 )
 

@@ -62,10 +62,28 @@ def _arguments(low: Lowering, e: ast.Call, scope: Scope) -> Step[tuple[tuple[Nod
     arguments: list[Node] = []
     failed = False
     for argument in e.arguments:
+        if _is_sampler(e, argument, scope):
+            failed = True
+            continue
         node = yield low.node(argument, scope)
         failed = failed or isinstance(node, Failure)
         arguments.append(node)
     return tuple(arguments), failed
+
+
+def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
+    """Whether a name that nothing declares is given to another language's read of a texture.
+
+    There it may be a sampler; it is the read that is reported.
+    """
+    if not isinstance(argument, ast.Reference) or lookup.is_known(scope, argument.name):
+        return False
+    from ...stdlib.builtins.elsewhere import FUNCTIONS, METHODS
+
+    if isinstance(e.callee, ast.Field):
+        return e.callee.name.text in METHODS
+    read = FUNCTIONS.get(e.callee.name) if isinstance(e.callee, ast.Reference) else None
+    return read is not None and "albedo" in read.hint and argument is not e.arguments[0]
 
 
 def _named(
@@ -135,7 +153,10 @@ def _not_callable(low: Lowering, name: str, e: ast.Call, scope: Scope) -> None:
     assert e.callee is not None
     span = e.callee.span
     if lookup.is_declared(scope, name):
-        hint = f"it is a value: `{name}`, or a product, `{name} * (…)`"
+        symbols = scope.module.find(name)
+        is_slot = scope.instance is not None and scope.instance.has(name)
+        hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
+        hint = hint or f"it is a value: `{name}`, or a product, `{name} * (…)`"
         low.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
         return
     callables = {n for n in BUILTINS if n not in NOT_CALLED} | set(scope.module.visible())

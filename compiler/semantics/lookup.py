@@ -120,6 +120,12 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
     unknown_here(low, "name", name, span, known, scope.module)
 
 
+def is_known(scope: Scope, name: str) -> bool:
+    """Whether a name means something in an expression."""
+    seen = scope.surface is not None and scope.surface.has(name)
+    return name in scope.locals or seen or is_declared(scope, name)
+
+
 def is_declared(scope: Scope, name: str) -> bool:
     """Whether the record or the file gives a name to something, called or not."""
     own = scope.instance is not None and scope.instance.has(name)
@@ -202,10 +208,11 @@ def _slot_value(
     if not isinstance(member, ast.Slot):
         return _leaf(low, instance, member, span, replaced=level != OUTERMOST)
     if member.value is None:
-        outermost = instance.record.definitions[name][0] is definition
+        record = instance.record
+        outermost = record.definitions[name][0] is definition
         low.report.add(
-            rules.ABSTRACT_SLOT,
-            instance.record.symbol.declaration.name.span if outermost else span, name=name, record=instance.record.name,
+            rules.ABSTRACT_SLOT, record.symbol.declaration.name.span if outermost else span,
+            name=name, record=record.name,
             labels=[Label(member.name.span, "declared here without a value")],
             hint=_setting(low, instance, definition),
         )  # fmt: skip

@@ -147,7 +147,7 @@ def _operator_hint(low: Lowering, name: str, operands: Sequence[Node], written: 
         lambda: _bits(name, operands) if of_bits else "",
         lambda: _edited(name, operands, written),
         lambda: _integers(operands, written),
-        lambda: _moved(low, operands, written),
+        lambda: _of_matrices(low, name, operands, written),
         lambda: advice.joined_types(name, operands[0].type, operands[-1].type),
     )
     return next((hint for way in ways if (hint := way())), "")
@@ -175,16 +175,21 @@ def _integers(operands: Sequence[Node], written: Written) -> str:
     return f"write `{types[1]}({left})` or `{types[0]}({right})`, which keeps the bits"
 
 
-def _moved(low: Lowering, operands: Sequence[Node], written: Written) -> str:
-    """How to mend ``matrix * vector`` of different sizes."""
-    if len(operands) != 2 or operands[-1].type != VEC3 or not isinstance(operands[0].type, Matrix):
+def _of_matrices(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> str:
+    """How to mend ``matrix * vector`` of different sizes, and ``matrix / number``."""
+    if len(operands) != 2 or not isinstance(operands[0].type, Matrix):
         return ""
+    matrix, vector = (operand(each.span) for each in written) if written else ("m", "v")
+    size, type_ = operands[0].type.size, operands[1].type
+    if name == "div" and isinstance(type_, Scalar):
+        return f"a matrix is multiplied: `{matrix} * (1.0 / {vector})`"
     by = low.meanings.of(operands[0])
-    if by is not None and by.kind == "transform":
+    if type_ == VEC3 and by is not None and by.kind == "transform":
         space = by.spaces[0]
         return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
-    if len(written) != 2 or operands[0].type.size != 4:
+    if name != "mul" or not isinstance(type_, Vector) or type_.size >= size:
         return ""
-    matrix, vector = operand(written[0].span), spanned(written[1].span)
-    place, along = f"({matrix} * vec4({vector}, 1)).xyz", operand(written[1].span)
-    return f"a place is moved by `{place}`, a direction turned by `mat3({matrix}) * {along}`"
+    longer = ", 0" * (size - type_.size - 1) + ", 1"
+    place = f"({matrix} * vec{size}({vector}{longer})).{_LANES[: type_.size]}"
+    along = f"mat{type_.size}({matrix}) * {vector}"
+    return f"a place is moved by `{place}`, a direction turned by `{along}`"

@@ -154,6 +154,8 @@ class Records:
         self._report.add(
             rules.MISPLACED_MEMBER, member.span, member=word, record=f"a {declaration.kind}"
         )
+        if not isinstance(member, ast.Discard):
+            self._report.unread((member.name.text,))
         return False
 
     def _check_blend(self, declaration: ast.Record) -> None:

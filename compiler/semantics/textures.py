@@ -20,7 +20,7 @@ from ..ir.signatures import FIXED, TEXTURE_FAMILIES, dependent, meaning, parsed
 from ..ir.types import INT, Texture, Type
 from ..syntax import ast
 from .scope import FAILURE, Failure, Value
-from .wording import counted
+from .wording import counted, spanned
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -55,7 +55,8 @@ def read(
     if isinstance(texture, Failure):
         return FAILURE
     if not isinstance(texture, Node) or not isinstance(texture.type, Texture):
-        low.report.add(rules.NOT_CALLABLE, e.callee.span, found="this")
+        hint = f"a product is written `{spanned(e.callee.span)} * (…)`"
+        low.report.add(rules.NOT_CALLABLE, e.callee.span, found="this", hint=hint)
         return FAILURE
     name = "" if method is None else method.text
     way = next(_ways(texture.type, name), None)
