@@ -25,8 +25,9 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
         if len(name) <= _SHORT and _continues(name, candidate):
             return candidate
     cutoff = _ALIKE_IF_SHORT if len(name) <= _SHORT else _ALIKE
-    matches = get_close_matches(name, candidates, n=1, cutoff=cutoff)
-    return matches[0] if matches else None
+    folded = {candidate.casefold(): candidate for candidate in reversed(candidates)}
+    matches = get_close_matches(name.casefold(), folded, n=1, cutoff=cutoff)
+    return folded[matches[0]] if matches else None
 
 
 def _continues(name: str, other: str) -> bool:
