@@ -230,12 +230,6 @@ MISSPELT_SLOT = _warning(
     "A name that no base declares makes a slot of the material's own; nothing outside asks for it.",
 )
 
-REPLACED_PARAMETER = _error(
-    "B0211",
-    "`{name}` has been replaced by an equation, so there is no value to inherit",
-    "An equation in place of a `param` or `attribute` takes it off the host's hands. Declare it "
-    "again, with another default if need be, or compute under another name.",
-)
 UNUSUAL_GROUP = _warning(
     "B0212",
     "`{name}` is a group of its own",

@@ -8,6 +8,7 @@ from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..syntax import ast
+from . import lookup
 from .advice import nearest_or_all
 from .declared import count_of
 from .modules import Symbol
@@ -81,9 +82,10 @@ def light_entry(low: Lowering, light: Record) -> RigEntry | None:
 
 
 def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:
-    replaced = _overrides(low, rig, written, record)
+    given = _overrides(low, rig, written, record)
+    replaced = {slot: Replacement(definition=definition) for slot, definition in given.items()}
     name = written.name.text
-    leaves = leaves_of(low, record, f"{name}.", frozenset(replaced))
+    leaves = leaves_of(low, record, f"{name}.", given)
     infos = tuple(changed(info, light=name) for info in leaves.parameters)
     resources = tuple(info.resource for info in leaves.resources)
     if written.count is None:
@@ -109,9 +111,9 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
 
 def _overrides(
     low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record
-) -> dict[str, Replacement]:
+) -> dict[str, Definition]:
     """``torch : Beam { inner = 10deg }``: equations lowered as the light's own."""
-    given: dict[str, Replacement] = {}
+    given: dict[str, Definition] = {}
     for slot in written.overrides:
         if slot.name.text not in record.definitions:
             low.report.add(
@@ -120,5 +122,5 @@ def _overrides(
                 hint=nearest_or_all(slot.name.text, record.definitions),
             )  # fmt: skip
             continue
-        given[slot.name.text] = Replacement(definition=Definition(slot, rig, -1))
+        given[slot.name.text] = Definition(slot, rig, lookup.OUTERMOST)
     return given
