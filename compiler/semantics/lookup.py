@@ -280,13 +280,13 @@ def _note(low: Lowering, instance: Instance, name: str, level: int, node: Node) 
     if definition is not None and isinstance(definition.member, ast.Attribute):
         return
     overridden = given is not None or own is not instance.record.definitions[name][0]
-    inherited_slot = level != OUTERMOST and overridden and isinstance(own.member, ast.Slot)
-    shown = f"inherited_{name}" if inherited_slot else name
-    if instance.prefix:
-        shown = f"{instance.prefix}_{shown}"
+    is_inherited = level != OUTERMOST and overridden and isinstance(own.member, ast.Slot)
+    shown = f"{instance.prefix}_{name}" if instance.prefix else name
     crossing = bare(node)
     for named in (node, *crossing.operands) if crossing.op == "interpolate" else (node,):
-        low.notes.names.setdefault(named.id, shown)
+        if is_inherited and named.id not in low.notes.names:
+            low.notes.wholes[named.id] = shown
+        low.notes.names.setdefault(named.id, f"inherited_{shown}" if is_inherited else shown)
         if definition is not None and definition.member.doc:
             low.notes.docs.setdefault(named.id, definition.member.doc)
 
