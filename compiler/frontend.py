@@ -11,10 +11,12 @@ from .diagnostics.diagnostic import Report
 from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
 from .library import FOLDER, parse_library
-from .semantics.elaborate import Parts, elaborate
+from .semantics.elaborate import elaborate
 from .semantics.modules import Loader, Module, Symbol
 from .semantics.records import Records, records_of, sole
+from .semantics.setting import Parts
 from .semantics.shader import Shader
+from .semantics.unused import Surroundings, check_unused
 from .syntax import ast
 from .syntax.load import load_source
 from .syntax.parser import parse
@@ -58,14 +60,17 @@ class Frontend:
         yield from product(rigs or (None,), (None, *passes))
 
     def check(self, module: Module, rig: str | None, pass_: str | None) -> None:
-        """Report what is wrong with a file, which needs no materials: it may be for importing."""
-        materials = records_of(module, "material", abstract=False)
-        if not materials and module.declared:
-            root = sole(self._loader.prelude(), "material", abstract=True)
-            materials = [] if root is None else [root]
-        elif not materials:
-            materials = self._materials(module, None)
-        self._elaborate(module, materials, rig, pass_)
+        """Report what is wrong with a file, which needs no materials: it may be for importing.
+
+        Its materials need not agree with each of its rigs, unless one is named.
+        """
+        if not module.declared:
+            self._materials(module, None)
+        rigs = [self._rig(module, rig)] if rig is not None else self._rigs_of(module)
+        pass_symbol = self._pass(module, pass_)
+        known = [symbol for symbol in rigs if symbol is not None]
+        if known and pass_symbol is not None:
+            self._check_unused(module, known, pass_symbol, set())
 
     def _elaborate(
         self, module: Module, materials: list[Symbol], rig: str | None, pass_: str | None
@@ -74,11 +79,34 @@ class Frontend:
         pass_symbol = self._pass(module, pass_)
         if rig_symbol is None or pass_symbol is None:
             return []
-        found = (
-            elaborate(Parts(symbol, rig_symbol, pass_symbol, module), self._report, self._records)
+        reached: set[Symbol] = set()
+        found = [
+            elaborate(
+                Parts(symbol, rig_symbol, pass_symbol, module),
+                self._report, self._records, reached,
+            )
             for symbol in materials
-        )
+        ]  # fmt: skip
+        self._check_unused(module, [rig_symbol], pass_symbol, reached)
         return [shader for shader in found if shader is not None]
+
+    def _check_unused(
+        self, module: Module, rigs: list[Symbol], pass_: Symbol, reached: set[Symbol]
+    ) -> None:
+        prelude = self._loader.prelude()
+        materials = [
+            *records_of(module, "material", abstract=False),
+            *records_of(module, "material", abstract=True),
+        ]
+        root = sole(prelude, "material", abstract=True)
+        lights = [*rigs, *_rigs(module), *records_of(module, "light", abstract=False)]
+        around = Surroundings(
+            tuple(materials) or (() if root is None else (root,)),
+            tuple(rigs),
+            tuple(dict.fromkeys([*filter(_shines, lights), *_rigs(prelude)])),
+            pass_,
+        )
+        check_unused(module, around, reached, self._report, self._records)
 
     def _materials(self, module: Module, wanted: str | None) -> list[Symbol]:
         concrete = records_of(module, "material", abstract=False)
@@ -105,8 +133,11 @@ class Frontend:
             known = ", ".join(f"`{symbol.name}`" for symbol in own)
             self._report.add(rules.NO_SUCH_RIG, own[1].declaration.name.span, known=known)
             return None
-        (chosen,) = own or _rigs(self._loader.prelude())
-        return chosen
+        return self._rigs_of(module)[0]
+
+    def _rigs_of(self, module: Module) -> list[Symbol]:
+        """A file's own rigs, or the library's where it has none."""
+        return _rigs(module) or _rigs(self._loader.prelude())
 
     def _pass(self, module: Module, wanted: str | None) -> Symbol | None:
         if wanted is None:
@@ -133,6 +164,11 @@ def _rigs(module: Module) -> list[Symbol]:
         for symbols in module.declared.values()
         if isinstance(symbols[0].declaration, ast.Rig)
     ]
+
+
+def _shines(symbol: Symbol) -> bool:
+    """Whether a rig has lights; a light is one."""
+    return not isinstance(symbol.declaration, ast.Rig) or bool(symbol.declaration.entries)
 
 
 def _whole(module: Module) -> Span:

@@ -358,8 +358,12 @@ def apply_body(
     arguments: tuple[Node, ...],
     span: Span,
     surface: Instance | None = None,
+    use: str = "called here",
 ) -> Step[Node | Failure]:
-    """A function's value for fitted arguments; the same call is lowered once."""
+    """A function's value for fitted arguments; the same call is lowered once.
+
+    ``use`` is what messages about a generic body say of ``span``.
+    """
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     key = (symbol, tuple(argument.id for argument in arguments), surface)
@@ -378,7 +382,7 @@ def apply_body(
     result: Node | Failure = yield low.node(function.body, scope)
     result = fit_result(low, symbol, result, arguments)
     if variables:
-        label = Label(span, f"in `{shown(symbol.name, variables)}`, called here")
+        label = Label(span, f"in `{shown(symbol.name, variables)}`, {use}")
         low.report.explain(before, label)
     low.active.pop(symbol)
     low.applied[key] = result

@@ -177,7 +177,7 @@ def slot(
         return instance.values[key]
     if _is_cycle(low, (instance, *key), name, span):
         return FAILURE
-    result: Node | Failure = yield _slot_value(low, instance, name, span, level)
+    result: Node | Failure = yield _slot_value(low, instance, name, level)
     low.active.pop((instance, *key))
     instance.values[key] = result
     if isinstance(result, Node) and result.operands:
@@ -190,9 +190,7 @@ def _definition(instance: Instance, name: str, level: int) -> Definition:
     return next(d for d in instance.record.definitions[name] if d.level >= level)
 
 
-def _slot_value(
-    low: Lowering, instance: Instance, name: str, span: Span, level: int
-) -> Step[Node | Failure]:
+def _slot_value(low: Lowering, instance: Instance, name: str, level: int) -> Step[Node | Failure]:
     replacement = instance.replaced.get(name) if level == OUTERMOST else None
     if replacement is not None:
         given: Node | Failure = yield _replacement_value(low, instance, replacement, name)

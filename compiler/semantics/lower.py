@@ -7,7 +7,7 @@ more is reported. Calls and lights have files of their own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from math import isinf, radians
 from typing import Any
 
@@ -93,6 +93,8 @@ class Lowering:
         self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
         self.active: dict[Any, tuple[str, Span]] = {}
         """What is being lowered right now, outermost first: finding it again is a cycle."""
+        self.entered: set[Symbol] = set()
+        """Functions and terms whose bodies were lowered."""
         self.recursive: set[Symbol] = set()
         """Functions that call themselves, which has been reported."""
         self.structs: dict[Symbol, Declared | None] = {}
@@ -103,6 +105,12 @@ class Lowering:
         self.variables: dict[int, Declared] = {}
         """How the slots of `light` are declared, by the variables that stand for them in terms."""
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
+
+    def reached(self) -> Iterator[Symbol]:
+        """The functions, terms, constants and structures that were checked by being used."""
+        yield from self.entered
+        yield from self.structs
+        yield from (symbol for symbol, *_ in self.applied)
 
     def expression(self, expression: ast.Expression, scope: Scope) -> Step[Value]:
         """The value of ``expression``; nodes get the expression's span."""

@@ -23,10 +23,15 @@ if TYPE_CHECKING:
 Entry = tuple[RigEntry, tuple[ParameterInfo, ...], tuple[ResourceInfo, ...]]
 
 
-def rig_entries(low: Lowering, rig: Symbol) -> list[Entry]:
-    """The lights of a rig, in order; what is wrong with one is reported and leaves it out."""
+def entries_of(low: Lowering, rig: Symbol) -> list[Entry]:
+    """The lights of a rig, in order; what is wrong with one is reported and leaves it out.
+
+    A light stands for a rig that has nothing else.
+    """
     declaration = rig.declaration
-    assert isinstance(declaration, ast.Rig)
+    if not isinstance(declaration, ast.Rig):
+        alone = light_entry(low, low.records.of(rig))
+        return [] if alone is None else [alone]
     entries: list[Entry] = []
     seen: dict[str, ast.Name] = {}
     for written in declaration.entries:
@@ -73,12 +78,11 @@ def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
     return low.records.of(found[0])
 
 
-def light_entry(low: Lowering, light: Record) -> RigEntry | None:
+def light_entry(low: Lowering, light: Record) -> Entry | None:
     """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
     name = light.symbol.declaration.name
     written = ast.RigEntry(name.span, "", name, name, None, at_most=False, overrides=())
-    entry = _entry(low, light.symbol, written, light)
-    return None if entry is None else entry[0]
+    return _entry(low, light.symbol, written, light)
 
 
 def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:
