@@ -235,6 +235,12 @@ UNUSUAL_GROUP = _warning(
     "`{name}` is a group of its own",
     "Parameters belong to frame, view, rig, material, draw, or to a group that you name.",
 )
+UNREADABLE_NAME = _error(
+    "B0214",
+    "nothing that is read can be called `{name}`",
+    "In a material, light or pass, `material` is the material that is drawn and `inherited` is what "
+    "the base says, so a slot, a constant or a function of that name would be out of reach.",
+)
 MISPLACED_MEMBER = _error(
     "B0213",
     "`{member}` does not belong into {record}",
