@@ -13,7 +13,7 @@ from .diagnostics.source import Source, Span
 from .library import FOLDER, parse_library
 from .semantics.elaborate import elaborate
 from .semantics.modules import Loader, Module, Symbol
-from .semantics.records import Records, records_of, sole
+from .semantics.records import Records, records_of
 from .semantics.setting import Parts
 from .semantics.shader import Shader
 from .semantics.unused import Surroundings, check_unused
@@ -68,9 +68,9 @@ class Frontend:
             self._materials(module, None)
         rigs = [self._rig(module, rig)] if rig is not None else self._rigs_of(module)
         pass_symbol = self._pass(module, pass_)
-        known = [symbol for symbol in rigs if symbol is not None]
-        if known and pass_symbol is not None:
-            self._check_unused(module, known, pass_symbol, set())
+        drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
+        if drawn:
+            self._check_unused(module, drawn, set())
 
     def _elaborate(
         self, module: Module, materials: list[Symbol], rig: str | None, pass_: str | None
@@ -87,24 +87,25 @@ class Frontend:
             )
             for symbol in materials
         ]  # fmt: skip
-        self._check_unused(module, [rig_symbol], pass_symbol, reached)
+        rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
+        drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
+        self._check_unused(module, drawn, reached)
         return [shader for shader in found if shader is not None]
 
     def _check_unused(
-        self, module: Module, rigs: list[Symbol], pass_: Symbol, reached: set[Symbol]
+        self, module: Module, drawn: list[tuple[Symbol, Symbol]], reached: set[Symbol]
     ) -> None:
+        """Check what has not been reached, if possible with the rigs and passes in ``drawn``."""
         prelude = self._loader.prelude()
-        materials = [
-            *records_of(module, "material", abstract=False),
-            *records_of(module, "material", abstract=True),
-        ]
-        root = sole(prelude, "material", abstract=True)
-        lights = [*rigs, *_rigs(module), *records_of(module, "light", abstract=False)]
+        materials = [m for abstract in (False, True) for m in _materials_of(module, abstract)]
+        rigs = [*(rig for rig, _ in drawn), *self._rigs_of(module)]
+        lights = [*rigs, *records_of(module, "light", abstract=False), *_rigs(prelude)]
         around = Surroundings(
-            tuple(materials) or (() if root is None else (root,)),
-            tuple(rigs),
-            tuple(dict.fromkeys([*filter(_shines, lights), *_rigs(prelude)])),
-            pass_,
+            materials=tuple(materials or _materials_of(prelude, True)),
+            lights=tuple(dict.fromkeys(filter(_shines, lights))),
+            rigs=tuple(dict.fromkeys(rigs)),
+            passes=tuple(dict.fromkeys([*(pass_ for _, pass_ in drawn), self._forward()])),
+            drawn=tuple(drawn),
         )
         check_unused(module, around, reached, self._report, self._records)
 
@@ -141,7 +142,7 @@ class Frontend:
 
     def _pass(self, module: Module, wanted: str | None) -> Symbol | None:
         if wanted is None:
-            return sole(self._loader.prelude(), "pass", abstract=False)
+            return self._forward()
         found = [
             symbol
             for symbol in module.find(wanted)
@@ -152,6 +153,11 @@ class Frontend:
             self._unknown("pass", wanted, [symbol.name for symbol in known])
             return None
         return found[0]
+
+    def _forward(self) -> Symbol:
+        """The library's pass, which draws unless another is named."""
+        (forward,) = records_of(self._loader.prelude(), "pass", abstract=False)
+        return forward
 
     def _unknown(self, kind: str, name: str, known: list[str]) -> None:
         hint = suggestion(name, known) or (f"there is {', '.join(known)}" if known else "")
@@ -164,6 +170,10 @@ def _rigs(module: Module) -> list[Symbol]:
         for symbols in module.declared.values()
         if isinstance(symbols[0].declaration, ast.Rig)
     ]
+
+
+def _materials_of(module: Module, abstract: bool) -> list[Symbol]:
+    return records_of(module, "material", abstract=abstract)
 
 
 def _shines(symbol: Symbol) -> bool:

@@ -238,8 +238,8 @@ UNUSUAL_GROUP = _warning(
 UNREADABLE_NAME = _error(
     "B0214",
     "nothing that is read can be called `{name}`",
-    "In a material, light or pass, `material` is the material that is drawn and `inherited` is what "
-    "the base says, so a slot, a constant or a function of that name would be out of reach.",
+    "In a material, light or pass, `material` is the material that is drawn, and `inherited` what "
+    "the base says. A slot, a constant or a function of such a name would be out of reach there.",
 )
 MISPLACED_MEMBER = _error(
     "B0213",

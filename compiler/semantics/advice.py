@@ -26,6 +26,8 @@ def fitting_type(found: Type, wanted: Type) -> str:
     """How to make a value of a type that is not the wanted one fit."""
     if isinstance(found, Texture):
         return "" if isinstance(wanted, Texture) else READ
+    if isinstance(wanted, Texture):
+        return "what is read from a texture needs a slot with a name of its own"
     if wanted == BOOL and isinstance(found, Vector) and found.kind == "bool":
         return "`all(…)` or `any(…)` makes one truth of them"
     if wanted == BOOL:
@@ -105,6 +107,8 @@ def nearest_or_all(name: str, known: Iterable[str]) -> str:
 
 def of_a_record(name: str, scope: Scope) -> str:
     """About a slot that is named outside of all records: in a function, a constant or a default."""
+    if name == "inherited":
+        return "only the equations of a material, light, pass or rig build on what a base says"
     if scope.surface is not None or scope.instance is not None:
         term = name == "material" and scope.instance is None
         return "a term reads the slots of the surface by their own names" if term else ""

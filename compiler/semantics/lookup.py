@@ -164,8 +164,18 @@ def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> 
         behind: Value = yield slot(low, surface, name.text, name.span, 0)
         return behind
     if not instance.record.baseless:
-        unknown(low, "inherited slot", name.text, name.span, instance.record.definitions)
+        _unknown_inherited(low, instance.record, name)
     return FAILURE
+
+
+def _unknown_inherited(low: Lowering, record: Record, name: ast.Name) -> None:
+    """A mixin, where no record has it, knows of the chain behind it only what it declares."""
+    if isinstance(record.symbol.declaration, ast.Mixin) and name.text in record.definitions:
+        hint = f"say of which type it has to be: `{name.text} : … = …`"
+        kind = "inherited slot"
+        low.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
+    else:
+        unknown(low, "inherited slot", name.text, name.span, record.definitions)
 
 
 def slot(

@@ -61,10 +61,12 @@ class Surroundings:
     """What a file's declarations can be checked with, the likeliest first; none is empty."""
 
     materials: tuple[Symbol, ...]
-    rigs: tuple[Symbol, ...]
     lights: tuple[Symbol, ...]
     """Rigs, and lights that stand for one."""
-    pass_: Symbol
+    rigs: tuple[Symbol, ...]
+    passes: tuple[Symbol, ...]
+    drawn: tuple[tuple[Symbol, Symbol], ...]
+    """Rigs and passes with one of which a concrete material has to agree."""
 
 
 def check_unused(
@@ -127,9 +129,10 @@ class _Unused:
         """What is wrong with a declaration, in one setting after the other."""
         around = self._around
         match symbol.declaration:
-            case ast.Record(kind="material"):
-                for rig in around.rigs:
-                    yield self._elaborated(symbol, rig, around.pass_)
+            case ast.Record(kind="material", abstract=abstract):
+                offered = product(around.rigs, around.passes)
+                for rig, pass_ in offered if abstract else around.drawn:
+                    yield self._elaborated(symbol, rig, pass_)
             case ast.Record(kind="pass"):
                 for material, rig in product(around.materials, around.rigs):
                     yield self._elaborated(material, rig, symbol)
@@ -178,7 +181,7 @@ class _Unused:
             yield self._trial(material, lights).attempt(check)
 
     def _trial(self, material: Symbol, lights: Symbol) -> _Trial:
-        parts = Parts(material, lights, self._around.pass_, self._module)
+        parts = Parts(material, lights, self._around.passes[0], self._module)
         if parts not in self._trials:
             self._trials[parts] = _Trial(parts, self._report.apart(), self._records)
         return self._trials[parts]

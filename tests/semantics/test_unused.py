@@ -46,7 +46,9 @@ BROKEN = [
 
 
 @pytest.mark.parametrize("declaration", BROKEN)
-@pytest.mark.parametrize("material", ["", "material Whole { color = #fff }"], ids=["alone", "beside"])
+@pytest.mark.parametrize(
+    "material", ["", "material Whole { color = #fff }"], ids=["alone", "beside"]
+)
 def test_a_mistake_in_what_nobody_uses_is_found_once(declaration: str, material: str) -> None:
     text = f"{declaration}\n{material}"
     assert len(codes(text)) == 1
@@ -97,6 +99,21 @@ def test_materials_that_were_not_asked_for_are_checked() -> None:
     text = "material A { color = #fff }  material B { color = missing }"
     with pytest.raises(CompileError, match="missing"):
         burnish.compile(text, "wgsl", material="A")
+
+
+def test_only_what_is_asked_for_has_to_agree_with_the_pass_and_the_rig() -> None:
+    text = """
+    import std.lights
+    abstract material Base {}
+    material A : Base { k = 1  alpha = k }
+    material B : Base { color = vec3(wide()) }
+    term wide() per light = light.inner
+    pass P : Forward { color = vec3(material.k) }
+    rig R { a : Point }
+    rig S { a : Spot }"""
+    assert burnish.compile(text, "wgsl", material="A", rig="R", pass_="P")
+    for wanted in ({"rig": "R"}, {"pass_": "P"}):
+        assert [found.rule.code for found in burnish.check(text, **wanted)] == ["B0201"]
 
 
 def test_of_imported_files_only_what_is_used_is_checked(tmp_path: Path) -> None:
