@@ -11,7 +11,7 @@ from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node, bare
 from ..ir.signatures import FAMILIES
-from ..ir.types import VEC3, Array, Struct, Texture, scalar_kind
+from ..ir.types import TEXTURES, VEC3, Array, Struct, Texture, scalar_kind
 from ..syntax import ast
 from ..trampoline import Step
 from . import advice, fitting, lights, lookup, overloads, textures
@@ -22,6 +22,7 @@ from .declared import declared_type, numbers_of
 from .functions import bound, entered, fit_result
 from .generics import shown, unfounded, untold
 from .modules import Symbol
+from .records import Definition
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
 from .wording import counted
@@ -125,9 +126,15 @@ def _built_in(
     return low.builtin(name, arguments, e.span, name, e.arguments, scope)
 
 
-def _is_map(definitions: tuple[object, ...] | None) -> bool:
-    return bool(definitions) and any(
-        isinstance(getattr(d, "member", None), ast.Map) for d in definitions or ()
+_TEXTURE_NAMES = frozenset(map(str, TEXTURES))
+
+
+def _is_map(definitions: tuple[Definition, ...] | None) -> bool:
+    """Whether a name is declared as a texture: as a map, or by its type, for an heir to set."""
+    return any(
+        isinstance(d.member, ast.Map)
+        or (d.member.type is not None and d.member.type.name.text in _TEXTURE_NAMES)
+        for d in definitions or ()
     )
 
 
