@@ -16,7 +16,7 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.meaning import ANGLE, RGB, RGBA
-from ..ir.node import Formal, Graph, Node
+from ..ir.node import Formal, Graph, Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.types import (
     BOOL,
@@ -95,6 +95,8 @@ class Lowering:
         """What is being lowered right now, outermost first: finding it again is a cycle."""
         self.entered: set[Symbol] = set()
         """Functions and terms whose bodies were lowered."""
+        self.stand_ins: set[Node] = set()
+        """Arguments and slots in a declaration that is checked by itself."""
         self.recursive: set[Symbol] = set()
         """Functions that call themselves, which has been reported."""
         self.structs: dict[Symbol, Declared | None] = {}
@@ -111,6 +113,10 @@ class Lowering:
         yield from self.entered
         yield from self.structs
         yield from (symbol for symbol, *_ in self.applied)
+
+    def is_left_to_a_use(self, node: Node) -> bool:
+        """Whether what has to be known here is for a use to say, so that nothing is wrong yet."""
+        return not self.stand_ins.isdisjoint(reachable((node,)))
 
     def expression(self, expression: ast.Expression, scope: Scope) -> Step[Value]:
         """The value of ``expression``; nodes get the expression's span."""

@@ -26,6 +26,7 @@ def some(
     if declared is None:
         return FAILURE
     variable = low.graph.node("formal", declared.type, (), Formal(name.text))
+    low.stand_ins.add(variable)
     return assumed(low, variable, declared)
 
 

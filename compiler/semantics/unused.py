@@ -199,7 +199,7 @@ class _Trial:
         before = self._report.count if since is None else since
         came_to_values = check(self._setting)
         attempt = Attempt(self._report.since(before), came_to_values)
-        return changed(attempt, right=came_to_values and not attempt.errors)
+        return attempt if came_to_values and not attempt.errors else changed(attempt, right=False)
 
 
 def _check_constant(symbol: Symbol, setting: Setting) -> bool:

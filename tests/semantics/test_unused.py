@@ -40,6 +40,9 @@ BROKEN = [
     "import std.lights  rig R { a : Spot { inner = missing } }",
     "import std.lights  rig Q { a : Spot }  rig R { a : Spot { inner = missing } }",
     "rig R { a : Missing }",
+    "fn f(n: int) -> int = sum i in 0..n : missing",
+    "abstract light L { param n : int  falloff = float(sum i in 0..n : i) }",
+    "abstract material A { k : float  normal = vec3(k, 0, 0) }",
     "a = missing",
     "struct S { a : missing }",
 ]
@@ -74,6 +77,10 @@ RIGHT = [
     "abstract material A { t : depth2d  alpha = t(uv, 0.5) }  material M : A { map t : depth2d }",
     "mixin A { t : texture2d  color = inherited.color * t(uv).rgb }",
     "material A { map t : texture2d  twin : texture2d = t  color = twin(uv).rgb }",
+    "fn f(n: int) -> int = sum i in 0..n : i",
+    "fn f(n: int, m: int) -> int = sum i in 0..n up to (m) : i",
+    "abstract material A { n : int  map t : texture2d"
+    "  color = t.gather(uv, n).rgb * float(sum i in n..9 : i) }",
     "abstract pass P { faint = alpha }",
     "pass P : Forward { color = vec3(material.k) }  material A {}  material B { k = 1  alpha = k }",
     "import std.lights  rig R {}  term lit() per light = light.diffuse",
