@@ -30,6 +30,9 @@ def check(
 ) -> None:
     """Report what is wrong with FILE, and write nothing.
 
+    Everything that FILE declares is checked, whether anything uses it or not, and of the files that
+    it imports what it uses. Without --rig, each material has to agree with one of its rigs.
+
     The exit code is 1 if there are errors; warnings alone do not fail.
 
     \b

@@ -11,10 +11,12 @@ from .diagnostics.diagnostic import Report
 from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
 from .library import FOLDER, parse_library
-from .semantics.elaborate import Parts, elaborate
+from .semantics.elaborate import elaborate
 from .semantics.modules import Loader, Module, Symbol
-from .semantics.records import Records, records_of, sole
+from .semantics.records import Records, records_of
+from .semantics.setting import Parts
 from .semantics.shader import Shader
+from .semantics.unused import Surroundings, check_unused
 from .syntax import ast
 from .syntax.load import load_source
 from .syntax.parser import parse
@@ -63,14 +65,17 @@ class Frontend:
         yield from product(rigs or (None,), (None, *passes))
 
     def check(self, module: Module, rig: str | None, pass_: str | None) -> None:
-        """Report what is wrong with a file, which needs no materials: it may be for importing."""
-        materials = records_of(module, "material", abstract=False)
-        if not materials and module.declared:
-            root = sole(self._loader.prelude(), "material", abstract=True)
-            materials = [] if root is None else [root]
-        elif not materials:
-            materials = self._materials(module, None)
-        self._elaborate(module, materials, rig, pass_)
+        """Report what is wrong with a file, which needs no materials: it may be for importing.
+
+        Its materials need not agree with each of its rigs, unless one is named.
+        """
+        if not module.declared:
+            self._materials(module, None)
+        rigs = [self._rig(module, rig)] if rig is not None else self._rigs_of(module)
+        pass_symbol = self._pass(module, pass_)
+        drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
+        if drawn:
+            self._check_unused(module, drawn, set())
 
     def _elaborate(
         self, module: Module, materials: list[Symbol], rig: str | None, pass_: str | None
@@ -79,11 +84,35 @@ class Frontend:
         pass_symbol = self._pass(module, pass_)
         if rig_symbol is None or pass_symbol is None:
             return []
-        found = (
-            elaborate(Parts(symbol, rig_symbol, pass_symbol, module), self._report, self._records)
+        reached: set[Symbol] = set()
+        found = [
+            elaborate(
+                Parts(symbol, rig_symbol, pass_symbol, module),
+                self._report, self._records, reached,
+            )
             for symbol in materials
-        )
+        ]  # fmt: skip
+        rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
+        drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
+        self._check_unused(module, drawn, reached)
         return [shader for shader in found if shader is not None]
+
+    def _check_unused(
+        self, module: Module, drawn: list[tuple[Symbol, Symbol]], reached: set[Symbol]
+    ) -> None:
+        """Check what has not been reached, if possible with the rigs and passes in ``drawn``."""
+        prelude = self._loader.prelude()
+        materials = [m for abstract in (False, True) for m in _materials_of(module, abstract)]
+        rigs = [*(rig for rig, _ in drawn), *self._rigs_of(module)]
+        lights = [*rigs, *records_of(module, "light", abstract=False), *_rigs(prelude)]
+        around = Surroundings(
+            materials=tuple(materials or _materials_of(prelude, True)),
+            lights=tuple(dict.fromkeys(filter(_shines, lights))),
+            rigs=tuple(dict.fromkeys(rigs)),
+            passes=tuple(dict.fromkeys([*(pass_ for _, pass_ in drawn), self._forward()])),
+            drawn=tuple(drawn),
+        )
+        check_unused(module, around, reached, self._report, self._records)
 
     def _materials(self, module: Module, wanted: str | None) -> list[Symbol]:
         concrete = records_of(module, "material", abstract=False)
@@ -110,12 +139,15 @@ class Frontend:
             known = ", ".join(f"`{symbol.name}`" for symbol in own)
             self._report.add(rules.NO_SUCH_RIG, own[1].declaration.name.span, known=known)
             return None
-        (chosen,) = own or _rigs(self._loader.prelude())
-        return chosen
+        return self._rigs_of(module)[0]
+
+    def _rigs_of(self, module: Module) -> list[Symbol]:
+        """A file's own rigs, or the library's where it has none."""
+        return _rigs(module) or _rigs(self._loader.prelude())
 
     def _pass(self, module: Module, wanted: str | None) -> Symbol | None:
         if wanted is None:
-            return sole(self._loader.prelude(), "pass", abstract=False)
+            return self._forward()
         found = [
             symbol
             for symbol in module.find(wanted)
@@ -126,6 +158,11 @@ class Frontend:
             self._unknown("pass", wanted, [symbol.name for symbol in known])
             return None
         return found[0]
+
+    def _forward(self) -> Symbol:
+        """The library's pass, which draws unless another is named."""
+        (forward,) = records_of(self._loader.prelude(), "pass", abstract=False)
+        return forward
 
     def _unknown(self, kind: str, name: str, known: list[str]) -> None:
         own = f"there is {', '.join(known)}" if known else _NOT_OWN.get(kind, "")
@@ -139,6 +176,15 @@ def _rigs(module: Module) -> list[Symbol]:
         for symbols in module.declared.values()
         if isinstance(symbols[0].declaration, ast.Rig)
     ]
+
+
+def _materials_of(module: Module, abstract: bool) -> list[Symbol]:
+    return records_of(module, "material", abstract=abstract)
+
+
+def _shines(symbol: Symbol) -> bool:
+    """Whether a rig has lights; a light is one."""
+    return not isinstance(symbol.declaration, ast.Rig) or bool(symbol.declaration.entries)
 
 
 def _whole(module: Module) -> Span:

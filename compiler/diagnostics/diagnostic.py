@@ -90,6 +90,16 @@ class Report:
         for other in others:
             self._found.setdefault((other.rule.code, other.message, other.span), other)
 
+    def apart(self) -> Report:
+        """An empty report about the same files, for what is only tried."""
+        trial = Report()
+        trial.unread_names = self.unread_names
+        return trial
+
+    def since(self, count: int) -> tuple[Diagnostic, ...]:
+        """All but the first ``count`` findings, in the order found."""
+        return tuple(self._found.values())[count:]
+
     @property
     def count(self) -> int:
         """How many findings there are by now."""

@@ -237,16 +237,16 @@ MISSPELT_SLOT = _warning(
     "A name that no base declares makes a slot of the material's own; nothing outside asks for it.",
 )
 
-REPLACED_PARAMETER = _error(
-    "B0211",
-    "`{name}` has been replaced by an equation, so there is no value to inherit",
-    "An equation in place of a `param` or `attribute` takes it off the host's hands. Declare it "
-    "again, with another default if need be, or compute under another name.",
-)
 UNUSUAL_GROUP = _warning(
     "B0212",
     "`{name}` is a group of its own",
     "Parameters belong to frame, view, rig, material, draw, or to a group that you name.",
+)
+UNREADABLE_NAME = _error(
+    "B0214",
+    "nothing that is read can be called `{name}`",
+    "In a material, light or pass, `material` is the material that is drawn, and `inherited` what "
+    "the base says. A slot, a constant or a function of such a name would be out of reach there.",
 )
 MISPLACED_MEMBER = _error(
     "B0213",

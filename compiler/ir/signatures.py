@@ -38,6 +38,10 @@ class Family:
     broadcasts: bool = False
     """Whether a scalar operand may stand for a vector of equal lanes."""
 
+    def types(self) -> tuple[Type, ...]:
+        """All types of the family, the simplest first."""
+        return tuple(with_width(kind, lanes) for lanes in self.widths for kind in self.kinds)
+
     def contains(self, type_: Type) -> bool:
         """Whether a type belongs to the family."""
         return (

@@ -39,11 +39,14 @@ class Derived:
 
 
 def hoist(
-    graph: Graph, roots: Iterable[Node], notes: Notes, ranges: Ranges
+    graph: Graph, roots: Iterable[Node], notes: Notes, ranges: Ranges, taken: Iterable[str]
 ) -> tuple[list[Node], tuple[Derived, ...]]:
-    """The roots with the largest hoistable values replaced by derived parameters."""
+    """The roots with the largest hoistable values replaced by derived parameters.
+
+    ``taken`` are the names of declared parameters.
+    """
     wanted = list(roots)
-    hoisting = _Hoisting(notes, ranges)
+    hoisting = _Hoisting(notes, ranges, taken)
     hoisting.choose(wanted)
     rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow)
     read = {node.data for node in reachable(rewritten) if node.op == "parameter"}
@@ -51,14 +54,14 @@ def hoist(
 
 
 class _Hoisting:
-    def __init__(self, notes: Notes, ranges: Ranges) -> None:
+    def __init__(self, notes: Notes, ranges: Ranges, taken: Iterable[str]) -> None:
         self._notes = notes
         self._ranges = ranges
         self._groups: dict[int, frozenset[str] | None] = {}
         self._chosen: set[int] = set()
         self._positions: set[int] = set()
         """Indices: a shader clamps them itself, whatever a host has put into its memory."""
-        self._taken: set[str] = set()
+        self._taken = set(taken)
         self._naming = Naming(notes)
         self.derived: dict[int, Derived] = {}
 
@@ -68,10 +71,7 @@ class _Hoisting:
         self._naming.learn(reversed(nodes))
         for node in nodes:
             self._groups[node.id] = self._groups_of(node)
-            if node.op == "parameter":
-                assert isinstance(node.data, Parameter)
-                self._taken.add(node.data.name)
-            elif node.op == "index":
+            if node.op == "index":
                 self._positions.add(node.operands[1].id)
         needed = {root.id for root in roots}
         for node in nodes:

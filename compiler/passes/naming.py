@@ -35,7 +35,8 @@ class Naming:
     def learn(self, nodes: Iterable[Node]) -> None:
         """Find the named value that each unnamed one is a part of; users come before operands."""
         for node in nodes:
-            within = self._notes.names.get(node.id) or self._context.get(node.id)
+            own = self._notes.wholes.get(node.id) or self._notes.names.get(node.id)
+            within = own or self._context.get(node.id)
             if within is not None:
                 for operand in node.operands:
                     self._context.setdefault(operand.id, within)

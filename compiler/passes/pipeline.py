@@ -103,7 +103,8 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
-        roots, derived = hoist(graph, roots, notes, ranges)
+        declared = (info.parameter.name for info in shader.parameters)
+        roots, derived = hoist(graph, roots, notes, ranges, declared)
         passed("hoist", "guarded", roots)
     roots = passed("lift", "guarded", lift(graph, roots, notes))
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))

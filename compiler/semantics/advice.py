@@ -32,6 +32,8 @@ def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> str:
     match found, wanted:
         case Texture(), _:
             return "" if isinstance(wanted, Texture) else READ
+        case _, Texture():
+            return "what is read from a texture needs a slot with a name of its own"
         case Vector(kind="bool"), Scalar(kind="bool"):
             return f"`all({text})` or `any({text})` makes one truth of them"
         case _, Scalar(kind="bool"):
@@ -123,6 +125,8 @@ def nearest_or_all(name: str, known: Iterable[str]) -> str:
 
 def of_a_record(name: str, scope: Scope) -> str:
     """About a slot that is named outside of all records: in a function, a constant or a default."""
+    if name == "inherited":
+        return "only the equations of a material, light, pass or rig build on what a base says"
     if scope.surface is not None or scope.instance is not None:
         term = name == "material" and scope.instance is None
         return "a term reads the slots of the surface by their own names" if term else ""

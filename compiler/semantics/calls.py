@@ -10,7 +10,7 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node, bare
-from ..ir.types import Texture
+from ..ir.types import TEXTURES, Texture
 from ..syntax import ast
 from ..trampoline import Step
 from . import advice, fitting, lights, lookup, textures
@@ -22,6 +22,7 @@ from .functions import bound, entered, fit_result, usage
 from .generics import shown, unfounded, untold
 from .modules import Symbol
 from .operands import listed
+from .records import Definition
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
 from .wording import counted
@@ -143,9 +144,15 @@ def _built_in(
     return low.builtin(name, arguments, e.span, name, e.arguments, scope)
 
 
-def _is_map(definitions: tuple[object, ...] | None) -> bool:
-    return bool(definitions) and any(
-        isinstance(getattr(d, "member", None), ast.Map) for d in definitions or ()
+_TEXTURE_NAMES = frozenset(map(str, TEXTURES))
+
+
+def _is_map(definitions: tuple[Definition, ...] | None) -> bool:
+    """Whether a name is declared as a texture: as a map, or by its type, for an heir to set."""
+    return any(
+        isinstance(d.member, ast.Map)
+        or (d.member.type is not None and d.member.type.name.text in _TEXTURE_NAMES)
+        for d in definitions or ()
     )
 
 
@@ -315,8 +322,12 @@ def apply_body(
     arguments: tuple[Node, ...],
     span: Span,
     surface: Instance | None = None,
+    use: str = "called here",
 ) -> Step[Node | Failure]:
-    """A function's value for fitted arguments; the same call is lowered once."""
+    """A function's value for fitted arguments; the same call is lowered once.
+
+    ``use`` is what messages about a generic body say of ``span``.
+    """
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     key = (symbol, tuple(argument.id for argument in arguments), surface)
@@ -335,7 +346,7 @@ def apply_body(
     result: Node | Failure = yield low.node(function.body, scope)
     result = fit_result(low, symbol, result, arguments)
     if variables:
-        label = Label(span, f"in `{shown(symbol.name, variables)}`, called here")
+        label = Label(span, f"in `{shown(symbol.name, variables)}`, {use}")
         low.report.explain(before, label)
     low.active.pop(symbol)
     low.applied[key] = result

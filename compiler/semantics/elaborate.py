@@ -3,28 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TypeVar
 
-from ...frozen import changed, frozen
+from ...frozen import changed
 from ..diagnostics import rules
-from ..diagnostics.diagnostic import Label, Report
-from ..ir.leaves import Parameter, Resource
+from ..diagnostics.diagnostic import Report
 from ..ir.node import Node
 from ..ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ..syntax import ast
 from ..trampoline import run
 from . import lookup
-from .checks import check_declarations, check_slots
-from .instances import instance_of
+from .checks import check_rig, check_slots
 from .lower import Lowering
 from .meanings import erased
-from .modules import Module, Symbol
-from .parameters import Leaves, leaves_of
+from .modules import Symbol
+from .parameters import Leaves
 from .records import Record, Records
-from .rigs import Entry, rig_entries
-from .scope import Failure, Instance, Replacement, Scope
+from .rigs import Entry
+from .scope import Failure, Instance, Scope
+from .setting import Parts, is_declared_abstract, set_up
 from .shader import ExternInfo, ParameterInfo, Shader, TargetInfo
-from .typenames import TypeResolver
 
 FORMATS: Mapping[str, Type] = {
     "r8": FLOAT, "r16f": FLOAT, "r32f": FLOAT,
@@ -40,43 +37,28 @@ CLIP_POSITION = "clip_position"
 """The slot that every pass (or its material) has to define: a vec4 in the vertex domain."""
 
 
-@frozen
-class Parts:
-    """What is multiplied."""
+def elaborate(
+    parts: Parts, report: Report, records: Records, reached: set[Symbol]
+) -> Shader | None:
+    """The shader of a material under a pass and a rig, or ``None`` after reporting why not.
 
-    material: Symbol
-    rig: Symbol
-    pass_: Symbol
-    module: Module
-    """The file being compiled, all of which is checked."""
-
-
-def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
-    """The shader of a material under a pass and a rig, or ``None`` after reporting why not."""
-    low = Lowering(report, records, TypeResolver(report))
-    entries = rig_entries(low, parts.rig)
-    low.rig = tuple(entry for entry, _, _ in entries)
-    material, drawn = records.of(parts.material), records.of(parts.pass_)
-    material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
-    pass_leaves = _apart(pass_leaves, material_leaves, drawn)
-    _check_attributes(low, pass_leaves, material_leaves, material)
-    _check_names_of_lights(low, (material_leaves, pass_leaves), entries)
-    surface = instance_of(low, material, material_leaves)
-    passing = instance_of(low, drawn, pass_leaves)
-    passing.surface = surface
-    low.passing = passing
-    surface.replaced.update(_overrides(material, drawn, passing))
+    ``reached`` gets every declaration that was checked on the way.
+    """
+    setting = set_up(parts, report, records)
+    low, surface, passing = setting.low, setting.surface, setting.passing
+    material, drawn = surface.record, passing.record
     clip = _clip_position(low, passing, surface)
     targets = _targets(low, drawn, passing)
     discard = _discard(low, drawn, passing)
     check_slots(low, surface, passing)
+    check_rig(low, surface)
     low.externs.learn(parts.module)
-    check_declarations(low, parts.module, surface)
+    reached.update((parts.material, parts.rig, parts.pass_, *low.reached()))
     if report.failed or isinstance(clip, Failure):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
-    leaves = (pass_leaves, material_leaves)
+    leaves, entries = setting.leaves, setting.entries
     clip, targets, discard = _numbers_only(low, clip, targets, discard)
     return Shader(
         name=material.name,
@@ -114,70 +96,6 @@ def _all_parameters(
     return (*own, *of_lights, *(member.info for block in externs for member in block.members))
 
 
-def _check_names_of_lights(
-    low: Lowering, leaves: Iterable[Leaves], entries: Iterable[Entry]
-) -> None:
-    """A host sets parameters by name, so many lights cannot share theirs with a parameter."""
-    own = {info.parameter.name: info for group in leaves for info in group.parameters}
-    for _, infos, _ in entries:
-        for info in infos:
-            name = info.parameter.name
-            if name in own:
-                labels = [Label(own[name].span, "also a parameter here")]
-                low.report.add(rules.DUPLICATE_NAME, info.span, name=name, labels=labels)
-
-
-def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:
-    """A pass's parameters and textures under names that its material does not use."""
-    taken = {info.parameter.name for info in others.parameters}
-    taken |= {info.resource.name for info in others.resources}
-    parameters = tuple(
-        changed(info, parameter=_prefixed(info.parameter, drawn))
-        if info.parameter.name in taken
-        else info
-        for info in leaves.parameters
-    )
-    resources = tuple(
-        changed(info, resource=_prefixed(info.resource, drawn))
-        if info.resource.name in taken
-        else info
-        for info in leaves.resources
-    )
-    return changed(leaves, parameters=parameters, resources=resources)
-
-
-Leaf = TypeVar("Leaf", Parameter, Resource)
-
-
-def _prefixed(leaf: Leaf, drawn: Record) -> Leaf:
-    return changed(leaf, name=f"{drawn.name}.{leaf.name}")
-
-
-def _check_attributes(low: Lowering, leaves: Leaves, others: Leaves, material: Record) -> None:
-    """A vertex input that a pass and its material declare is one."""
-    known = {info.attribute.name: info for info in others.attributes}
-    for info in leaves.attributes:
-        other = known.get(info.attribute.name)
-        if other is not None and other.attribute != info.attribute:
-            low.report.add(
-                rules.OVERRIDE_CHANGES_TYPE, info.span,
-                name=info.attribute.name, base=material.name,
-                expected=other.declared_type, found=info.declared_type,
-                labels=[Label(other.span, "declared here")],
-            )  # fmt: skip
-
-
-def _overrides(material: Record, drawn: Record, passing: Instance) -> dict[str, Replacement]:
-    """A pass's slots that the material's abstract root declares override the material's."""
-    root = material.root
-    given = {}
-    for name, definitions in drawn.definitions.items():
-        shared = name in material.definitions and material.declaration(name).owner is root
-        if shared and isinstance(definitions[0].member, ast.Slot):
-            given[name] = Replacement(definition=definitions[0], within=passing)
-    return given
-
-
 def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
     surface = passing.surface
     assert surface is not None
@@ -188,6 +106,8 @@ def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Node 
     holder = passing if passing.has(CLIP_POSITION) else surface
     declared = passing.record.symbol.declaration.name.span
     if not holder.has(CLIP_POSITION):
+        if is_declared_abstract(passing.record):
+            return Failure()
         low.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
         return Failure()
     span = holder.record.definitions[CLIP_POSITION][0].member.name.span
@@ -196,7 +116,7 @@ def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Node 
 
 
 def _targets(low: Lowering, drawn: Record, passing: Instance) -> tuple[TargetInfo, ...]:
-    if not drawn.targets and not drawn.baseless:
+    if not drawn.targets and not drawn.baseless and not is_declared_abstract(drawn):
         low.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(low, drawn, passing, *row) for row in drawn.targets)
     return tuple(target for target in found if target is not None)

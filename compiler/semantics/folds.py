@@ -95,7 +95,10 @@ def _turns(low: Lowering, written: ast.Turns, scope: Scope, span: Span) -> Step[
     most: int | None = LONGEST
     if written.most is not None:
         limit = yield low.typed(written.most, scope, INT, "int")
-        most = low.constants.integer(limit, written.most.span)
+        if isinstance(limit, Node) and low.is_left_to_a_use(limit):
+            most = 1
+        else:
+            most = low.constants.integer(limit, written.most.span)
     first, end = ends
     if isinstance(first, Failure) or isinstance(end, Failure) or most is None:
         return FAILURE
@@ -129,6 +132,8 @@ def _count(
         return None
     facts = low.ranges.of(first), low.ranges.of(end)
     bound = min(facts[1].hi - facts[0].lo, most if written.most is not None else float("inf"))
+    if bound > LONGEST and (low.is_left_to_a_use(first) or low.is_left_to_a_use(end)):
+        bound = 1
     if bound > LONGEST:
         way = "write `up to 16` behind the bounds"
         if not written.variable.text:

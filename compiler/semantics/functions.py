@@ -23,6 +23,7 @@ def entered(low: Lowering, symbol: Symbol, span: Span) -> bool:
     """Whether a body may be lowered; a call of itself is reported, once for each way round."""
     if symbol in low.recursive:
         return False
+    low.entered.add(symbol)
     if symbol not in low.active:
         low.active[symbol] = (symbol.name, span)
         return True

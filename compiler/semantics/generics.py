@@ -7,11 +7,13 @@ value is in the wrong space is told when it is fitted to the type that comes out
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 
 from ...frozen import frozen
 from ..ir.meaning import Meaning
 from ..ir.signatures import Family
+from ..ir.types import TEXTURES as ALL_TEXTURES
 from ..ir.types import Array, Matrix, Scalar, Texture, Type, Vector
 from ..syntax import ast
 from . import overloads
@@ -23,6 +25,9 @@ SPACES, WIDTHS, COUNTS = "spaces", "widths", "counts"
 MATRICES, TEXTURES = "matrices", "textures"
 FAMILIES = (*overloads.WRITTEN_FAMILIES, MATRICES, TEXTURES, SPACES, WIDTHS, COUNTS)
 """What a type parameter may range over."""
+
+SOME_SPACE, SOME_COUNT = ("world",), (16,)
+"""What stands for any space, and for any number of elements."""
 
 _WHOLE: Mapping[str, type[Matrix | Texture]] = {MATRICES: Matrix, TEXTURES: Texture}
 """Families of types without lanes that could adapt."""
@@ -43,6 +48,34 @@ def bind(function: ast.Function, uses: Sequence[Use]) -> Variables | None:
         if not binding.match(formal.type, use):
             return None
     return binding.result()
+
+
+def examples(function: ast.Function) -> Iterator[Variables]:
+    """What the type parameters of a function may stand for, each combination once.
+
+    Any space and any number of elements are like all others.
+    """
+    names = [parameter.name.text for parameter in function.type_parameters]
+    families = (_members(parameter.family.text) for parameter in function.type_parameters)
+    for members in product(*families):
+        yield dict(zip(names, members, strict=True))
+
+
+def _members(family: str) -> Sequence[Variable]:
+    match family:
+        case "spaces":
+            return SOME_SPACE
+        case "widths":
+            return (2, 3, 4)
+        case "counts":
+            return SOME_COUNT
+        case "matrices":
+            types: tuple[Type, ...] = (Matrix(3), Matrix(4), Matrix(2))
+        case "textures":
+            types = ALL_TEXTURES
+        case _:
+            types = overloads.WRITTEN_FAMILIES[family].types()
+    return [Declared(type_, str(type_)) for type_ in types]
 
 
 def untold(function: ast.Function) -> list[ast.TypeParameter]:

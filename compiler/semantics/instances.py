@@ -23,13 +23,13 @@ def instance_of(low: Lowering, record: Record, leaves: Leaves) -> Instance:
     for info in leaves.parameters:
         short = info.parameter.name.rpartition(".")[2]
         nodes[short] = low.graph.node("parameter", info.parameter.type, (), info.parameter)
-    nodes.update(_vertex_inputs(low, leaves.attributes))
     resources = {}
     for texture in leaves.resources:
         read = texture.resource
         short = read.name.rpartition(".")[2]
         resources[short] = low.graph.node("resource", read.type, (), read)
-    instance = Instance(record, parameters=nodes, resources=resources)
+    inputs = dict(_vertex_inputs(low, leaves.attributes))
+    instance = Instance(record, parameters=nodes, resources=resources, attributes=inputs)
     check_overrides(low, instance)
     return instance
 

@@ -166,17 +166,27 @@ def slot_or_report(low: Lowering, instance: Instance, name: str, span: Span) -> 
 
 def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> Step[Value]:
     """``inherited.name``: the definition above the one in which this is written."""
-    above = [d for d in instance.record.definitions.get(name.text, ()) if d.level > level]
-    if above:
-        own: Value = yield slot(low, instance, name.text, name.span, above[0].level)
+    above = instance.record.above(name.text, level)
+    if above is not None:
+        own: Value = yield slot(low, instance, name.text, name.span, above.level)
         return own
     surface = instance.surface
     if surface is not None and name.text in surface.record.definitions:
         behind: Value = yield slot(low, surface, name.text, name.span, 0)
         return behind
     if not instance.record.baseless:
-        unknown(low, "inherited slot", name.text, name.span, instance.record.definitions)
+        _unknown_inherited(low, instance.record, name)
     return FAILURE
+
+
+def _unknown_inherited(low: Lowering, record: Record, name: ast.Name) -> None:
+    """A mixin, where no record has it, knows of the chain behind it only what it declares."""
+    if isinstance(record.symbol.declaration, ast.Mixin) and name.text in record.definitions:
+        hint = f"say of which type it has to be: `{name.text} : … = …`"
+        kind = "inherited slot"
+        low.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
+    else:
+        unknown(low, "inherited slot", name.text, name.span, record.definitions)
 
 
 def slot(
@@ -192,8 +202,13 @@ def slot(
     low.active.pop((instance, *key))
     instance.values[key] = result
     if isinstance(result, Node) and result.operands:
-        _note(low, instance, name, result)
+        _note(low, instance, name, level, result)
     return result
+
+
+def _definition(instance: Instance, name: str, level: int) -> Definition:
+    """What the record says of ``name`` at ``level`` or further up."""
+    return next(d for d in instance.record.definitions[name] if d.level >= level)
 
 
 def _slot_value(
@@ -203,10 +218,10 @@ def _slot_value(
     if replacement is not None:
         given: Node | Failure = yield _replacement_value(low, instance, replacement, name)
         return given
-    definition = next(d for d in instance.record.definitions[name] if d.level >= level)
+    definition = _definition(instance, name, level)
     member = definition.member
     if not isinstance(member, ast.Slot):
-        return _leaf(low, instance, member, span, replaced=level != OUTERMOST)
+        return _leaf(low, instance, member)
     if member.value is None:
         record = instance.record
         outermost = record.definitions[name][0] is definition
@@ -244,19 +259,14 @@ def _setting(low: Lowering, instance: Instance, definition: Definition) -> str:
     return f"add `{name} = …` to `{record.name}`{about}"
 
 
-def _leaf(
-    low: Lowering, instance: Instance, member: NamedMember, span: Span, *, replaced: bool
-) -> Node | Failure:
-    """What a parameter, map or attribute reads; an equation in its place leaves nothing to read."""
+def _leaf(low: Lowering, instance: Instance, member: NamedMember) -> Node | Failure:
+    """What a parameter, map or attribute reads; nothing where its declaration is wrong."""
     name = member.name.text
+    if isinstance(member, ast.Attribute):
+        read = instance.attributes.get(name)
+        return FAILURE if read is None else low.stages.attribute(read)
     kept = instance.resources if isinstance(member, ast.Map) else instance.parameters
-    leaf = kept.get(name)
-    if leaf is None and replaced:
-        labels = [Label(member.name.span, "declared here")]
-        low.report.add(rules.REPLACED_PARAMETER, span, name=name, labels=labels)
-    if leaf is None:
-        return FAILURE
-    return low.stages.attribute(leaf) if isinstance(member, ast.Attribute) else leaf
+    return kept.get(name, FAILURE)
 
 
 def _replacement_value(
@@ -299,16 +309,22 @@ def _typing(instance: Instance, name: str) -> Record:
     return surface.record
 
 
-def _note(low: Lowering, instance: Instance, name: str, node: Node) -> None:
+def _note(low: Lowering, instance: Instance, name: str, level: int, node: Node) -> None:
     """Keep the user's name and doc comment for a value."""
-    shown = f"{instance.prefix}_{name}" if instance.prefix else name
-    definition: Definition = instance.record.definitions[name][0]
-    if isinstance(definition.member, ast.Attribute):
+    given = instance.replaced.get(name)
+    own = _definition(instance, name, level)
+    definition = own if level != OUTERMOST or given is None else given.definition
+    if definition is not None and isinstance(definition.member, ast.Attribute):
         return
+    overridden = given is not None or own is not instance.record.definitions[name][0]
+    is_inherited = level != OUTERMOST and overridden and isinstance(own.member, ast.Slot)
+    shown = f"{instance.prefix}_{name}" if instance.prefix else name
     crossing = bare(node)
     for named in (node, *crossing.operands) if crossing.op == "interpolate" else (node,):
-        low.notes.names.setdefault(named.id, shown)
-        if definition.member.doc:
+        if is_inherited and named.id not in low.notes.names:
+            low.notes.wholes[named.id] = shown
+        low.notes.names.setdefault(named.id, f"inherited_{shown}" if is_inherited else shown)
+        if definition is not None and definition.member.doc:
             low.notes.docs.setdefault(named.id, definition.member.doc)
 
 

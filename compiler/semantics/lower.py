@@ -7,7 +7,7 @@ more is reported. Calls and lights have files of their own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from math import isinf, radians
 from typing import Any
 
@@ -16,7 +16,7 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.meaning import ANGLE, RGB, RGBA
-from ..ir.node import Formal, Graph, Node
+from ..ir.node import Formal, Graph, Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.types import (
     BOOL,
@@ -96,6 +96,10 @@ class Lowering:
         """What is being lowered right now, outermost first: finding it again is a cycle."""
         self.cyclic: set[object] = set()
         """What is defined by itself, which has been reported."""
+        self.entered: set[Symbol] = set()
+        """Functions and terms whose bodies were lowered."""
+        self.stand_ins: set[Node] = set()
+        """Arguments and slots in a declaration that is checked by itself."""
         self.recursive: set[Symbol] = set()
         """Functions that call themselves, which has been reported."""
         self.structs: dict[Symbol, Declared | None] = {}
@@ -106,6 +110,16 @@ class Lowering:
         self.variables: dict[int, Declared] = {}
         """How the slots of `light` are declared, by the variables that stand for them in terms."""
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
+
+    def reached(self) -> Iterator[Symbol]:
+        """The functions, terms, constants and structures that were checked by being used."""
+        yield from self.entered
+        yield from self.structs
+        yield from (symbol for symbol, *_ in self.applied)
+
+    def is_left_to_a_use(self, node: Node) -> bool:
+        """Whether what has to be known here is for a use to say, so that nothing is wrong yet."""
+        return not self.stand_ins.isdisjoint(reachable((node,)))
 
     def expression(self, expression: ast.Expression, scope: Scope) -> Step[Value]:
         """The value of ``expression``; nodes get the expression's span."""

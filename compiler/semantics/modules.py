@@ -7,7 +7,7 @@ lead out of the folder they start from.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path, PurePosixPath
@@ -157,6 +157,7 @@ class Loader:
             self._import(module, wanted)
 
     def _declare(self, module: Module, declaration: Named) -> None:
+        _check_readable(self._report, declaration)
         _check_inside(self._report, declaration)
         name = declaration.name
         others = module.declared.get(name.text, ())
@@ -320,6 +321,28 @@ class Loader:
         self._loading.pop()
         self._modules[path] = linked
         return linked
+
+
+_MEANT_OTHERWISE: Mapping[str, str] = {
+    "material": "`material.name` is a slot of the material that is drawn",
+    "inherited": "`inherited.name` is what a base says of a slot",
+}
+"""Names that stand for something wherever records are described."""
+
+
+def _check_readable(report: Report, declaration: Named) -> None:
+    """A declaration, or a member of a record, must not have a name that means something else."""
+    names: list[ast.Name] = []
+    match declaration:
+        case ast.Record(members=members) | ast.Mixin(members=members):
+            names = [m.name for m in members if not isinstance(m, ast.Target | ast.Discard)]
+        case ast.Function() | ast.Constant() | ast.StructDeclaration() | ast.ExternMember():
+            names = [declaration.name]
+    for name in names:
+        if name.text in _MEANT_OTHERWISE:
+            report.add(
+                rules.UNREADABLE_NAME, name.span, name=name.text, hint=_MEANT_OTHERWISE[name.text]
+            )
 
 
 def _check_inside(report: Report, declaration: Named) -> None:

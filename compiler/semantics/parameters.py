@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from math import hypot
 from typing import TYPE_CHECKING
 
-from ...frozen import changed, frozen
+from ...frozen import EMPTY, changed, frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
 from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
@@ -21,6 +21,7 @@ from ..trampoline import run
 from .algebra import weakened
 from .declared import declared_type, named_struct
 from .fitting import needs_unit
+from .inherited import leaf_definitions
 from .maps import resource, unknown_word
 from .records import Definition, Record
 from .scope import Failure, Scope
@@ -48,14 +49,15 @@ class Leaves:
 
 
 def leaves_of(
-    low: Lowering, record: Record, prefix: str = "", without: frozenset[str] = frozenset()
+    low: Lowering, record: Record, prefix: str = "", given: Mapping[str, Definition] = EMPTY
 ) -> Leaves:
     """The parameters, textures and vertex inputs that instances of ``record`` read.
 
-    A parameter that a heir, or a rig entry (``without``), has set by an equation is none any more.
+    One that an heir, or a rig entry (``given``), has set by an equation is none any more, unless an
+    equation builds on it.
     """
     parameters, resources, attributes = [], [], []
-    for name, definition in _effective(record, without):
+    for name, definition in leaf_definitions(record, given):
         member = definition.member
         if isinstance(member, ast.Param):
             info = parameter_of(low, definition, prefix + name)
@@ -69,12 +71,6 @@ def leaves_of(
         elif isinstance(member, ast.Attribute):
             attributes += _attribute(low, definition, name)
     return Leaves(tuple(parameters), tuple(resources), tuple(attributes))
-
-
-def _effective(record: Record, without: frozenset[str]) -> Iterator[tuple[str, Definition]]:
-    for name, definitions in record.definitions.items():
-        if name not in without:
-            yield name, definitions[0]
 
 
 def _group(low: Lowering, definition: Definition, named: ast.Name | None) -> str:

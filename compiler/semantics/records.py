@@ -15,6 +15,7 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.source import Span
 from ..syntax import ast
+from .inherited import inherited_names
 from .modules import Module, Symbol
 
 _WORDS: Mapping[type, str] = {
@@ -75,6 +76,10 @@ class Record:
     def declaration(self, name: str) -> Definition:
         """Where ``name`` was first declared (the furthest ancestor)."""
         return self.definitions[name][-1]
+
+    def above(self, name: str, level: int) -> Definition | None:
+        """The nearest definition of ``name`` further up the chain than ``level``, if any."""
+        return next((d for d in self.definitions.get(name, ()) if d.level > level), None)
 
     def typing(self, name: str) -> Definition | None:
         """The definition with the type that holds for ``name``, if any says one.
@@ -345,25 +350,9 @@ def is_abstract(member: NamedMember) -> bool:
 def _belong_together(later: NamedMember, first: Definition) -> bool:
     """Whether a mixin's definition means to continue, or to share, what another one declares."""
     if isinstance(later, ast.Slot) and later.value is not None:
-        return _builds_on_inherited(later.value, later.name.text)
+        return later.name.text in inherited_names(later.value)
     # What a vertex brings along is the mesh's: both mean the same.
     return isinstance(later, ast.Attribute) and isinstance(first.member, ast.Attribute)
-
-
-def _builds_on_inherited(expression: ast.Expression, name: str) -> bool:
-    """Whether ``inherited.name`` is written somewhere in an expression."""
-    waiting: list[object] = [expression]
-    while waiting:
-        part = waiting.pop()
-        if isinstance(part, tuple):
-            waiting.extend(part)
-        elif isinstance(part, ast.Field) and part.name.text == name:
-            if isinstance(part.operand, ast.Reference) and part.operand.name == "inherited":
-                return True
-            waiting.append(part.operand)
-        elif isinstance(part, ast.Expression):
-            waiting.extend(getattr(part, field_) for field_ in type(part).__match_args__)
-    return False
 
 
 def root_of(module: Module, kind: str) -> Symbol | None:

@@ -8,6 +8,7 @@ from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..syntax import ast
+from . import lookup
 from .advice import nearest_or_all
 from .declared import count_of
 from .modules import Symbol
@@ -22,10 +23,15 @@ if TYPE_CHECKING:
 Entry = tuple[RigEntry, tuple[ParameterInfo, ...], tuple[ResourceInfo, ...]]
 
 
-def rig_entries(low: Lowering, rig: Symbol) -> list[Entry]:
-    """The lights of a rig, in order; what is wrong with one is reported and leaves it out."""
+def entries_of(low: Lowering, rig: Symbol) -> list[Entry]:
+    """The lights of a rig, in order; what is wrong with one is reported and leaves it out.
+
+    A light stands for a rig that has nothing else.
+    """
     declaration = rig.declaration
-    assert isinstance(declaration, ast.Rig)
+    if not isinstance(declaration, ast.Rig):
+        alone = light_entry(low, low.records.of(rig))
+        return [] if alone is None else [alone]
     entries: list[Entry] = []
     seen: dict[str, ast.Name] = {}
     for written in declaration.entries:
@@ -72,18 +78,18 @@ def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
     return low.records.of(found[0])
 
 
-def light_entry(low: Lowering, light: Record) -> RigEntry | None:
+def light_entry(low: Lowering, light: Record) -> Entry | None:
     """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
     name = light.symbol.declaration.name
     written = ast.RigEntry(name.span, "", name, name, None, at_most=False, overrides=())
-    entry = _entry(low, light.symbol, written, light)
-    return None if entry is None else entry[0]
+    return _entry(low, light.symbol, written, light)
 
 
 def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:
-    replaced = _overrides(low, rig, written, record)
+    given = _overrides(low, rig, written, record)
+    replaced = {slot: Replacement(definition=definition) for slot, definition in given.items()}
     name = written.name.text
-    leaves = leaves_of(low, record, f"{name}.", frozenset(replaced))
+    leaves = leaves_of(low, record, f"{name}.", given)
     infos = tuple(changed(info, light=name) for info in leaves.parameters)
     resources = tuple(info.resource for info in leaves.resources)
     if written.count is None:
@@ -109,9 +115,9 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
 
 def _overrides(
     low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record
-) -> dict[str, Replacement]:
+) -> dict[str, Definition]:
     """``torch : Beam { inner = 10deg }``: equations lowered as the light's own."""
-    given: dict[str, Replacement] = {}
+    given: dict[str, Definition] = {}
     for slot in written.overrides:
         if slot.name.text not in record.definitions:
             low.report.add(
@@ -120,5 +126,5 @@ def _overrides(
                 hint=nearest_or_all(slot.name.text, record.definitions),
             )  # fmt: skip
             continue
-        given[slot.name.text] = Replacement(definition=Definition(slot, rig, -1))
+        given[slot.name.text] = Definition(slot, rig, lookup.OUTERMOST)
     return given

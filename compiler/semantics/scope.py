@@ -38,6 +38,7 @@ class Instance:
     parameters: Mapping[str, Node] = field(default_factory=dict)
     """What reads each ``param``; for one light of many, a member of an array element."""
     resources: Mapping[str, Node] = field(default_factory=dict)
+    attributes: Mapping[str, Node] = field(default_factory=dict)
     replaced: dict[str, Replacement] = field(default_factory=dict)
     values: dict[tuple[str, int], Node | Failure] = field(default_factory=dict)
 

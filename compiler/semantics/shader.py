@@ -110,18 +110,21 @@ class Notes:
     """Names for the variables of bodies, in order."""
     roles: dict[int, str] = field(default_factory=dict)
     """What a value without a name is to the named one that it is a part of."""
+    wholes: dict[int, str] = field(default_factory=dict)
+    """What the parts of a value are called after, where that is not its name."""
 
     def copy(self) -> Notes:
         """The notes as they are now."""
         return Notes(
             dict(self.names), dict(self.spans), dict(self.docs), dict(self.functions),
-            dict(self.variables), dict(self.roles),
+            dict(self.variables), dict(self.roles), dict(self.wholes),
         )  # fmt: skip
 
     def follow(self, old: Node, new: Node) -> None:
         """Hand what is noted of a node on to one that replaces it, which keeps what it has."""
         tables: tuple[dict[int, Any], ...] = (
-            self.names, self.spans, self.docs, self.functions, self.variables, self.roles
+            self.names, self.spans, self.docs, self.functions, self.variables, self.roles,
+            self.wholes,
         )  # fmt: skip
         for table in tables:
             if old.id in table:

@@ -141,6 +141,8 @@ def _operands(
     operands = (*given, *fitted)
     for place in way.row.constants:
         lane = low.constants.known_integer(operands[place])
+        if lane is None and low.is_left_to_a_use(operands[place]):
+            continue
         if lane is None or not 0 <= lane <= 3:
             low.report.add(rules.NOT_A_LANE, e.arguments[place].span)
             return None

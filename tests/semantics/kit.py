@@ -90,9 +90,14 @@ def amid(whole: Shader, root: Node, corners: Sequence[Given]) -> Lanes:
     return evaluate(root, crossing)
 
 
-def color(source: str | Path, given: Given | None = None, rig: str | None = None) -> Lanes:
+def color(
+    source: str | Path,
+    given: Given | None = None,
+    rig: str | None = None,
+    pass_: str | None = None,
+) -> Lanes:
     """The colour that a text means."""
-    whole = shader(source, rig)
+    whole = shader(source, rig, pass_)
     return at(whole, whole.targets[0].value, given)[:3]
 
 

@@ -21,7 +21,7 @@ struct Material {
 
 struct FragmentInput {
     @location(0) position_shifted: vec3f,
-    @location(1) normal: vec3f,
+    @location(1) inherited_normal: vec3f,
     @location(2) uv_scaled: vec2f,
 }
 
@@ -32,14 +32,14 @@ fn safe_normalize(v: vec3f) -> vec3f {
 
 @fragment
 fn main(input: FragmentInput) -> @location(0) vec4f {
-    let normal = safe_normalize(input.normal);
+    let inherited_normal = safe_normalize(input.inherited_normal);
     let grain_ = textureSample(grain, grain_sampler, input.uv_scaled);
-    let normal_ = safe_normalize(normal + material.flakes * (2.0 * grain_.xyz - 1.0));
+    let normal = safe_normalize(inherited_normal + material.flakes * (2.0 * grain_.xyz - 1.0));
     let sun_to_light = -rig.sun_direction;
-    let normal_dot_sun_to_light = dot(normal_, sun_to_light);
+    let normal_dot_sun_to_light = dot(normal, sun_to_light);
     let to_eye = safe_normalize(input.position_shifted);
-    let lambert_phong = material.paint * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color + material.paint * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, normal_), to_eye)), 12.0), normal_dot_sun_to_light > 0.0) * rig.sun_specular_color;
-    let lambert_phong_phong = lambert_phong + 0.8 * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), 180.0), dot(normal, sun_to_light) > 0.0) * rig.sun_specular_color;
+    let lambert_phong = material.paint * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color + material.paint * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), 12.0), normal_dot_sun_to_light > 0.0) * rig.sun_specular_color;
+    let lambert_phong_phong = lambert_phong + 0.8 * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, inherited_normal), to_eye)), 180.0), dot(inherited_normal, sun_to_light) > 0.0) * rig.sun_specular_color;
     let color = material.paint * rig.ambient_light + lambert_phong_phong;
     return vec4f(color, 1.0);
 }

@@ -27,7 +27,7 @@ struct VertexInput {
 
 struct VertexOutput {
     @location(0) position_shifted: vec3f,
-    @location(1) normal: vec3f,
+    @location(1) inherited_normal: vec3f,
     @location(2) uv_scaled: vec2f,
     @builtin(position) clip_position: vec4f,
 }
@@ -37,7 +37,7 @@ fn main(input: VertexInput) -> VertexOutput {
     let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
     var output: VertexOutput;
     output.position_shifted = view.eye - position;
-    output.normal = (draw_derived.normal_matrix * input.vertex_normal).xyz;
+    output.inherited_normal = (draw_derived.normal_matrix * input.vertex_normal).xyz;
     output.uv_scaled = input.vertex_uv * 40.0;
     output.clip_position = view.view_projection * vec4f(position, 1.0);
     return output;
