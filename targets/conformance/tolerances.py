@@ -33,10 +33,11 @@ class Tolerance:
     subtexel_bits: int = 8
     """Of filter weights, where the API does not tell."""
     mip_bits: int = 8
-    """Of the level of detail, where the API does not tell, or the device promises too much."""
-
-    projects_gradients: bool = True
-    """Whether gradients given for a cube are projected onto its surface, as Vulkan specifies."""
+    """Of the level of detail, where the API does not tell."""
+    level_power: int | None = None
+    """Of which power of a footprint it reads the logarithm off the float's bits, roughly."""
+    projects_cubes: bool = True
+    """Whether a cube's level goes by how the place in its face changes, as Vulkan specifies."""
 
 
 _LLVM = Tolerance(
@@ -47,7 +48,7 @@ _LLVM = Tolerance(
     functions={"asin": 3e-4, "acos": 3e-4},
     clips_sides=True,
     edge_slack=2.0**-11,
-    mip_bits=4,
+    level_power=2,
 )
 _SWIFTSHADER = Tolerance(
     1e-5,
@@ -57,9 +58,9 @@ _SWIFTSHADER = Tolerance(
     functions={"sin": 2.0**-11, "cos": 2.0**-11, "tan": 2.0**-10},
     interpolates_snapped=True,
     clips_sides=True,
-    # Levels of detail were measured to be off by 1.07 times 2^-6.
-    mip_bits=5,
-    projects_gradients=False,
+    mip_bits=6,
+    level_power=4,
+    projects_cubes=False,
 )
 # GL leaves open who owns a pixel that lies on an edge, and rows from the bottom up turn a top-left
 # rule over: such pixels are undecided.

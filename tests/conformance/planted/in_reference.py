@@ -256,6 +256,8 @@ _PICTURE = [
             replaced(levels, "implicit", _sixteenths)),
     Planted("a seam at every edge of a cube", "kinds: Explicit", WGSL,
             replaced(texels, "across_edges", _within_faces)),
+    Planted("gradients past a cube's surface", "kinds: Slopes", GLSL,
+            replaced(cube.Met, "change", _unprojected)),
     Planted("layers counted round", "kinds: Explicit", HLSL,
             replaced(texels.Image, "layer", lambda self, number: number % self.layers)),
     Planted("depths on the left", "kinds: Compared", GLSL,
