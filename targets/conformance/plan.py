@@ -88,6 +88,7 @@ def rules_of(shot: Shot, device: Device, driver: Tolerance) -> RasterRules:
         rounding_bits=driver.rounding_bits,
         varying_bits=driver.varying_bits,
         mip_bits=device.mip_bits or driver.mip_bits,
+        mixing_bits=driver.mixing_bits,
         level_power=driver.level_power,
         projects_cubes=driver.projects_cubes,
     )

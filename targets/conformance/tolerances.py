@@ -34,6 +34,8 @@ class Tolerance:
     """Of filter weights, where the API does not tell."""
     mip_bits: int = 8
     """Of the level of detail, where the API does not tell."""
+    mixing_bits: int | None = None
+    """Of what it mixes of two levels whose texels it does not filter; ``None``: as floats."""
     level_power: int | None = None
     """Of which power of a footprint it reads the logarithm off the float's bits, roughly."""
     projects_cubes: bool = True
@@ -59,6 +61,8 @@ _SWIFTSHADER = Tolerance(
     interpolates_snapped=True,
     clips_sides=True,
     mip_bits=6,
+    # Which it does in 16 bits, with some roundings.
+    mixing_bits=14,
     level_power=4,
     projects_cubes=False,
 )

@@ -20,7 +20,6 @@ from .reads import Reads
 COUNT = int(os.environ.get("BURNISH_READS", "4"))
 
 
-
 @pytest.mark.parametrize("route", ["lavapipe:glsl", "swiftshader:wgsl-naga"])
 @pytest.mark.parametrize("seed", range(COUNT))
 def test_they_agree(studio: Studio, seed: int, route: str) -> None:

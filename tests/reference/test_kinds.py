@@ -236,6 +236,17 @@ def test_a_level_that_is_read_off_bits() -> None:
     assert flat("sample_grad", (0.5, 0.5), (4 / 8, 0), (0, 0))[0] == pytest.approx(2)
 
 
+def test_means_of_levels_have_so_many_bits() -> None:
+    ways = variants(None, None, None, None, False, mixing_bits=4)
+    found = [
+        Read("2d", "float", *steps(), mip="linear", ways=ways, filter=filter_).spread(
+            "sample_level", (0.5, 0.5), 0.5
+        )
+        for filter_ in ("nearest", "linear")
+    ]
+    assert found == [pytest.approx([0.5, 0.4375, 0.5625]), pytest.approx([0.5] * 3)]
+
+
 def test_gradients_of_a_cube_on_a_device_that_does_not_project_them() -> None:
     """The two axes along which it changes most are added up, be they the direction's own."""
     sky = Read("cube", "float", *steps((6,)), mip="linear", rules=RasterRules(

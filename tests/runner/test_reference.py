@@ -58,7 +58,7 @@ def test_another_question_has_another_name(other: Callable[[], str]) -> None:
 
 
 def test_a_vertex_input_that_nothing_needs_has_any_numbers() -> None:
-    """The compiler has proven that a square is not negative, and so nothing binds the coordinate."""
+    """A square is not negative, so the coordinate is not needed, and nothing binds it."""
     material = burnish.compile(
         "material M { color = if uv.x * uv.x >= 0 then vec3(0.25) else vec3(1) }", ["wgsl"]
     )["M"]

@@ -69,7 +69,8 @@ def _level(
     )
     footprint = np.maximum(right, below)
     power = image.rules.level_power
-    level = _rough_logarithm(footprint, power) if power else np.log2(_at_least_tiny(footprint))
+    exact = np.log2(_at_least_tiny(footprint))
+    level = exact if power is None else _rough_logarithm(footprint, power)
     return _limited(image, level, ways)
 
 
@@ -79,7 +80,7 @@ def _on_surface(
     """The level where a place on a cube's surface changes so much, along three axes.
 
     Vulkan knows no such thing. SwiftShader adds the two axes up along which it changes most, takes
-    the logarithm off the square, and scales the gradients of a quad as those of its upper left pixel.
+    the logarithm off the square, and scales a quad's gradients as those of its upper left pixel.
     """
     size = image.sizes(np.zeros((), dtype=np.int64))[0]
     changes = (np.abs(np.stack(np.broadcast_arrays(*lanes))) for lanes in (across, down))

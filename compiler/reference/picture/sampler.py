@@ -164,6 +164,8 @@ class Reader:
             share = (level - lower)[..., None]
             if share.any():
                 colour = colour + share * (self._at_level(place, upper) - colour)
+            if self._image.state["filter"] == "nearest":
+                colour = colour + self._ways.mixed[:, None, None, None, None]
         else:
             if len(level) == 1:  # Otherwise the variants read both levels.
                 self._margins.at_whole(level + 0.5, _COORDINATE_MARGIN)

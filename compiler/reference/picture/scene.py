@@ -93,6 +93,8 @@ class RasterRules:
     exact."""
     mip_bits: int | None = None
     """Binary places of the level of detail, likewise."""
+    mixing_bits: int | None = None
+    """Binary places of a mean of single texels of two levels; ``None``: exact."""
     level_power: int | None = None
     """Of which power of a footprint a device reads the logarithm off the float's bits, roughly;
     ``None``: it is exact."""

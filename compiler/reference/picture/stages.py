@@ -233,12 +233,17 @@ def _ways(
     read = {image.type.dimension for image in varied}
     smooth = any(image.state.get("filter") == "linear" for image in varied)
     mipped = any(image.state.get("mip", "none") != "none" for image in varied)
+    steps = any(
+        (image.state.get("filter"), image.state.get("mip")) == ("nearest", "linear")
+        for image in varied
+    )
     return variants(
         rules.subtexel_bits if smooth else None,
         rules.mip_bits if mipped or called & {"ddx", "ddy"} else None,
         rules.varying_bits if any(node.data != "flat" for node in crossings) else None,
         rules.rounding_bits,
         any(name in called for name, _ in rules.functions),
+        mixing_bits=rules.mixing_bits if steps else None,
         volumes="3d" in read,
         cubes="cube" in read,
         reads=_reads(nodes),

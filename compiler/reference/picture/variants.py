@@ -41,11 +41,14 @@ class Variants:
     kind: Ints
     """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level;
     5 and 6 what is interpolated, everything alike and checkered; 7 what operations give; 8 to 10
-    what functions give, with three periods; 11 the place inwards; 12 corners."""
+    what functions give, with three periods; 11 the place inwards; 12 corners;
+    13 means of levels."""
     order: Floats
     """Of the norm that makes a length of the derivatives: 2; any between the largest lane
     (infinity) and the sum (1) is allowed."""
 
+    mixed: Floats
+    """What is added to a mean of single texels of two levels."""
     opposite: Ints
     """By how many variants further on the same is done to the other side."""
 
@@ -65,7 +68,10 @@ class Variants:
 
 
 EXACT = Variants(
-    *(np.array([value]) for value in (0.0, 0.0, 0.0, -1, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0, 0))
+    *(
+        np.array([value])
+        for value in (0.0, 0.0, 0.0, -1, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0, 0.0, 0)
+    )
 )
 """The exact way only."""
 
@@ -77,6 +83,7 @@ def variants(
     rounding_bits: int | None,
     functions: bool,
     *,
+    mixing_bits: int | None = None,
     volumes: bool = False,
     cubes: bool = False,
     reads: int = 1,
@@ -91,6 +98,9 @@ def variants(
         changes += _of_filters(2.0**-subtexel_bits, reads, volumes=volumes, cubes=cubes)
     if mip_bits is not None:
         changes += _of_levels(2.0**-mip_bits, reads)
+    if mixing_bits is not None:
+        step = 2.0**-mixing_bits
+        changes += _to_both_sides(13, {"mixed": -step}, {"mixed": step}, reads)
     if varying_bits is not None:
         changes += [(5, {"nudge": 2.0**-varying_bits})]
         changes += [(6, {"nudge": 2.0**-varying_bits, "checkered": 1})]

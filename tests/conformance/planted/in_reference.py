@@ -22,6 +22,7 @@ from burnish.compiler.reference import (
 from burnish.compiler.reference.picture import (
     clip,
     coverage,
+    cube,
     drawing,
     faces,
     levels,
@@ -211,6 +212,12 @@ def _repeated(index: Any, size: Any, wrap: str) -> Any:
 def _within_faces(place: Any, face: Any, size: Any) -> Any:
     """No face has neighbours."""
     return [np.clip(i, 0, size - 1) for i in place], face
+
+
+def _unprojected(where: Any, lanes: Any) -> Any:
+    """Gradients as they are, wherever they lead."""
+    along = cube._turned(where.face, lanes)
+    return [step / where.out / 2 for step in along[:2]]
 
 
 def _round_about(image: Any, place: Any, layer: Any, level: Any) -> Any:
