@@ -20,7 +20,11 @@ MAPS = 5
 
 _STRETCHES = (0.25, 0.5, 1.0, 1.5, 3.0, 8.0)
 _NUMBERS = (0.1, 0.25, 0.4, 0.5, 0.7, 0.85)
-_PLACES = {2: ("uv", "position.xy", "normal.xz"), 3: ("position", "normal", "vec3(uv, 0.41)")}
+_PLACES = {
+    2: ("uv", "0.97 * vec2(position.xy) + 0.013", "0.93 * vec2(normal.xz) + 0.017"),
+    3: ("vec3(uv, 0.41)", "0.97 * vec3(position) + 0.013", "0.93 * vec3(normal) + 0.017"),
+}
+"""By how many lanes; what is the same all over a wall must not lie between two texels."""
 
 
 @dataclass
@@ -110,7 +114,7 @@ class Reads:
 
     def place(self, extents: int, depth: int) -> str:
         """A coordinate, in brackets."""
-        base = f"vec{extents}({self._chance.choice(_PLACES[extents])})"
+        base = f"({self._chance.choice(_PLACES[extents])})"
         lanes = ", ".join(str(self._chance.choice(_STRETCHES)) for _ in range(extents))
         ways = [
             base,

@@ -17,7 +17,7 @@ from burnish.targets.runner.routes import ROUTES
 from .kit import Studio
 from .reads import Reads
 
-COUNT = int(os.environ.get("BURNISH_READS", "4"))
+COUNT = int(os.environ.get("BURNISH_READS", "3"))
 
 
 @pytest.mark.parametrize("route", ["lavapipe:glsl", "swiftshader:wgsl-naga"])
