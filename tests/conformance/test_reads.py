@@ -19,13 +19,21 @@ from .reads import Reads
 
 COUNT = int(os.environ.get("BURNISH_READS", "3"))
 
+DECIDED = 0.75
+"""What has to be decided of all that is drawn. Single texels and comparisons have so many borders
+that a picture of nothing else may well be more undecided than a material's should be."""
+
 
 @pytest.mark.parametrize("route", ["lavapipe:glsl", "swiftshader:wgsl-naga"])
 @pytest.mark.parametrize("seed", range(COUNT))
 def test_they_agree(studio: Studio, seed: int, route: str) -> None:
     text = Reads(seed).text()
     (material,) = burnish.compile(text, ROUTES[route].profile, pass_="Read").materials
-    rows = conform(
+    (row,) = conform(
         [("reads", material)], [ROUTES[route]], studio.runner, studio.toolchain, seed=seed
     )
-    assert rows[0].status == "agrees", "\n".join([text, rows[0].status, *details(rows[0])])
+    told = "\n".join([text, row.status, *details(row)])
+    assert row.status in ("agrees", "undecided"), told
+    comparisons = [result.comparison for result in row.results]
+    proven, covered = (sum(getattr(c, name) for c in comparisons) for name in ("proven", "covered"))
+    assert proven > DECIDED * covered, told
