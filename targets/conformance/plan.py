@@ -90,5 +90,6 @@ def rules_of(shot: Shot, device: Device, driver: Tolerance) -> RasterRules:
         mip_bits=device.mip_bits or driver.mip_bits,
         mixing_bits=driver.mixing_bits,
         level_power=driver.level_power,
+        bottom_up=driver.bottom_up,
         projects_cubes=driver.projects_cubes,
     )

@@ -38,6 +38,8 @@ class Tolerance:
     """Of what it mixes of two levels whose texels it does not filter; ``None``: as floats."""
     level_power: int | None = None
     """Of which power of a footprint it reads the logarithm off the float's bits, roughly."""
+    bottom_up: bool = False
+    """Whether a quad's first pixel is the lower left one, which matters for cubes only."""
     projects_cubes: bool = True
     """Whether a cube's level goes by how the place in its face changes, as Vulkan specifies."""
 
@@ -68,7 +70,7 @@ _SWIFTSHADER = Tolerance(
 )
 # GL leaves open who owns a pixel that lies on an edge, and rows from the bottom up turn a top-left
 # rule over: such pixels are undecided.
-_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16)
+_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)
 
 DRIVERS: Mapping[str, Tolerance] = {
     "lavapipe": _LLVM,

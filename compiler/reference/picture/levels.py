@@ -46,7 +46,8 @@ def by_changes(
     where = met(coordinate)
     if image.rules.projects_cubes:
         return _level(image, where.change(across), where.change(down), ways)
-    out = where.out[..., :1, :1]
+    row = slice(-1, None) if image.rules.bottom_up else slice(1)
+    out = where.out[..., row, :1]
     right, below = ([lane / out / 2 for lane in lanes] for lanes in (across, down))
     return _on_surface(image, right, below, ways)
 
@@ -80,7 +81,7 @@ def _on_surface(
     """The level where a place on a cube's surface changes so much, along three axes.
 
     Vulkan knows no such thing. SwiftShader adds the two axes up along which it changes most, takes
-    the logarithm off the square, and scales a quad's gradients as those of its upper left pixel.
+    the logarithm off the square, and scales a quad's gradients as those of its first pixel.
     """
     size = image.sizes(np.zeros((), dtype=np.int64))[0]
     changes = (np.abs(np.stack(np.broadcast_arrays(*lanes))) for lanes in (across, down))

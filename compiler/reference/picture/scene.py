@@ -98,6 +98,8 @@ class RasterRules:
     level_power: int | None = None
     """Of which power of a footprint a device reads the logarithm off the float's bits, roughly;
     ``None``: it is exact."""
+    bottom_up: bool = False
+    """Whether a quad's first pixel is the lower left one, which matters for cubes only."""
     projects_cubes: bool = True
     """Whether a cube's level goes by how the place in its face changes, as Vulkan specifies
     ("Cube Map Derivative Transformation"), or by how that on its surface does, in space."""
