@@ -43,7 +43,7 @@ def _shifted_left(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, amount = facts
     if x.lo < 0 or not amount.within(0, BITS - 1):
         return Fact().as_kind(x.kind)
-    return Fact(x.lo * 2.0**amount.lo, x.hi * 2.0**amount.hi, kind=x.kind)
+    return Fact(x.lo * 2.0**amount.lo, x.hi * 2.0**amount.hi).as_kind(x.kind)
 
 
 def _shifted_right(facts: tuple[Fact, ...], _same: bool) -> Fact:

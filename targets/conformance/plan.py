@@ -87,6 +87,9 @@ def rules_of(shot: Shot, device: Device, driver: Tolerance) -> RasterRules:
         functions=tuple(sorted(driver.functions.items())),
         rounding_bits=driver.rounding_bits,
         varying_bits=driver.varying_bits,
-        mip_bits=min(device.mip_bits or driver.mip_bits, driver.mip_bits),
-        projects_gradients=driver.projects_gradients,
+        mip_bits=device.mip_bits or driver.mip_bits,
+        mixing_bits=driver.mixing_bits,
+        level_power=driver.level_power,
+        bottom_up=driver.bottom_up,
+        projects_cubes=driver.projects_cubes,
     )

@@ -33,10 +33,15 @@ class Tolerance:
     subtexel_bits: int = 8
     """Of filter weights, where the API does not tell."""
     mip_bits: int = 8
-    """Of the level of detail, where the API does not tell, or the device promises too much."""
-
-    projects_gradients: bool = True
-    """Whether gradients given for a cube are projected onto its surface, as Vulkan specifies."""
+    """Of the level of detail, where the API does not tell."""
+    mixing_bits: int | None = None
+    """Of what it mixes of two levels whose texels it does not filter; ``None``: as floats."""
+    level_power: int | None = None
+    """Of which power of a footprint it reads the logarithm off the float's bits, roughly."""
+    bottom_up: bool = False
+    """Whether a quad's first pixel is the lower left one, which matters for cubes only."""
+    projects_cubes: bool = True
+    """Whether a cube's level goes by how the place in its face changes, as Vulkan specifies."""
 
 
 _LLVM = Tolerance(
@@ -47,7 +52,7 @@ _LLVM = Tolerance(
     functions={"asin": 3e-4, "acos": 3e-4},
     clips_sides=True,
     edge_slack=2.0**-11,
-    mip_bits=4,
+    level_power=2,
 )
 _SWIFTSHADER = Tolerance(
     1e-5,
@@ -57,13 +62,15 @@ _SWIFTSHADER = Tolerance(
     functions={"sin": 2.0**-11, "cos": 2.0**-11, "tan": 2.0**-10},
     interpolates_snapped=True,
     clips_sides=True,
-    # Levels of detail were measured to be off by 1.07 times 2^-6.
-    mip_bits=5,
-    projects_gradients=False,
+    mip_bits=6,
+    # Which it does in 16 bits, with some roundings.
+    mixing_bits=14,
+    level_power=4,
+    projects_cubes=False,
 )
 # GL leaves open who owns a pixel that lies on an edge, and rows from the bottom up turn a top-left
 # rule over: such pixels are undecided.
-_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16)
+_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)
 
 DRIVERS: Mapping[str, Tolerance] = {
     "lavapipe": _LLVM,

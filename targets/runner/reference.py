@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 import pickle
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 
+from ...compiler.ir.leaves import Attribute
 from ...compiler.ir.node import reachable
-from ...compiler.reference.picture import Expected, RasterRules, Texels, draw
+from ...compiler.ir.types import scalar_kind, width
+from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
 from ...compiler.semantics.shader import Shader
 from .drivers.wire import to_json
 from .shots import Shot
@@ -33,11 +36,28 @@ def expected(
         shader,
         instance.values(),
         {name: Texels(tuple(texture.linear())) for name, texture in instance.textures().items()},
-        shot.geometry(),
+        _whole(shot.geometry(), shader),
         rules,
         shot.clear,
         progress,
     )
+
+
+def _whole(geometry: Geometry, shader: Shader) -> Geometry:
+    """With numbers for vertex inputs that the compiler has proven needless, as nothing binds them.
+
+    Should it be wrong, they show.
+    """
+    roots = [shader.clip_position, *(target.value for target in shader.targets)]
+    nodes = reachable([*roots, *([shader.discard] if shader.discard else [])])
+    attributes = dict(geometry.attributes)
+    for node in nodes:
+        if isinstance(node.data, Attribute) and node.data.name not in attributes:
+            shape = geometry.vertex_count, width(node.data.type)
+            numbers = np.rint(100 * np.sin(np.arange(np.prod(shape)))).reshape(shape)
+            whole = scalar_kind(node.data.type) != "float"
+            attributes[node.data.name] = np.abs(numbers).astype(np.int64) if whole else numbers
+    return replace(geometry, attributes=attributes)
 
 
 def remembered(shader: Shader, shot: Shot, rules: RasterRules, store: Store) -> Expected:

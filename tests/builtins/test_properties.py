@@ -215,6 +215,12 @@ def assert_holds(fact: Fact, lanes: list[float]) -> None:
     assert not fact.length or math.hypot(*lanes) >= fact.length * (1 - 1e-6)
 
 
+def test_bits_that_are_shifted_out_bound_nothing() -> None:
+    """Two to the power of 31, shifted by one, is 0."""
+    facts = Fact(1.0, 2.0**31, kind="uint"), Fact(0.0, 1.0, kind="int")
+    assert BUILTINS["shift_left"].range(facts, False).lo == 0
+
+
 @rows
 @settings(max_examples=EXAMPLES, deadline=None)
 @given(data=st.data())

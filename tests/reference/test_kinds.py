@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -14,10 +15,11 @@ from burnish.compiler.ir.types import Dimension, Sample, Texture
 from burnish.compiler.reference.picture.cube import across_edges, met
 from burnish.compiler.reference.picture.margins import Margins
 from burnish.compiler.reference.picture.sampler import Reader
-from burnish.compiler.reference.picture.scene import Texels
+from burnish.compiler.reference.picture.scene import RasterRules, Texels
 from burnish.compiler.reference.picture.texels import Image
 from burnish.compiler.reference.picture.variants import EXACT, Variants, variants
 
+RULES = RasterRules(1, 1)
 DEFAULTS = {"filter": "nearest", "mip": "nearest", "wrap": "clamp"}
 
 
@@ -30,13 +32,14 @@ class Read:
         sample: Sample,
         *levels: Any,
         ways: Variants = EXACT,
+        rules: RasterRules = RULES,
         **state: str,
     ) -> None:
         whole = tuple(sorted({**DEFAULTS, **state}.items()))
         resource = Resource("t", Texture(dimension, sample), "material", "white", whole)
         arrays = tuple(np.asarray(level) for level in levels)
         self.margins = Margins((1, 1, 1))
-        self._reader = Reader(Image(Texels(arrays), resource), ways, self.margins)
+        self._reader = Reader(Image(Texels(arrays), resource, rules), ways, self.margins, count())
 
     def __call__(self, name: str, *operands: Any) -> list[Any]:
         """The lanes of a read, in its exact variant."""
@@ -84,6 +87,15 @@ def test_a_filter_is_off_along_all_three_axes() -> None:
     volume = Read("3d", "float", numbered(2, 2, 2), ways=ways, filter="linear")
     exact, *moved = volume.spread("sample_level", (0.5, 0.5, 0.5), 0.0)
     assert sorted({abs(value - exact) for value in moved}) == [1 / 16, 2 / 16, 4 / 16]
+
+
+def test_what_two_reads_are_off_by_does_not_cancel_out() -> None:
+    ways = variants(4, None, None, None, False, reads=2)
+    ramp = Read("2d", "float", numbered(1, 4), ways=ways, filter="linear")
+    first, second = (np.array(ramp.spread("sample_level", (0.5, 0.5), 0.0)) for _ in range(2))
+    off = np.abs(second - first - (second[0] - first[0]))
+    assert off.max() == pytest.approx(2 / 16)
+    assert np.abs(first - first[0]).max() == pytest.approx(1 / 16)
 
 
 # --- cubes ---------------------------------------------------------------------------------------
@@ -215,6 +227,32 @@ def test_gradients_of_a_cube_are_projected() -> None:
     sky = Read("cube", "float", *steps((6,)), mip="linear")
     assert sky("sample_grad", (0, 0, 2), (2, 0, 0), (0, 0.1, 0))[0] == pytest.approx(2)
     assert sky("sample_grad", (0, 0.5, 2), (0, 1, 4), (0, 0, 0))[0] == 0
+
+
+def test_a_level_that_is_read_off_bits() -> None:
+    """The logarithm of 2.25, the square, is taken for 1 + 0.125."""
+    flat = Read("2d", "float", *steps(), mip="linear", rules=RasterRules(1, 1, level_power=2))
+    assert flat("sample_grad", (0.5, 0.5), (1.5 / 8, 0), (0, 0))[0] == pytest.approx(1.125 / 2)
+    assert flat("sample_grad", (0.5, 0.5), (4 / 8, 0), (0, 0))[0] == pytest.approx(2)
+
+
+def test_means_of_levels_have_so_many_bits() -> None:
+    ways = variants(None, None, None, None, False, mixing_bits=4)
+    found = [
+        Read("2d", "float", *steps(), mip="linear", ways=ways, filter=filter_).spread(
+            "sample_level", (0.5, 0.5), 0.5
+        )
+        for filter_ in ("nearest", "linear")
+    ]
+    assert found == [pytest.approx([0.5, 0.4375, 0.5625]), pytest.approx([0.5] * 3)]
+
+
+def test_gradients_of_a_cube_on_a_device_that_does_not_project_them() -> None:
+    """The two axes along which it changes most are added up, be they the direction's own."""
+    sky = Read("cube", "float", *steps((6,)), mip="linear", rules=RasterRules(
+        1, 1, projects_cubes=False
+    ))  # fmt: skip
+    assert sky("sample_grad", (0, 0.5, 2), (0.1, 0.5, 1.5), (0, 0, 0))[0] == pytest.approx(2)
 
 
 # --- comparisons ---------------------------------------------------------------------------------

@@ -212,3 +212,25 @@ def test_a_decision_that_filtering_may_tip_is_undecided() -> None:
     assert undecided(None) == []
     assert undecided(8) == []
     assert undecided(5) == [15, 16]
+
+
+def test_a_choice_in_doubt_is_so_for_all_who_take_differences_with_it() -> None:
+    """Of four pixels the first hangs on a comparison, and by it so do the levels of its quad."""
+
+    def undecided(read: str) -> list[list[int]]:
+        given = shader(f"""
+            material M {{
+                map m : texture2d
+                clip_position : vec4 = vec4(vertex_position, 1)
+                color = {read}.rgb
+            }}""")
+        place = np.array([(-1, 1, 0), (3, 1, 0), (-1, -3, 0)], float)
+        mesh = geometry(
+            [(0, 1, 2)], vertex_position=place, vertex_uv=np.array([(0, 0), (2, 0), (0, 2)], float)
+        )
+        found = picture(given, mesh, RasterRules(4, 2), {"m": LEVELS}).undecided
+        return np.argwhere(found).tolist()
+
+    chosen = "if uv.x + uv.y <= 0.375 then uv else 2 * uv"
+    assert undecided(f"m.level({chosen}, 0)") == [[0, 0]]
+    assert undecided(f"m({chosen})") == [[0, 0], [0, 1], [1, 0], [1, 1]]

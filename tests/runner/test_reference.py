@@ -57,6 +57,18 @@ def test_another_question_has_another_name(other: Callable[[], str]) -> None:
     assert other() != name(asked())
 
 
+def test_a_vertex_input_that_nothing_needs_has_any_numbers() -> None:
+    """A square is not negative, so the coordinate is not needed, and nothing binds it."""
+    material = burnish.compile(
+        "material M { color = if uv.x * uv.x >= 0 then vec3(0.25) else vec3(1) }", ["wgsl"]
+    )["M"]
+    shot = take(material.instance(), plane(2), Scene(), (8, 8))
+    assert "vertex_uv" not in shot.attributes
+    drawn = reference.expected(material.shader, shot, RULES)
+    assert drawn.covered.any()
+    assert (drawn.targets[0][drawn.covered][:, :3] == 0.25).all()
+
+
 CLOSURE = """
 import sys
 import burnish.compiler.reference.picture

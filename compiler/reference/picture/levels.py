@@ -11,6 +11,9 @@ from .scene import Floats, Ints
 from .texels import Image
 from .variants import Variants
 
+_TINY = 2.0**-60
+"""No change from pixel to pixel is so small that a smaller one would be another level."""
+
 
 def given(image: Image, level: Floats, ways: Variants) -> Floats:
     """A level that a program names, (variants, quads, side, side)."""
@@ -19,17 +22,13 @@ def given(image: Image, level: Floats, ways: Variants) -> Floats:
 
 def implicit(image: Image, coordinate: Sequence[Floats], ways: Variants) -> Floats:
     """The level for coordinates in quads of 2 × 2 pixels, (variants, quads, 2, 2) or (…, 1, 1)."""
-    if coordinate[0].shape[-1] == 1 or _has_one(image):
+    if coordinate[0].shape[-1] == 1 or has_one(image):
         return np.zeros((len(ways), 1, 1, 1))
-    level = by_changes(image, coordinate, *_differences(coordinate, ways), ways)
-    if image.type.dimension != "cube":
-        return level
-    # Some devices take the differences between the places on the cube that a quad's pixels meet,
-    # and some of those add them up along the axes.
-    largest = np.abs(np.stack(coordinate)).max(axis=0)
-    surface = [lane / np.maximum(largest, np.finfo(np.float64).tiny) / 2 for lane in coordinate]
-    between = _level(image, *_differences(surface, ways), ways)
-    return np.where((ways.surface == 1)[:, None, None, None], between, level)
+    if image.type.dimension != "cube" or image.rules.projects_cubes:
+        return by_changes(image, coordinate, *_differences(coordinate, ways), ways)
+    largest = _at_least_tiny(np.abs(np.stack(coordinate)).max(axis=0))
+    surface = [lane / largest / 2 for lane in coordinate]
+    return _on_surface(image, *_differences(surface, ways), ways)
 
 
 def by_changes(
@@ -40,17 +39,17 @@ def by_changes(
     ways: Variants,
 ) -> Floats:
     """The level where the coordinate changes so much to the right and downwards."""
-    if _has_one(image):
+    if has_one(image):
         return np.zeros((len(ways), 1, 1, 1))
     if image.type.dimension != "cube":
         return _level(image, across, down, ways)
     where = met(coordinate)
-    level = _level(image, where.change(across), where.change(down), ways)
-    if not (ways.surface == 2).any():
-        return level
-    right, below = ([lane / where.out / 2 for lane in lanes] for lanes in (across, down))
-    raw = _level(image, right, below, ways)
-    return np.where((ways.surface == 2)[:, None, None, None], raw, level)
+    if image.rules.projects_cubes:
+        return _level(image, where.change(across), where.change(down), ways)
+    row = slice(-1, None) if image.rules.bottom_up else slice(1)
+    out = where.out[..., row, :1]
+    right, below = ([lane / out / 2 for lane in lanes] for lanes in (across, down))
+    return _on_surface(image, right, below, ways)
 
 
 def _differences(coordinate: Sequence[Floats], ways: Variants) -> tuple[list[Floats], list[Floats]]:
@@ -63,22 +62,55 @@ def _differences(coordinate: Sequence[Floats], ways: Variants) -> tuple[list[Flo
 def _level(
     image: Image, across: Sequence[Floats], down: Sequence[Floats], ways: Variants
 ) -> Floats:
-    """The level where a place in the texture, or on a cube's surface, changes so much."""
+    """The level where a place in the texture changes so much, in textures or faces."""
     sizes = image.sizes(np.zeros((), dtype=np.int64))
-    sizes += sizes[:1] * (len(across) - len(sizes))
-    footprint = np.maximum(
-        _length([size * lane for size, lane in zip(sizes, across, strict=True)], ways.order),
-        _length([size * lane for size, lane in zip(sizes, down, strict=True)], ways.order),
+    right, below = (
+        _length([size * lane for size, lane in zip(sizes, lanes, strict=True)], ways.order)
+        for lanes in (across, down)
     )
-    return _limited(image, np.log2(np.maximum(footprint, np.finfo(np.float64).tiny)), ways)
+    footprint = np.maximum(right, below)
+    power = image.rules.level_power
+    exact = np.log2(_at_least_tiny(footprint))
+    level = exact if power is None else _rough_logarithm(footprint, power)
+    return _limited(image, level, ways)
 
 
-def _has_one(image: Image) -> bool:
+def _on_surface(
+    image: Image, across: Sequence[Floats], down: Sequence[Floats], ways: Variants
+) -> Floats:
+    """The level where a place on a cube's surface changes so much, along three axes.
+
+    Vulkan knows no such thing. SwiftShader adds the two axes up along which it changes most, takes
+    the logarithm off the square, and scales a quad's gradients as those of its first pixel.
+    """
+    size = image.sizes(np.zeros((), dtype=np.int64))[0]
+    changes = (np.abs(np.stack(np.broadcast_arrays(*lanes))) for lanes in (across, down))
+    right, below = (size * (lanes.sum(axis=0) - lanes.min(axis=0)) for lanes in changes)
+    return _limited(image, _rough_logarithm(np.maximum(right, below), 2), ways)
+
+
+def _rough_logarithm(footprint: Floats, power: int) -> Floats:
+    """As it is read off the bits of a power: too small by up to 0.086 divided by that power.
+
+    A float's exponent is the whole part of its logarithm, and its mantissa is about the rest.
+    """
+    mantissa, exponent = np.frexp(_at_least_tiny(footprint) ** power)
+    rough: Floats = (exponent + 2 * mantissa - 2) / power
+    return rough
+
+
+def _at_least_tiny(number: Floats) -> Floats:
+    """Something to divide by, or to take the logarithm of."""
+    return np.maximum(number, _TINY)
+
+
+def has_one(image: Image) -> bool:
+    """Whether all reads are of the same level."""
     return image.state["mip"] == "none" or image.levels == 1
 
 
 def _limited(image: Image, level: Floats, ways: Variants) -> Floats:
-    if _has_one(image):
+    if has_one(image):
         return np.zeros((len(ways), 1, 1, 1))
     return np.clip(level + ways.level[:, None, None, None], 0, image.levels - 1)
 

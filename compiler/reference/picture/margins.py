@@ -185,6 +185,13 @@ class Margins:
         elif node.op in ("call", "native"):
             self._called(str(node.data), node, operands, value)
 
+    def spread(self) -> None:
+        """What is undecided in one pixel of a quad is so in those that compare themselves with it.
+
+        Of a quad's derivatives all four pixels are operands, and so are their decisions.
+        """
+        self.undecided |= self.undecided.any(axis=(-2, -1), keepdims=True)
+
     def at_zero(self, value: Lane, allowed: Lane, steady: Bools | bool = False) -> None:
         """Something jumps where ``value`` is zero."""
         if np.ndim(value):

@@ -6,7 +6,7 @@ axis of every read: the first of these variants is the exact one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from itertools import product
@@ -59,18 +59,25 @@ class _Place:
 
 
 class Reader:
-    """Reads an image in the quads of one evaluation: a texture's lane for the evaluator."""
+    """Reads an image in the quads of one evaluation: a texture's lane for the evaluator.
 
-    def __init__(self, image: Image, ways: Variants, margins: Margins) -> None:
+    ``turns`` gives every read of the evaluation its number, whatever image it is of.
+    """
+
+    def __init__(
+        self, image: Image, ways: Variants, margins: Margins, turns: Iterator[int]
+    ) -> None:
         self._image = image
-        self._ways = ways
+        self._all_ways = self._ways = ways
         self._margins = margins
+        self._turns = turns
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
         """The value of builtin ``name`` for what stands behind the texture.
 
         Lanes are (variants, quads, side, side), from operands (…, quads, side, side) or numbers.
         """
+        self._ways = self._all_ways.at(next(self._turns))
         read: Callable[..., Lanes] = getattr(self, f"_{name}")
         return read(*operands)
 
@@ -80,6 +87,8 @@ class Reader:
         if self._image.only is not None:
             return self._image.only
         place = self._place(where)
+        if not levels.has_one(self._image):
+            self._margins.spread()
         return self._filtered(place, levels.implicit(self._image, place.coordinate, self._ways))
 
     def _sample_level(self, *operands: Lanes) -> Lanes:
@@ -155,6 +164,8 @@ class Reader:
             share = (level - lower)[..., None]
             if share.any():
                 colour = colour + share * (self._at_level(place, upper) - colour)
+            if self._image.state["filter"] == "nearest":
+                colour = colour + self._ways.mixed[:, None, None, None, None]
         else:
             if len(level) == 1:  # Otherwise the variants read both levels.
                 self._margins.at_whole(level + 0.5, _COORDINATE_MARGIN)

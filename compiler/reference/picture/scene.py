@@ -93,8 +93,16 @@ class RasterRules:
     exact."""
     mip_bits: int | None = None
     """Binary places of the level of detail, likewise."""
-    projects_gradients: bool = True
-    """Whether gradients that a program gives for a cube are projected onto its surface."""
+    mixing_bits: int | None = None
+    """Binary places of a mean of single texels of two levels; ``None``: exact."""
+    level_power: int | None = None
+    """Of which power of a footprint a device reads the logarithm off the float's bits, roughly;
+    ``None``: it is exact."""
+    bottom_up: bool = False
+    """Whether a quad's first pixel is the lower left one, which matters for cubes only."""
+    projects_cubes: bool = True
+    """Whether a cube's level goes by how the place in its face changes, as Vulkan specifies
+    ("Cube Map Derivative Transformation"), or by how that on its surface does, in space."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins import BUILTINS
+from ....stdlib.builtins import BUILTINS, texture
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
 from ...ir.types import scalar_kind, width
@@ -25,6 +25,9 @@ from .variants import Variants, variants
 from .vertex_reads import VertexReader
 
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
+_GRADS = frozenset({"sample_grad"})
+"""What looks at neighbours besides where cubes are not projected."""
+_FILTERED = frozenset(row.name for row in texture.ROWS if row.sampler is not None)
 _NOT_ROUNDED = (
     EXACT | READS | _COMPARES_NEIGHBOURS | {"neg", "abs", "min", "max", "clamp", "saturate"}
 )
@@ -74,12 +77,12 @@ class Stages:
         self._relative = 0.0 if rules.rounding_bits is None else 2.0**-rules.rounding_bits
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "interpolate"]
-        called = {str(node.data) for node in nodes if node.op in ("call", "native")}
-        self.side = 2 if called.intersection(_COMPARES_NEIGHBOURS) else 1
+        neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
+        self.side = 2 if _called(nodes) & neighbours else 1
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
-        self._images = {r: Image(_texels(textures, r), r) for r in read}
-        self.ways = _ways(self._images.values(), rules, called, self._crossings)
+        self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
+        self.ways = _ways(self._images.values(), rules, nodes, self._crossings)
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """The vertex stage."""
@@ -127,9 +130,11 @@ class Stages:
 
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
         """The fragment stage in quads; ``front`` says which of them face the eye."""
-        margins, turns = Margins((len(front), self.side, self.side)), count()
+        margins = Margins((len(front), self.side, self.side))
+        turns, reads = count(), count()
         readers = {
-            resource: Reader(image, self.ways, margins) for resource, image in self._images.items()
+            resource: Reader(image, self.ways, margins, reads)
+            for resource, image in self._images.items()
         }
         inputs = {
             "frag_coord": (place.x, place.y, place.depth, place.per_w),
@@ -149,7 +154,8 @@ class Stages:
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)
-            if node.data in ("ddx", "ddy") and len(self.ways) > 1:
+            if node.data in ("ddx", "ddy"):
+                margins.spread()
                 return _differences(value, self.ways, str(node.data))
             return self._rounded(node, value, margins, turns)
 
@@ -219,23 +225,41 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
 
 
 def _ways(
-    images: Iterable[Image], rules: RasterRules, called: set[str], crossings: list[Node]
+    images: Iterable[Image], rules: RasterRules, nodes: Sequence[Node], crossings: list[Node]
 ) -> Variants:
     """The variants of reading and interpolating that make a difference to a shader."""
+    called = _called(nodes)
     varied = [image for image in images if image.only is None]
     read = {image.type.dimension for image in varied}
     smooth = any(image.state.get("filter") == "linear" for image in varied)
     mipped = any(image.state.get("mip", "none") != "none" for image in varied)
+    steps = any(
+        (image.state.get("filter"), image.state.get("mip")) == ("nearest", "linear")
+        for image in varied
+    )
     return variants(
         rules.subtexel_bits if smooth else None,
         rules.mip_bits if mipped or called & {"ddx", "ddy"} else None,
         rules.varying_bits if any(node.data != "flat" for node in crossings) else None,
         rules.rounding_bits,
         any(name in called for name, _ in rules.functions),
+        mixing_bits=rules.mixing_bits if steps else None,
         volumes="3d" in read,
         cubes="cube" in read,
-        gradients=not rules.projects_gradients,
+        reads=_reads(nodes),
     )
+
+
+def _called(nodes: Iterable[Node]) -> set[str]:
+    """The builtins among these nodes."""
+    return {str(node.data) for node in nodes if node.op in ("call", "native")}
+
+
+def _reads(nodes: Sequence[Node]) -> int:
+    """How many times a fragment reads through samplers; a loop does so several times."""
+    again = any(node.op in ("fold", "iterate") for node in nodes)
+    count = sum(node.op in ("call", "native") and node.data in _FILTERED for node in nodes)
+    return 3 * count if again else count
 
 
 def _differences(value: Lanes, ways: Variants, name: str) -> Lanes:

@@ -10,14 +10,15 @@ from ...ir.leaves import Resource
 from ...ir.types import Texture
 from ..namespace import Lanes
 from .cube import across_edges
-from .scene import Floats, Ints, Texels
+from .scene import Floats, Ints, RasterRules, Texels
 
 
 class Image:
     """A texture's levels in one table, and its sampler's state."""
 
-    def __init__(self, texels: Texels, resource: Resource) -> None:
+    def __init__(self, texels: Texels, resource: Resource, rules: RasterRules) -> None:
         assert isinstance(resource.type, Texture)
+        self.rules = rules
         self.type = resource.type
         self.state: Mapping[str, str] = dict(resource.state)
         shapes = [level.shape[:-1] if level.ndim == 4 else (1, *level.shape[:-1])

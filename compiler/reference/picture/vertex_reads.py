@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -17,10 +18,10 @@ from .variants import EXACT
 class VertexReader:
     """Reads an image at all vertices at once: lanes are (vertices,), or single numbers."""
 
-    def __init__(self, image: Image, count: int) -> None:
-        self._margins = Margins((count, 1, 1))
-        self._reader = Reader(image, EXACT, self._margins)
-        self._count = count
+    def __init__(self, image: Image, vertices: int) -> None:
+        self._margins = Margins((vertices, 1, 1))
+        self._reader = Reader(image, EXACT, self._margins, count())
+        self._count = vertices
 
     @property
     def undecided(self) -> Bools:

@@ -22,6 +22,7 @@ from burnish.compiler.reference import (
 from burnish.compiler.reference.picture import (
     clip,
     coverage,
+    cube,
     drawing,
     faces,
     levels,
@@ -213,6 +214,12 @@ def _within_faces(place: Any, face: Any, size: Any) -> Any:
     return [np.clip(i, 0, size - 1) for i in place], face
 
 
+def _unprojected(where: Any, lanes: Any) -> Any:
+    """Gradients as they are, wherever they lead."""
+    along = cube._turned(where.face, lanes)
+    return [step / where.out / 2 for step in along[:2]]
+
+
 def _round_about(image: Any, place: Any, layer: Any, level: Any) -> Any:
     """Texels beyond an edge are those at the other one."""
     sizes = image.sizes(np.clip(level, 0, image.levels - 1))
@@ -256,6 +263,8 @@ _PICTURE = [
             replaced(levels, "implicit", _sixteenths)),
     Planted("a seam at every edge of a cube", "kinds: Explicit", WGSL,
             replaced(texels, "across_edges", _within_faces)),
+    Planted("gradients past a cube's surface", "kinds: Slopes", GLSL,
+            replaced(cube.Met, "change", _unprojected)),
     Planted("layers counted round", "kinds: Explicit", HLSL,
             replaced(texels.Image, "layer", lambda self, number: number % self.layers)),
     Planted("depths on the left", "kinds: Compared", GLSL,

@@ -1,0 +1,42 @@
+"""What is said of a driver that does something its own way is true: without it, it differs.
+
+So a new version that does as specified is noticed, as one is that no longer has a defect on the
+list of ``subjects.py``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import pytest
+
+from burnish.targets.conformance import plan
+from burnish.targets.conformance.tolerances import DRIVERS
+from burnish.targets.runner.routes import ROUTES
+
+from .kit import Studio
+from .subjects import row
+
+
+@pytest.mark.parametrize(
+    ("route", "without", "material"),
+    [
+        ("swiftshader:glsl", {"projects_cubes": True}, "kinds: Slopes"),
+        ("swiftshader:glsl", {"interpolates_snapped": False}, "operations: Limits"),
+        ("lavapipe:glsl", {"interpolates_snapped": True}, "operations: Limits"),
+        ("lavapipe:glsl", {"functions": {}}, "operations: Angles"),
+        ("swiftshader:glsl", {"functions": {}}, "operations: Angles"),
+    ],
+)
+def test_it_differs_without(
+    studio: Studio,
+    route: str,
+    without: Mapping[str, object],
+    material: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    driver = ROUTES[route].driver
+    changed = {**DRIVERS, driver: replace(DRIVERS[driver], **without)}  # type: ignore[arg-type]
+    monkeypatch.setattr(plan, "DRIVERS", changed)
+    assert row(studio, material, route).status == "differs", "it does as specified: say so"
