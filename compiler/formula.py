@@ -15,6 +15,8 @@ DEEPEST = 5
 LONGEST = 60
 """Characters of a formula, about."""
 
+_INDEX = "i"
+"""The variable of a body that is closed."""
 _WORDS = {"and": "and", "or": "or", "not": "not ", "mod": "mod"}
 _FOLDS = {"add": "sum", "mul": "product"}
 _CONVERSION = "to_"
@@ -99,7 +101,7 @@ class Formulas:
             case "fold":
                 assert isinstance(node.data, Folding)
                 word = _FOLDS.get(node.data.operator, node.data.operator)
-                index = node.data.index.name if node.data.index else "i"
+                index = node.data.index.name if node.data.index else _INDEX
                 return f"{word} {index} in 0..{part(operands[0])} : {part(operands[2])}"
             case "iterate":
                 return f"iterate up to {part(operands[0])} from {part(operands[1])}"
@@ -109,7 +111,7 @@ class Formulas:
             case "vector" | "splat" | "matrix":
                 return f"{node.type}({', '.join(map(part, operands))})"
             case _:
-                return str(node.data if node.data is not None else node.op)
+                return _INDEX if node.op == "bound" else str(node.data or node.op)
 
     def _call(
         self, name: str, operands: Sequence[Node], depth: int, named: Callable[[Node], str | None]

@@ -7,7 +7,7 @@ four bytes times ``l`` after lane 0. All lanes are little-endian and 32 bits wid
 
 from __future__ import annotations
 
-from ..frozen import frozen
+from ..frozen import changed, frozen
 from .ir.types import Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector, width
 from .layout import ROW, byte_size, elements_in_row, place, stored_type
 
@@ -81,6 +81,22 @@ def _array(array: Array, element: Type, count: int) -> Packing:
         count=count,
         stride=stride,
         members=one.members,
+    )
+
+
+def spread(table: Packing, member: PackedMember) -> Packing:
+    """One member of the structures of an array, as an array of its own with gaps between.
+
+    It starts where the member of the first structure does.
+    """
+    one, count = member.packing, table.count
+    assert count is not None and one.count is None
+    return changed(
+        one,
+        type=Array(one.type, count),
+        size=(count - 1) * table.stride + one.size,
+        count=count,
+        stride=table.stride,
     )
 
 

@@ -9,6 +9,8 @@ from ...compiler.formula import Formulas
 from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Folding, Formal, Iterating, Node
 from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region, Stage
+from ...compiler.ir.types import Struct
+from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged
 from ...compiler.passes.schedule import operands_of, visible
 from ...compiler.semantics.shader import Notes, Shader
@@ -34,7 +36,8 @@ class _Building:
         self._everything = everything
         self._notes: Notes = shader.notes
         self._formulas = Formulas(self._notes)
-        self._derived = {d.parameter: d.expression for d in staged.derived}
+        self._derived = {d.parameter: dict(_values(d)) for d in staged.derived}
+        """What the host computes of each parameter: its value, or the members of its elements."""
         self._crossings = dict(_crossings(staged.program.fragment, self._notes))
         self._guarded = {guard.span for guard in staged.guards if guard.span is not None}
 
@@ -56,9 +59,10 @@ class _Building:
     def _between(self, found: Picture) -> Iterator[tuple[str, str]]:
         """From what the host computes to its uses, and from the vertices to the fragments."""
         keys = [box.key for box in found.boxes]
-        for parameter in self._derived:
+        for parameter, values in self._derived.items():
             ending = f".derived.{parameter.name}"
-            yield from ((f"host.{parameter.name}", key) for key in keys if key.endswith(ending))
+            readers = [key for key in keys if key.endswith(ending)]
+            yield from ((f"host.{name}", key) for name in values for key in readers)
         boxed = set(keys)
         for node in visible(self._staged.program.fragment.results):
             if node.op == "interpolate" and (key := f"fragment.{node.id}") in boxed:
@@ -68,19 +72,23 @@ class _Building:
 
     def _host(self) -> Cluster:
         cluster = Cluster("host, once for each change of a parameter", is_stage=True)
-        for parameter, expression in self._derived.items():
-            key = f"host.{parameter.name}"
-            box = self._box(key, "derived", parameter.name, expression)
-            box.formula = self._formulas.computed(expression)
-            box.note = f"group {parameter.group}"
-            cluster.boxes.append(box)
-            for leaf in visible((expression,)):
-                if leaf.op == "parameter":
-                    inner = self._leaf("host", leaf)
-                    if all(known.key != inner.key for known in cluster.boxes):
-                        cluster.boxes.append(inner)
-                    cluster.edges.append((inner.key, key))
+        for parameter, values in self._derived.items():
+            for name, expression in values.items():
+                box = self._box(f"host.{name}", "derived", name, expression)
+                box.formula = self._formulas.computed(expression)
+                box.note = f"group {parameter.group}"
+                cluster.boxes.append(box)
+                self._inputs(cluster, expression, box)
         return cluster
+
+    def _inputs(self, cluster: Cluster, expression: Node, box: Box) -> None:
+        """The parameters that the host computes a value from."""
+        for leaf in visible((expression,)):
+            if leaf.op == "parameter":
+                inner = self._leaf("host", leaf)
+                if all(known.key != inner.key for known in cluster.boxes):
+                    cluster.boxes.append(inner)
+                cluster.edges.append((inner.key, box.key))
 
     def _vertex(self, stage: Stage) -> Iterator[Cluster]:
         assert stage.position is not None
@@ -298,6 +306,16 @@ def _turn(loop: Node) -> dict[int, str]:
     names = [formal.name for formal in (loop.data.formals or ())[1:]]
     named = {node.id: f"next {name}" for node, name in zip(following, names, strict=True)}
     return named if going.op == "constant" else {going.id: "while", **named}
+
+
+def _values(derived: Derived) -> Iterator[tuple[str, Node]]:
+    """What the host computes, by name; of a table, what it computes for element ``i``."""
+    name, expression = derived.parameter.name, derived.expression
+    if isinstance(expression.type, Struct):
+        for (member, _), value in zip(expression.type.members, expression.operands, strict=True):
+            yield f"{name}[i].{member}", value
+    else:
+        yield name, expression
 
 
 def _crossings(stage: Stage, notes: Notes) -> Iterator[tuple[int, str]]:

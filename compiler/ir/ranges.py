@@ -6,7 +6,8 @@ asks again for the few that a person wants to have explained.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections import ChainMap
+from collections.abc import Callable, Iterable, Mapping, MutableMapping, Sequence
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
@@ -14,6 +15,7 @@ from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact, Kind
 from ...stdlib.builtins.intervals import outward
 from . import rulebook
 from .conditions import learnt
+from .invariants import invariants, parts_of
 from .leaves import Parameter
 from .meaning import Meaning
 from .node import Folding, Formal, Iterating, Node, reachable
@@ -30,11 +32,21 @@ class Ranges:
 
     def __init__(self, roots: Iterable[Node], without: frozenset[str] = frozenset()) -> None:
         self.without = without
-        self._facts: dict[int, Fact] = {}
+        self._facts: MutableMapping[int, Fact] = {}
         self._sources: dict[Formal, list[Node]] = {}
         """The arguments that a formal stands for, over all applies."""
         self._indices: dict[Formal, int] = {}
         """How far the index of a fold runs."""
+        self._states: dict[Formal, Node] = {}
+        """The loop that a state belongs to."""
+        self._leaves: dict[Formal, Node] = {}
+        """The leaf that a variable is in the graph."""
+        self._needed: dict[int, Sequence[Node]] = {}
+        """What has to be known before the states of a loop, by its id."""
+        self._found: dict[tuple[int, tuple[Fact, ...]], Sequence[Fact]] = {}
+        """What holds of a loop's states, by its id and what they start with."""
+        self._assuming = False
+        """Whether facts of states are given: nothing is worked out of those of other loops."""
         self.note_binders(roots)
 
     def note_binders(self, roots: Iterable[Node]) -> None:
@@ -49,7 +61,12 @@ class Ranges:
                 self.note_index(node.data.index, node.data.bound)
             elif node.op == "iterate":
                 assert isinstance(node.data, Iterating) and node.data.formals is not None
-                self.note_index(node.data.formals[0], node.data.bound)
+                turn, *states = node.data.formals
+                self.note_index(turn, node.data.bound)
+                self._states.update(dict.fromkeys(states, node))
+            elif node.op == "formal":
+                assert isinstance(node.data, Formal)
+                self._leaves[node.data] = node
 
     def note_index(self, formal: Formal, bound: int) -> None:
         """``formal`` counts the turns of a loop, of which there are at most ``bound``."""
@@ -62,26 +79,51 @@ class Ranges:
         if known is not None:
             return known
         pending = [node]
+        begun: set[int] = set()
         while pending:
             top = pending[-1]
             if top.id in facts:
                 pending.pop()
                 continue
             needs = self.needs(top)
-            missing = [need for need in needs if need.id not in facts]
+            # A function that a loop calls before it and in its turns needs itself, by its argument.
+            missing = [need for need in needs if need.id not in facts and need.id not in begun]
+            begun.add(top.id)
             if missing:
                 pending.extend(missing)
                 continue
             pending.pop()
-            facts[top.id] = self.derived(top, [facts[need.id] for need in needs])
+            so_far = [facts.get(need.id, UNKNOWN.as_kind(_kind(need))) for need in needs]
+            facts[top.id] = self.derived(top, so_far)
         return facts[node.id]
+
+    def assuming(self, facts: Mapping[int, Fact]) -> Ranges:
+        """The same knowledge with more taken for granted; what follows from that is not kept."""
+        other = Ranges((), self.without)
+        other._facts = ChainMap(dict(facts), self._facts)
+        other._sources, other._indices = self._sources, self._indices
+        other._states, other._leaves = self._states, self._leaves
+        other._assuming = True
+        return other
 
     def needs(self, node: Node) -> Sequence[Node]:
         """The values from whose facts that of ``node`` is derived."""
         if node.op == "formal":
             assert isinstance(node.data, Formal)
+            if node.data in self._states:
+                return () if self._assuming else self._needs_of_state(self._states[node.data])
             return self._sources.get(node.data, ())
         return node.operands
+
+    def _needs_of_state(self, loop: Node) -> Sequence[Node]:
+        """What the states start with, and what is the same in every turn."""
+        if loop.id not in self._needed:
+            assert isinstance(loop.data, Iterating)
+            own, states = frozenset(loop.data.formals or ()), loop.data.states
+            around = frozenset((*self._states, *self._indices)) - own
+            fixed = parts_of(loop.operands[-states:], around)
+            self._needed[loop.id] = (*loop.operands[1 : 1 + states], *fixed)
+        return self._needed[loop.id]
 
     def derived(self, node: Node, known: Sequence[Fact]) -> Fact:
         """What follows for ``node`` when so much is known of what it needs."""
@@ -108,7 +150,30 @@ class Ranges:
     def _rule(self, node: Node) -> _Rule | None:
         if node.op == "formal" and node.data in self._indices:
             return _FOLD_INDEX
+        if node.op == "formal" and node.data in self._states:
+            return None if self._assuming else _IN_TURN
         return _RULES.get(node.op)
+
+    def in_turns(self, state: Formal, starts: Sequence[Fact]) -> Fact:
+        """What holds of a loop's state in every turn, if the states start with so much."""
+        loop = self._states[state]
+        assert isinstance(loop.data, Iterating) and loop.data.formals is not None
+        states, nexts = loop.data.formals[1:], loop.operands[-loop.data.states :]
+        starts = starts[: len(states)]
+
+        def turn(facts: Sequence[Fact]) -> Sequence[Fact]:
+            given = {
+                self._leaves[formal].id: fact
+                for formal, fact in zip(states, facts, strict=True)
+                if formal in self._leaves
+            }
+            inside = self.assuming(given)
+            return [inside.of(following) for following in nexts]
+
+        key = loop.id, tuple(starts)
+        if key not in self._found:
+            self._found[key] = invariants(starts, turn, loop.data.bound)
+        return self._found[key][states.index(state)]
 
     def bound_of(self, index: Formal) -> int:
         """How many values a fold's index takes at most."""
@@ -194,14 +259,20 @@ def _index(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
 
 
-def _member(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
-    """A member of a light of many: its parameter carries a fact for each member."""
+def _member(ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
+    """A member of a light of many, whose parameter carries a fact for each, or a loop's state."""
     source = node.operands[0]
+    if source.op == "iterate":
+        return _state(ranges, source, str(node.data))
     while source.op in ("index", "as"):
         source = source.operands[0]
     if isinstance(source.data, Parameter) and isinstance(node.operands[0].type, Struct):
         return dict(source.data.member_facts).get(str(node.data), UNKNOWN)
     return UNKNOWN
+
+
+def _member_name(node: Node) -> str:
+    return rulebook.STATE if node.operands[0].op == "iterate" else rulebook.MEMBER
 
 
 def _ascribed(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
@@ -271,6 +342,19 @@ def _iterate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     return known[1].union(known[-1]) if node.data.states == 1 else UNKNOWN
 
 
+def _state(ranges: Ranges, loop: Node, name: str) -> Fact:
+    """The same of one of several states."""
+    assert isinstance(loop.data, Iterating) and isinstance(loop.type, Struct)
+    position = [member for member, _ in loop.type.members].index(name)
+    start, following = loop.operands[1 + position], loop.operands[position - loop.data.states]
+    return ranges.of(start).union(ranges.of(following))
+
+
+def _in_turn(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
+    assert isinstance(node.data, Formal)
+    return ranges.in_turns(node.data, known)
+
+
 def _fold_index(ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     assert isinstance(node.data, Formal)
     return Fact(0.0, float(max(ranges.bound_of(node.data) - 1, 0)))
@@ -289,6 +373,7 @@ def _named(name: str, derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]) ->
 
 
 _FOLD_INDEX = _named(rulebook.INDEX, _fold_index)
+_IN_TURN = _named(rulebook.IN_TURN, _in_turn)
 _BUILTIN = _Rule(lambda node: str(node.data), _call)
 _RULES: Mapping[str, _Rule] = {
     "constant": _named(rulebook.CONSTANT, _constant),
@@ -300,7 +385,7 @@ _RULES: Mapping[str, _Rule] = {
     "splat": _named(rulebook.FILLED, _filled),
     "swizzle": _named(rulebook.PICKED, _lanes),
     "index": _named(rulebook.ELEMENT, _index),
-    "member": _named(rulebook.MEMBER, _member),
+    "member": _Rule(_member_name, _member),
     "select": _named(rulebook.EITHER, _select),
     "interpolate": _named(rulebook.INTERPOLATED, _interpolate),
     "fold": _Rule(_fold_name, _fold),

@@ -27,6 +27,7 @@ SUM = "sum"
 PRODUCT = "product"
 EXTREME = "least or greatest"
 STATE = "state"
+IN_TURN = "state in a turn"
 ELEMENTS = "elements"
 INDEX = "fold index"
 ARGUMENT = "argument"
@@ -56,6 +57,7 @@ RULES: Mapping[str, str] = {
     PRODUCT: "no factor is negative",
     EXTREME: "the least or the greatest of some values, the start among them",
     STATE: "what it was at the start, or what a turn has made of it",
+    IN_TURN: "neither the start nor any turn takes it further",
     ELEMENTS: "between the least and the greatest of its elements",
     INDEX: "the index counts from 0 to below the bound",
     ARGUMENT: "one of the arguments that are passed",

@@ -9,6 +9,9 @@ from ..ir.types import Scalar, Vector, width
 LOOP = 32
 """A loop is worth skipping, however little it does in a turn."""
 
+LOAD = 4
+"""Reading one more element of an array of uniforms, at an index that the shader computes."""
+
 
 def cost_of(node: Node) -> int:
     """ALU operations of one node, not counting its operands."""

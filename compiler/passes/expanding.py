@@ -13,6 +13,7 @@ from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from ..semantics.shader import Notes
+from .elements import is_element
 from .expand import Template, template
 from .simplify import Simplifier
 
@@ -77,17 +78,19 @@ class Expanding(Simplifier):
         return self.graph.node("apply", body.type, (body, *(o for _, o in passed)), formals)
 
     def _varies(self, root: Node) -> bool:
-        """Whether a value may differ between vertices or pixels."""
+        """Whether a value may differ between vertices or pixels; elements of arrays do not."""
         pending = [root]
         while pending:
             node = pending[-1]
-            missing = [o for o in node.operands if o.id not in self._varying]
-            if node.id not in self._varying and missing and node.op not in VARYING:
+            at_host = is_element(node)
+            is_leaf = at_host or node.op in VARYING
+            missing = [] if is_leaf else [o for o in node.operands if o.id not in self._varying]
+            if node.id not in self._varying and missing:
                 pending += missing
                 continue
             pending.pop()
-            self._varying[node.id] = node.op in VARYING or any(
-                self._varying[operand.id] for operand in node.operands
+            self._varying[node.id] = not at_host and (
+                node.op in VARYING or any(self._varying[operand.id] for operand in node.operands)
             )
         return self._varying[root.id]
 

@@ -3,6 +3,9 @@
 Such a value is the same for every pixel that the parameters' group covers, so the host evaluates it
 (in float64, rounded once) and keeps it in the group's derived block. Groups that no engine updates
 together are incomparable: a value that reads two of them stays in the shader.
+
+What depends on an element of an array goes too, such as on a lamp in a sum over the lamps. A table
+of structures stands beside the array, one for each element, and is read at the same position.
 """
 
 from __future__ import annotations
@@ -13,11 +16,13 @@ from ...frozen import frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, reachable
 from ..ir.ranges import Ranges
-from ..ir.rewrite import rewrite
-from ..ir.types import Matrix, Scalar, Vector
+from ..ir.rewrite import rewrite, with_operands
+from ..ir.types import Array, Matrix, Scalar, Vector
 from ..semantics.shader import Notes
-from .cost import cost_of
+from .cost import LOAD, cost_of
+from .elements import is_element
 from .naming import Naming
+from .tables import Table, numbered
 
 COMMON_GROUP = "frame"
 """Every other group is updated at least as often, so it may go with any of them."""
@@ -35,7 +40,52 @@ class Derived:
 
     parameter: Parameter
     expression: Node
-    """Over ``parameter`` leaves and constants only."""
+    """Over ``parameter`` leaves and constants only. Of a table, it is the structure for the element
+    whose number is the one free variable, ``bound`` 0."""
+
+
+@frozen
+class _Reads:
+    """What a value is computed from: parameters, and elements of arrays at one position."""
+
+    groups: frozenset[str]
+    position: Node | None = None
+    array: Node | None = None
+    """The shortest of the arrays."""
+
+    def joined(self, other: _Reads) -> _Reads | None:
+        """What a value reads that is computed from two; ``None`` at two positions."""
+        if self.position and other.position and self.position is not other.position:
+            return None
+        arrays = [array for array in (self.array, other.array) if array is not None]
+        shortest = min(arrays, key=_length, default=None)
+        return _Reads(self.groups | other.groups, self.position or other.position, shortest)
+
+    @property
+    def owner(self) -> str | None:
+        """The finest group, if there is one."""
+        narrow = self.groups - {COMMON_GROUP}
+        if not self.groups or len(narrow) > 1:
+            return None
+        return next(iter(narrow)) if narrow else COMMON_GROUP
+
+
+def _length(array: Node) -> int:
+    assert isinstance(array.type, Array)
+    return array.type.count
+
+
+def _saves(root: Node, least: int) -> bool:
+    """Whether a stored value saves operations that cost at least so much."""
+    saved, pending, seen = 0, [root], {root.id}
+    while pending and saved < least:
+        node = pending.pop()
+        saved += 0 if node.data in CHEAP else cost_of(node)
+        for operand in node.operands:
+            if operand.id not in seen:
+                seen.add(operand.id)
+                pending.append(operand)
+    return saved >= least
 
 
 def hoist(
@@ -46,103 +96,119 @@ def hoist(
     ``taken`` are the names of declared parameters.
     """
     wanted = list(roots)
-    hoisting = _Hoisting(notes, ranges, taken)
+    hoisting = _Hoisting(graph, notes, ranges, taken)
     hoisting.choose(wanted)
     rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow)
     read = {node.data for node in reachable(rewritten) if node.op == "parameter"}
-    return rewritten, tuple(d for d in hoisting.derived.values() if d.parameter in read)
+    return rewritten, tuple(d for d in hoisting.derived() if d.parameter in read)
 
 
 class _Hoisting:
-    def __init__(self, notes: Notes, ranges: Ranges, taken: Iterable[str]) -> None:
-        self._notes = notes
+    def __init__(self, graph: Graph, notes: Notes, ranges: Ranges, taken: Iterable[str]) -> None:
+        self._graph = graph
         self._ranges = ranges
-        self._groups: dict[int, frozenset[str] | None] = {}
-        self._chosen: set[int] = set()
+        self._reads: dict[int, _Reads | None] = {}
         self._positions: set[int] = set()
         """Indices: a shader clamps them itself, whatever a host has put into its memory."""
         self._taken = set(taken)
         self._naming = Naming(notes)
-        self.derived: dict[int, Derived] = {}
+        self._moved: dict[int, Node] = {}
+        """What indices have become: what they are computed from may be hoisted."""
+        self._single: dict[int, Derived] = {}
+        """By the id of the value."""
+        self._members: dict[int, tuple[Table, str, Node]] = {}
+        """Likewise, where it stands in a table, and the position of the element."""
+        self._tables: dict[tuple[int, str], Table] = {}
+        """By the array's id and the group that owns the values."""
 
     def choose(self, roots: list[Node]) -> None:
         """Find the hoistable nodes that some user which is not hoistable needs."""
         nodes = reachable(roots)
         self._naming.learn(reversed(nodes))
         for node in nodes:
-            self._groups[node.id] = self._groups_of(node)
+            self._reads[node.id] = self._reads_of(node)
             if node.op == "index":
                 self._positions.add(node.operands[1].id)
         needed = {root.id for root in roots}
         for node in nodes:
             if not self._hoistable(node):
                 needed.update(operand.id for operand in node.operands)
-        self._chosen = {n.id for n in nodes if n.id in needed and self._worth_it(n)}
+        for node in nodes:
+            if node.id in needed and self._hoistable(node) and _saves(node, 1):
+                self._place(node)
 
-    def rule(self, graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
-        """Replace a chosen node by its parameter; inside hoisted values nothing changes."""
-        if node.id not in self._chosen:
-            return None
-        if node.id not in self.derived:
-            parameter = self._parameter(node)
-            self.derived[node.id] = Derived(parameter, node)
-        return graph.node("parameter", node.type, (), self.derived[node.id].parameter)
+    def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        """Replace a chosen node; inside hoisted values nothing changes."""
+        if node.id in self._positions:
+            self._moved[node.id] = with_operands(graph, node, operands)
+        if node.id in self._single:
+            parameter = self._single[node.id].parameter
+            return graph.node("parameter", node.type, (), parameter)
+        if node.id in self._members:
+            table, name, position = self._members[node.id]
+            return table.read(graph, self._moved[position.id], name)
+        return None
 
-    def _groups_of(self, node: Node) -> frozenset[str] | None:
-        """The groups that a value reads; ``None`` if it reads anything else."""
+    def derived(self) -> list[Derived]:
+        """All that the host may have to compute."""
+        tables = self._tables.values()
+        return [
+            *self._single.values(),
+            *(Derived(t.parameter, t.element(self._graph)) for t in tables),
+        ]
+
+    # --- what can go -----------------------------------------------------------------------------
+
+    def _reads_of(self, node: Node) -> _Reads | None:
+        """What a value is computed from; ``None`` if it reads anything else."""
         if node.op == "parameter":
             assert isinstance(node.data, Parameter)
-            return frozenset({node.data.group})
+            return _Reads(frozenset({node.data.group}))
         if node.op == "constant":
-            return frozenset()
+            return _Reads(frozenset())
         if not node.operands or node.op in _NOT_HOISTED:
             return None
-        groups: frozenset[str] = frozenset()
+        found: _Reads | None = _Reads(frozenset())
         for operand in node.operands:
-            theirs = self._groups[operand.id]
-            if theirs is None:
-                return None
-            groups |= theirs
-        return groups
-
-    def _owner(self, node: Node) -> str | None:
-        groups = self._groups[node.id]
-        if not groups:
-            return None
-        narrow = groups - {COMMON_GROUP}
-        if len(narrow) > 1:
-            return None
-        return next(iter(narrow)) if narrow else COMMON_GROUP
+            theirs = self._reads[operand.id]
+            found = None if found is None or theirs is None else found.joined(theirs)
+        if found is None and is_element(node):
+            array, position = node.operands
+            whole = self._reads[array.id]
+            return None if whole is None else _Reads(whole.groups, position, array)
+        return found
 
     def _hoistable(self, node: Node) -> bool:
-        if node.id in self._positions or self._owner(node) is None:
+        reads = self._reads[node.id]
+        if reads is None or reads.owner is None or node.id in self._positions:
             return False
-        return isinstance(node.type, Scalar | Vector | Matrix)
+        pays = reads.position is None or _saves(node, LOAD)
+        return pays and isinstance(node.type, Scalar | Vector | Matrix)
 
-    def _worth_it(self, node: Node) -> bool:
-        """Whether a stored value saves an operation."""
-        if not self._hoistable(node):
-            return False
-        pending = [node]
-        while pending:
-            part = pending.pop()
-            if cost_of(part) and part.data not in CHEAP:
-                return True
-            if part.op != "parameter":
-                pending.extend(part.operands)
-        return False
+    # --- where it goes ---------------------------------------------------------------------------
 
-    def _parameter(self, node: Node) -> Parameter:
-        group = self._owner(node)
-        assert group is not None
-        name = self._name(node)
+    def _place(self, node: Node) -> None:
+        """Give a chosen value its place, by the user's name or one that says what it is made of."""
+        reads, name, fact = self._reads[node.id], self._naming.name(node), self._ranges.of(node)
+        assert reads is not None and reads.owner is not None
+        if reads.position is None:
+            own = Parameter(self._free(name), node.type, reads.owner, fact, derived=True)
+            self._single[node.id] = Derived(own, node)
+        else:
+            table = self._table(reads, reads.owner)
+            member = table.add(self._graph, node, reads.position, name, fact)
+            self._members[node.id] = table, member, reads.position
+
+    def _table(self, reads: _Reads, group: str) -> Table:
+        assert reads.array is not None
+        key = reads.array.id, group
+        if key not in self._tables:
+            table = Table(reads.array, group)
+            table.name = self._free(table.name)
+            self._tables[key] = table
+        return self._tables[key]
+
+    def _free(self, wanted: str) -> str:
+        name = numbered(wanted, self._taken)
         self._taken.add(name)
-        return Parameter(name, node.type, group, self._ranges.of(node), derived=True)
-
-    def _name(self, node: Node) -> str:
-        """The user's name for the value, or one that says what it is computed from."""
-        base = self._naming.name(node)
-        name, number = base, 2
-        while name in self._taken:
-            name, number = f"{base}_{number}", number + 1
         return name

@@ -66,9 +66,10 @@ class Evaluator:
         self._observer = observer
         self._outermost = _Frame()
 
-    def value(self, root: Node) -> Lanes:
-        """The lanes of ``root``."""
-        return run(self._value(root, self._outermost))
+    def value(self, root: Node, *free: Lanes) -> Lanes:
+        """The lanes of ``root``; ``free`` are the values of its free variables, if it has any."""
+        frame = _Frame(self._outermost, free) if free else self._outermost
+        return run(self._value(root, frame))
 
     def _home(self, node: Node, frame: _Frame) -> _Frame:
         """The outermost frame in which ``node`` has the value that it has in ``frame``."""

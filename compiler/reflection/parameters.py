@@ -9,12 +9,10 @@ from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Block, StoredMember
 from ..ir.types import Array
-from ..packing import PackedMember, Packing, packing
+from ..packing import PackedMember, Packing, packing, spread
 from ..semantics.shader import ParameterInfo
 from .bytes import layout_row
 from .values import listed, steps
-
-LIGHT_GROUP = "rig"
 
 
 class Places:
@@ -31,16 +29,28 @@ class Places:
     def row(self, parameter: Parameter) -> dict[str, Any]:
         """Block, offset and size; null where the program leaves the block out."""
         found = self._places.get((parameter.name, parameter.derived))
-        return {
-            "block": found[0].name if found else None,
-            "offset": found[1].offset if found else None,
-            "size": packing(parameter.type).size,
-            "layout": layout_row(packing(parameter.type)),
-        }
+        return _place(found, 0, packing(parameter.type))
+
+    def table_rows(self, parameter: Parameter) -> list[tuple[str, dict[str, Any]]]:
+        """Of each member of a table's structures its name, and as above."""
+        found = self._places.get((parameter.name, parameter.derived))
+        table = packing(parameter.type)
+        return [(m.name, _place(found, m.offset, spread(table, m))) for m in table.members]
 
     def derived(self) -> list[StoredMember]:
         """The members that a host has to compute, in order."""
         return [member for (_, derived), (_, member) in self._places.items() if derived]
+
+
+def _place(
+    found: tuple[Block, StoredMember] | None, further: int, packed: Packing
+) -> dict[str, Any]:
+    return {
+        "block": found[0].name if found else None,
+        "offset": found[1].offset + further if found else None,
+        "size": packed.size,
+        "layout": layout_row(packed),
+    }
 
 
 def parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -> dict[str, Any]:
@@ -94,29 +104,57 @@ def _member(member: PackedMember, info: ParameterInfo | None) -> dict[str, Any]:
 
 def derived_rows(places: Places, values: Mapping[Parameter, Node]) -> list[dict[str, Any]]:
     """What the host computes, with the steps that compute it."""
-    return [_derived_row(member, places, values) for member in places.derived()]
+    rows = []
+    for member in places.derived():
+        parameter = member.parameter
+        assert parameter is not None
+        value = values[parameter]
+        if value.op == "struct":
+            rows += _table_rows(parameter, places, value)
+        else:
+            representation = str(parameter.type)
+            place = places.row(parameter)
+            rows.append(_derived_row(parameter, "", representation, place, member.doc, value))
+    return rows
+
+
+def _table_rows(parameter: Parameter, places: Places, element: Node) -> list[dict[str, Any]]:
+    """A row for each member of the structures that stand beside an array."""
+    members = zip(places.table_rows(parameter), element.operands, strict=True)
+    return [
+        _derived_row(
+            parameter, f".{name}", f"{value.type}[{place['layout']['count']}]", place, "", value
+        )
+        for (name, place), value in members
+    ]
 
 
 def _derived_row(
-    member: StoredMember, places: Places, values: Mapping[Parameter, Node]
+    parameter: Parameter,
+    member: str,
+    representation: str,
+    place: dict[str, Any],
+    doc: str,
+    value: Node,
 ) -> dict[str, Any]:
-    parameter = member.parameter
-    assert parameter is not None
     return {
-        "name": parameter.name,
-        "representation": str(parameter.type),
+        "name": parameter.name + member,
+        "representation": representation,
         "group": parameter.group,
-        **places.row(parameter),
-        "doc": member.doc,
-        "steps": steps(values[parameter]),
+        **place,
+        "doc": doc,
+        "steps": steps(value),
     }
 
 
 def light_rows(parameters: Sequence[ParameterInfo]) -> list[dict[str, Any]]:
-    """The rig's lights: an array is one parameter, a single light one parameter for each member."""
+    """The rig's lights: an array is one parameter, a single light one parameter for each member.
+
+    A light may have parameters of several groups, and so in several blocks.
+    """
     entries: dict[str, list[ParameterInfo]] = {}
     for info in parameters:
-        if info.light and info.parameter.group == LIGHT_GROUP:
+        if info.light:
             entries.setdefault(info.light, []).append(info)
     return [_light_row(name, infos) for name, infos in entries.items()]
 

@@ -8,6 +8,7 @@ What stands behind a block's language says how it is tried:
 ```burnish error=B0203           must fail with this code and no other
 ```burnish rig=R pass=P          compiled with that rig and pass
 ```wgsl from=plastic:fragment    lines of the text that the example becomes; `…` stands for others
+```json from=own_light            a row of the example's reflection; of `plastic`, if none is named
 ```text from=B0203               how the error of the block before is shown
 ```python                        run, together with the page's other ones, among the examples
 ```console                       lines that begin with `$ burnish` are run there as well; what is

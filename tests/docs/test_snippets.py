@@ -97,7 +97,9 @@ def assert_in_order(quoted: str, text: str) -> None:
 def test_json(block: Block) -> None:
     """A quoted row stands in the example's reflection, where it may have more keys."""
     quoted = json.loads(block.text)
-    reflection = PLASTIC.reflection
+    example = block.value("from") or "plastic"
+    (material,) = burnish.compile(EXAMPLES / f"{example}.burnish", ("glsl",)).materials
+    reflection = material.reflection
     rows = [row for key in ("parameters", "derived", "blocks") for row in reflection[key]]
     assert any(quoted.items() <= row.items() for row in rows)
 

@@ -139,6 +139,42 @@ def test_members_of_structures_have_the_types_that_were_written() -> None:
     ]  # fmt: skip
 
 
+def test_lights_have_parameters_of_any_group() -> None:
+    (material,) = burnish.compile(
+        """
+        import std.terms.{lambert}
+        import std.lights.{Point}
+        light Lamp : Point {
+            param pulse : float in 0..1 per frame = 1
+            param near  : float in 0..1 per draw = 1
+            falloff = if position.x < 0 then pulse else near
+        }
+        light Glow : Light {
+            param aim : direction<world> per view
+            to_light = -aim
+            diffuse_color = vec3(1)
+            specular_color = vec3(1)
+        }
+        material Lit { color = lambert(vec3(1)) }
+        rig Hall { lamp : Lamp  glow : Glow }
+        """,
+        ("wgsl",),
+    )
+    rows = {row["name"]: row["parameters"] for row in material.reflection["lights"]}
+    blocks = {row["name"]: row["block"] for row in material.reflection["parameters"]}
+    assert rows["glow"] == ["glow.aim"]
+    assert {name: blocks[name] for name in rows["lamp"]} == {
+        "lamp.diffuse_color": "Rig",
+        "lamp.specular_color": "Rig",
+        "lamp.place": "Rig",
+        "lamp.pulse": "Frame",
+        "lamp.near": "Draw",
+    }
+    instance = material.instance()
+    instance.rig.lamp = {"place": (0, 1, 0), "pulse": 0.5}
+    assert (instance.get("lamp.pulse"), instance.lamp.near) == (0.5, 1.0)
+
+
 def test_only_lights_are_listed_as_lights() -> None:
     """Structures per rig and members of a host's block have parts, too, but do not shine."""
     (material,) = burnish.compile(

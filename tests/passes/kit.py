@@ -111,7 +111,7 @@ class World:
     def _parameter(self, leaf: Parameter) -> Lanes:
         for value in self.derived:
             if value.parameter == leaf:
-                return Evaluator(self).value(value.expression)
+                return derived_value(value, Evaluator(self))
         if leaf.name.startswith("noise."):
             return (1.0 + self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
         return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))
@@ -161,6 +161,14 @@ class World:
         if self.traps and integers and chance.random() < 0.6:
             return chance.choice(integers)
         return chance.randint(max(math.ceil(lo), 0 if kind == "uint" else -4), math.floor(hi))
+
+
+def derived_value(derived: Derived, evaluator: Evaluator) -> Lanes:
+    """What the host has to put into a derived parameter: of a table, the value for each element."""
+    type_, expression = derived.parameter.type, derived.expression
+    if isinstance(type_, Array):
+        return tuple(evaluator.value(expression, (i,)) for i in range(type_.count))
+    return evaluator.value(expression)
 
 
 def unit(lanes: Lanes) -> Lanes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from burnish.compiler.ir.types import Array, Struct
 from burnish.compiler.passes.pipeline import Options
 
 from .kit import calls, history, ops, shader
@@ -80,3 +81,107 @@ def test_a_derived_value_is_read_like_any_parameter() -> None:
     assert "MaterialDerived" in [block.name for block in past.staged.program.blocks]
     (value,) = past.staged.derived
     assert value.parameter in [node.data for node in ops(past.roots["hoist"], "parameter")]
+
+
+# --- elements of arrays --------------------------------------------------------------------------
+
+SPOTS = """
+import std.lights.{Spot}
+import std.terms.{lambert}
+material M { color = lambert(vec3(1)) }
+rig R { spots : Spot[<= 8] }
+"""
+
+
+def tables(text: str) -> dict[str, tuple[str, ...]]:
+    """The tables of a text, or of a material's text: the names of their members."""
+    past = history(shader(text if "material" in text else f"material M {{ {text} }}"))
+    found = (value.parameter for value in past.staged.derived)
+    return {
+        parameter.name: tuple(name for name, _ in parameter.type.element.members)
+        for parameter in found
+        if isinstance(parameter.type, Array) and isinstance(parameter.type.element, Struct)
+    }
+
+
+def test_what_depends_on_one_light_of_many_stands_in_a_table() -> None:
+    past = history(shader(SPOTS))
+    assert calls(past.roots["guard"], "cos")
+    assert not calls(past.roots["hoist"], "cos")
+    (table,) = [value for value in past.staged.derived if value.parameter.name == "spots_derived"]
+    assert table.parameter.group == "rig"
+    assert str(table.parameter.type) == "SpotsDerived[8]"
+    assert tables(SPOTS) == {
+        "spots_derived": ("falloff_cos", "falloff_edges_meet", "falloff_inverse_width")
+    }
+
+
+def test_loops_share_what_they_need_alike_of_each_element() -> None:
+    text = (
+        "param a : float[4]  color = vec3(uv.x * (sum i in 0..4 : cos(a[i]) * uv.y), "
+        "sum j in 0..4 : cos(a[j]) * uv.x, max k in 0..3 from 0 : cos(a[k]) * uv.y)"
+    )
+    assert [len(members) for members in tables(text).values()] == [1]
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("param a : float[4]  color = vec3(sum i in 0..4 : uv.x * (a[i] + 1))", 0),
+        ("param a : float[64]  color = vec3(sum i in 0..64 : uv.x * cos(a[i]))", 1),
+        ("param a : float[65]  color = vec3(sum i in 0..65 : uv.x * cos(a[i]))", 0),
+        ("param a : float[4]  color = vec3(sum i in 0..4 : cos(a[i] * uv.x))", 0),
+        ("param a : float[4]  color = vec3(sum i in 0..4 : cos(a[i] * float(i)))", 0),
+        ("param a : float[4]  color = vec3(cos(a[int(4 * uv.x)]))", 1),
+        ("param a : float[4]  color = vec3(sum i in 0..9 : uv.x * cos(a[i]))", 1),
+    ],
+    ids=["cheap", "not too many", "too many", "pixel", "number", "computed", "clamped"],
+)
+def test_a_table_has_to_pay(text: str, count: int) -> None:
+    assert len(tables(text)) == count
+
+
+def test_two_arrays_at_one_position_have_the_table_of_the_shorter() -> None:
+    text = "param a : float[6]  param b : float[4]  color = vec3(uv.x * (sum i in 0..4 : {}))"
+    assert list(tables(text.format("cos(a[i]) + sin(b[i])"))) == ["b_derived"]
+    assert list(tables(text.format("cos(b[i]) + sin(a[i])"))) == ["b_derived"]
+
+
+def test_two_positions_have_a_table_each() -> None:
+    text = (
+        "param a : float[4]  param b : float[4]  "
+        "color = vec3(sum i in 0..4 : sum j in 0..4 : uv.x * cos(a[i]) * sin(b[j]))"
+    )
+    assert sorted(tables(text)) == ["a_derived", "b_derived"]
+
+
+def test_of_two_incomparable_groups_each_has_its_table() -> None:
+    text = (
+        "param a : float[4]  param b : float[4] per draw  "
+        "color = vec3(sum i in 0..4 : uv.x * cos(a[i]) * sin(b[i]))"
+    )
+    past = history(shader(f"material M {{ {text} }}"))
+    groups = {value.parameter.name: value.parameter.group for value in past.staged.derived}
+    assert (groups["a_derived"], groups["b_derived"]) == ("material", "draw")
+
+
+def test_a_part_of_what_does_not_pay_is_hoisted_all_the_same() -> None:
+    text = (
+        "param a : float[4]  param b : float  color = vec3(sum i in 0..4 : uv.x * (a[i] * (b + 1)))"
+    )
+    assert not tables(text)
+    assert list(derived(text).values()) == ["material"]
+
+
+def test_a_position_may_be_made_of_what_is_hoisted() -> None:
+    text = "param a : float[4]  param b : float  color = vec3(cos(a[int(uv.x * exp(b))]))"
+    past = history(shader(f"material M {{ {text} }}"))
+    assert not calls(past.roots["hoist"], "cos") and not calls(past.roots["hoist"], "exp")
+
+
+def test_arrays_that_are_members_have_tables_too() -> None:
+    text = (
+        "struct Curve { weights : float[4] }\n"
+        "material M { param c : Curve  color = vec3(sum i in 0..4 : uv.x * exp(c.weights[i])) }"
+    )
+    assert list(tables(text)) == ["c_weights_derived"]

@@ -17,7 +17,7 @@ from burnish.compiler.ir.build import constant, index, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Array, Matrix, Struct, Type
-from burnish.compiler.passes.pipeline import Options, stage
+from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.evaluate import evaluate as meaning
 from burnish.compiler.reflection import reflect
@@ -27,7 +27,7 @@ from burnish.targets.runner.instances.derived import Inputs, compute
 from burnish.targets.runner.instances.shapes import Elements, Member, Members, Numbers, Shape
 
 from ..layout.memory import read
-from ..passes.kit import World, shaders, stored
+from ..passes.kit import World, derived_value, shaders, stored
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.burnish"))
 RIGS = {"rigs": "Noon"}
@@ -74,16 +74,10 @@ def test_the_blocks_of_examples_hold_what_the_graphs_say(path: Path, hoist: bool
         derived = {value.parameter: value.expression for value in staged.derived}
         reflection = reflect(shader, staged.program, {}, derived)
         for seed in range(4):
-            check(json.loads(json.dumps(reflection)), leaves, staged.program.blocks, derived, seed)
+            check(json.loads(json.dumps(reflection)), leaves, staged, seed)
 
 
-def check(
-    reflection: dict[str, Any],
-    leaves: list[Node],
-    blocks: tuple[Any, ...],
-    derived: dict[Parameter, Node],
-    seed: int,
-) -> None:
+def check(reflection: dict[str, Any], leaves: list[Node], staged: Staged, seed: int) -> None:
     """Sets random values, and reads the bytes back by the compiler's own types and graphs."""
     world, instance, inputs = World(seed, traps=seed % 2 == 1), Instance(reflection), {}
     for node in leaves:
@@ -103,13 +97,14 @@ def check(
             instance.set(node.data.name, inputs[node.data.name][0])
     assert instance.values() == inputs
     data, evaluator = instance.blocks(), Evaluator(given)
-    for block in blocks:
+    derived = {value.parameter: value for value in staged.derived}
+    for block in staged.program.blocks:
         for part in block.members:
             if part.parameter is None:
                 continue
             if part.parameter in derived:
                 with np.errstate(over="ignore"):
-                    value = rounded(evaluator.value(derived[part.parameter]))
+                    value = rounded(derived_value(derived[part.parameter], evaluator))
             else:
                 value = inputs[part.parameter.name]
             expected = stored(part.parameter.type, value)

@@ -40,6 +40,15 @@ def compute(steps: Sequence[Row], inputs: Inputs) -> Named:
     return run(_Computation(steps, inputs).value(len(steps) - 1, ()))
 
 
+def compute_elements(steps: Sequence[Row], inputs: Inputs, count: int) -> tuple[Named, ...]:
+    """The same for each element of an array, whose number is the one variable that is free.
+
+    Elements that are not in use are computed too; no function traps, whatever is in them.
+    """
+    computation = _Computation(steps, inputs)
+    return tuple(run(computation.value(len(steps) - 1, ((i,),))) for i in range(count))
+
+
 class _Computation:
     """Steps stand in order, so that all but the bodies under binders is one loop."""
 

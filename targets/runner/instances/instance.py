@@ -148,8 +148,13 @@ class Instance:
                 write(blocks[row["block"]], row["offset"], shapes[name], values[name])
         inputs = derived.Inputs(shapes, values)
         for row in self._reflection["derived"]:
-            value = rounded(derived.compute(row["steps"], inputs))
-            write(blocks[row["block"]], row["offset"], shape_of(row), value)
+            shape = shape_of(row)
+            value = (
+                derived.compute_elements(row["steps"], inputs, shape.count)
+                if isinstance(shape, Elements)
+                else derived.compute(row["steps"], inputs)
+            )
+            write(blocks[row["block"]], row["offset"], shape, rounded(value))
         return {name: bytes(block) for name, block in blocks.items()}
 
     def textures(self) -> dict[str, Texture]:

@@ -19,6 +19,7 @@ from .planting import QUICKEST, Planted, job, replaced
 write, write_numbers = blocks.write, blocks._write_numbers
 image = Texture.image
 step = derived.compute
+elements = derived.compute_elements
 
 
 def _shifted(block: bytearray, offset: int, shape: Shape, value: Any) -> None:
@@ -65,6 +66,12 @@ def _of_the_operand(steps: Any, inputs: Any) -> Any:
     last = steps[-1]
     alike = [number for number in last["args"] if steps[number]["type"] == last["type"]]
     return step(steps[: alike[0] + 1] if alike else steps, inputs)
+
+
+def _of_the_next(steps: Any, inputs: Any, count: int) -> Any:
+    """What belongs to the element behind."""
+    first, *others = elements(steps, inputs, count)
+    return (*others, first)
 
 
 class Stale:
@@ -151,6 +158,8 @@ PLANTED = [
     Planted("a step too few", "storage: Plain", GLSL,
             replaced(derived, "compute", _of_the_operand)),
     Planted("stale values", "storage: Plain", HLSL, replaced(derived, "compute", Stale())),
+    Planted("values of the next element", "tables: Sums", GLSL,
+            replaced(derived, "compute_elements", _of_the_next)),
     Planted("rows from below", "textures: Wraps", HLSL, replaced(Texture, "image", _mirrored)),
     Planted("wrong smaller levels", "textures: Levels", WGSL,
             replaced(Texture, "image", _levels_of_another)),

@@ -1,0 +1,41 @@
+"""Elements of parameters' arrays, at positions that a shader computes: ``lamps[i]`` in a loop.
+
+The host does not know which element is meant, but all that there are. So what depends on one
+element, and on parameters only, can be computed by the host for each of them.
+"""
+
+from __future__ import annotations
+
+from ..ir.leaves import Parameter
+from ..ir.node import Node
+from ..ir.types import Array
+
+MOST = 64
+"""Elements of arrays that are looked at: blocks hold 16 KiB on some devices, and a host computes
+what is derived for all elements whenever one changes."""
+
+
+def is_element(node: Node) -> bool:
+    """Whether a value is an element, at whatever position, of a parameter's array."""
+    if node.op != "index":
+        return False
+    array, _ = node.operands
+    return (
+        isinstance(array.type, Array) and array.type.count <= MOST and array_name(array) is not None
+    )
+
+
+def array_name(array: Node) -> str | None:
+    """What a host calls an array that is a parameter or a part of one: ``lamps``, ``p.weights``."""
+    parts: list[str] = []
+    while array.op in ("member", "index"):
+        if array.op == "member":
+            parts.append(f".{array.data}")
+        elif array.operands[1].op == "constant":
+            parts.append(f"[{array.operands[1].data}]")
+        else:
+            return None
+        array = array.operands[0]
+    if not isinstance(array.data, Parameter):
+        return None
+    return array.data.name + "".join(reversed(parts))
