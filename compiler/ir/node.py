@@ -8,7 +8,8 @@ in the passes recurses over the graph.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable
+from operator import attrgetter
 from typing import Literal
 
 from ...frozen import frozen
@@ -179,20 +180,16 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, froz
         assert isinstance(data, Formal)
         return 0, frozenset((data,))
     free, variables = 0, _NONE
-    for operand in operands:
-        if operand.free or operand.variables:
-            break
-    else:
-        return free, variables
     inside = _bodies(op, data)
-    bound, formals = (_binders(op, operands, data), _formals(op, data)) if inside else (0, ())
-    for i, operand in enumerate(operands):
+    if inside:
+        bound, formals = _binders(op, operands, data), _formals(op, data)
+        for position in inside:
+            free |= operands[position].free >> bound
+            variables = variables | operands[position].variables.difference(formals)
+        operands = operands[: inside.start] + operands[inside.stop :]
+    for operand in operands:
+        free |= operand.free
         theirs = operand.variables
-        if i in inside:
-            free |= operand.free >> bound
-            theirs = theirs.difference(formals)
-        else:
-            free |= operand.free
         if theirs and theirs is not variables:
             variables = variables | theirs if variables else theirs
     return free, variables
@@ -207,11 +204,19 @@ def bare(node: Node) -> Node:
 
 def reachable(roots: Iterable[Node]) -> list[Node]:
     """All nodes that ``roots`` need, operands before users."""
-    seen = {root.id: root for root in roots}
-    pending = list(seen.values())
+    seen = set(roots)
+    pending = list(seen)
     while pending:
         for operand in pending.pop().operands:
-            if operand.id not in seen:
-                seen[operand.id] = operand
+            if operand not in seen:
+                seen.add(operand)
                 pending.append(operand)
-    return [seen[id_] for id_ in sorted(seen)]
+    return in_order(seen)
+
+
+_age: Callable[[Node], int] = attrgetter("id")
+
+
+def in_order(nodes: Iterable[Node]) -> list[Node]:
+    """The nodes, operands before users."""
+    return sorted(nodes, key=_age)

@@ -16,7 +16,7 @@ from ..ir.leaves import PIPELINE_TYPES
 from ..ir.node import Formal, Node, bare
 from ..ir.types import Array, Texture, Type
 from ..syntax import ast
-from ..trampoline import Step
+from ..trampoline import Reply, Step
 from . import advice, fitting
 from .declared import declared_type
 from .modules import Module, Symbol
@@ -35,22 +35,19 @@ OUTERMOST = -1
 """The level at which a name means what was given from outside, if anything was."""
 
 
-def value(low: Lowering, name: str, span: Span, scope: Scope) -> Step[Value]:
+def value(low: Lowering, name: str, span: Span, scope: Scope) -> Reply[Value]:
     """The value of a bare name."""
     if name in scope.locals:
         return scope.locals[name]
     if name == "inherited" and scope.instance is not None:
         return Inherited(scope.instance, scope.level)
     if scope.instance is not None and scope.instance.has(name):
-        own: Value = yield slot(low, scope.instance, name, span)
-        return own
+        return slot(low, scope.instance, name, span)
     symbols = scope.module.find(name)
     if symbols:
-        declared: Value = yield _symbol_value(low, symbols[0], span)
-        return declared
+        return _symbol_value(low, symbols[0], span)
     if scope.surface is not None and scope.surface.has(name):
-        outer: Value = yield slot(low, scope.surface, name, span)
-        return outer
+        return slot(low, scope.surface, name, span)
     if name in INPUTS and scope.surface is not None:
         return low.graph.node("input", INPUTS[name], (), name)
     if name in VERTEX_INPUTS and scope.surface is not None:
@@ -142,27 +139,24 @@ def unknown_here(
 # --- slots ---------------------------------------------------------------------------------------
 
 
-def slot_or_report(low: Lowering, instance: Instance, name: str, span: Span) -> Step[Value]:
+def slot_or_report(low: Lowering, instance: Instance, name: str, span: Span) -> Reply[Value]:
     """``instance.name`` where it is written with the dot."""
     if not instance.has(name):
         if instance.record.baseless:
             return FAILURE
         unknown(low, f"slot of `{instance.record.name}`", name, span, instance.record.definitions)
         return FAILURE
-    result: Value = yield slot(low, instance, name, span)
-    return result
+    return slot(low, instance, name, span)
 
 
-def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> Step[Value]:
+def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> Reply[Value]:
     """``inherited.name``: the definition above the one in which this is written."""
     above = [d for d in instance.record.definitions.get(name.text, ()) if d.level > level]
     if above:
-        own: Value = yield slot(low, instance, name.text, name.span, above[0].level)
-        return own
+        return slot(low, instance, name.text, name.span, above[0].level)
     surface = instance.surface
     if surface is not None and name.text in surface.record.definitions:
-        behind: Value = yield slot(low, surface, name.text, name.span, 0)
-        return behind
+        return slot(low, surface, name.text, name.span, 0)
     if not instance.record.baseless:
         unknown(low, "inherited slot", name.text, name.span, instance.record.definitions)
     return FAILURE
@@ -170,16 +164,22 @@ def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> 
 
 def slot(
     low: Lowering, instance: Instance, name: str, span: Span, level: int = OUTERMOST
-) -> Step[Node | Failure]:
+) -> Reply[Node | Failure]:
     """The value that ``name`` has in ``instance``, as defined at ``level`` or further up."""
     key = (name, level)
     if key in instance.values:
         return instance.values[key]
     if _is_cycle(low, (instance, *key), name, span):
         return FAILURE
+    return _new_slot(low, instance, name, span, level)
+
+
+def _new_slot(
+    low: Lowering, instance: Instance, name: str, span: Span, level: int
+) -> Step[Node | Failure]:
     result: Node | Failure = yield _slot_value(low, instance, name, span, level)
-    low.active.pop((instance, *key))
-    instance.values[key] = result
+    low.active.pop((instance, name, level))
+    instance.values[name, level] = result
     if isinstance(result, Node) and result.operands:
         _note(low, instance, name, result)
     return result
@@ -187,11 +187,10 @@ def slot(
 
 def _slot_value(
     low: Lowering, instance: Instance, name: str, span: Span, level: int
-) -> Step[Node | Failure]:
+) -> Reply[Node | Failure]:
     replacement = instance.replaced.get(name) if level == OUTERMOST else None
     if replacement is not None:
-        given: Node | Failure = yield _replacement_value(low, instance, replacement, name)
-        return given
+        return _replacement_value(low, instance, replacement, name)
     definition = next(d for d in instance.record.definitions[name] if d.level >= level)
     member = definition.member
     if not isinstance(member, ast.Slot):
@@ -205,8 +204,7 @@ def _slot_value(
         )  # fmt: skip
         return FAILURE
     scope = Scope(definition.owner.module, instance, definition.level, instance.surface or instance)
-    result: Node | Failure = yield _defined(low, instance, name, member.value, scope)
-    return result
+    return _defined(low, instance, name, member.value, scope)
 
 
 def _declaring(low: Lowering, member: ast.Slot, module: Module) -> str:
@@ -234,7 +232,7 @@ def _leaf(
 
 def _replacement_value(
     low: Lowering, instance: Instance, replacement: Replacement, name: str
-) -> Step[Node | Failure]:
+) -> Reply[Node | Failure]:
     definition = replacement.definition
     if definition is None:
         assert replacement.value is not None
@@ -242,9 +240,7 @@ def _replacement_value(
     assert isinstance(definition.member, ast.Slot) and definition.member.value is not None
     within = replacement.within or instance
     scope = Scope(definition.owner.module, within, definition.level, within.surface or within)
-    expression = definition.member.value
-    result: Node | Failure = yield _defined(low, instance, name, expression, scope)
-    return result
+    return _defined(low, instance, name, definition.member.value, scope)
 
 
 def _defined(
