@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of
+from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of, in_order
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.types import BOOL, Matrix, Texture
 from ..semantics.shader import Notes
@@ -282,15 +282,15 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
 
     The bodies of functions that are called belong to it ``into_bodies``.
     """
-    seen = {root.id: root for root in roots}
-    pending = list(seen.values())
+    seen = set(roots)
+    pending = list(seen)
     while pending:
         node = pending.pop()
         for operand in node.operands if into_bodies and node.op == "apply" else operands_of(node):
-            if operand.id not in seen:
-                seen[operand.id] = operand
+            if operand not in seen:
+                seen.add(operand)
                 pending.append(operand)
-    return [seen[id_] for id_ in sorted(seen)]
+    return in_order(seen)
 
 
 def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
@@ -368,7 +368,7 @@ def _enclosing(blocks: list[_Block]) -> _Block:
     return common
 
 
-def called_functions(roots: Iterable[Node]) -> list[Node]:
-    """One call of each function that ``roots`` need, callees before callers."""
-    calls = [node for node in visible(roots, into_bodies=True) if node.op == "apply"]
+def called_functions(nodes: Iterable[Node]) -> list[Node]:
+    """One call of each function among the nodes of a stage, callees before callers."""
+    calls = [node for node in nodes if node.op == "apply"]
     return list({call.operands[0].id: call for call in reversed(calls)}.values())[::-1]

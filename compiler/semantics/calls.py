@@ -104,9 +104,7 @@ def _read(
     return FAILURE if failed else textures.read(low, texture, arguments, e)
 
 
-def _no_function(
-    low: Lowering, callee: ast.Reference, scope: Scope, failed: bool
-) -> Step[Value]:
+def _no_function(low: Lowering, callee: ast.Reference, scope: Scope, failed: bool) -> Step[Value]:
     """A call of what cannot be called; if that is a slot, it may have failed by itself."""
     name = callee.name
     if scope.instance is not None and scope.instance.has(name):

@@ -118,9 +118,7 @@ class Lowering:
             return self._node_later(lowered, expression)
         return self._plain(lowered, expression)
 
-    def _node_later(
-        self, lowered: Step[Value], expression: ast.Expression
-    ) -> Step[Node | Failure]:
+    def _node_later(self, lowered: Step[Value], expression: ast.Expression) -> Step[Node | Failure]:
         value = yield lowered
         return self._plain(value, expression)
 

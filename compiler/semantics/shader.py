@@ -110,6 +110,12 @@ class Notes:
     """Names for the variables of bodies, in order."""
     roles: dict[int, str] = field(default_factory=dict)
     """What a value without a name is to the named one that it is a part of."""
+    _tables: tuple[dict[int, Any], ...] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self._tables = (
+            self.names, self.spans, self.docs, self.functions, self.variables, self.roles
+        )  # fmt: skip
 
     def copy(self) -> Notes:
         """The notes as they are now."""
@@ -120,12 +126,10 @@ class Notes:
 
     def follow(self, old: Node, new: Node) -> None:
         """Hand what is noted of a node on to one that replaces it, which keeps what it has."""
-        tables: tuple[dict[int, Any], ...] = (
-            self.names, self.spans, self.docs, self.functions, self.variables, self.roles
-        )  # fmt: skip
-        for table in tables:
-            if old.id in table:
-                table.setdefault(new.id, table[old.id])
+        id_ = old.id
+        for table in self._tables:
+            if id_ in table:
+                table.setdefault(new.id, table[id_])
 
 
 @dataclass(slots=True)

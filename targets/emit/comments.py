@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 
 _LINE_ENDS = re.compile("\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")
 _OPEN_END = re.compile(r"[\\\s]+$")
@@ -21,6 +22,7 @@ def comment_lines(text: str, mark: str = "///") -> list[str]:
     return [f"{mark} {line}".rstrip() for line in cleaned] if any(cleaned) else []
 
 
+@lru_cache(maxsize=1024)
 def comment_line(text: str, mark: str = "///") -> str:
     """``text`` as one comment, its lines joined; empty for a blank text."""
     cleaned = " ".join(filter(None, map(_clean, _LINE_ENDS.split(text))))

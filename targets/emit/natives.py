@@ -86,7 +86,7 @@ class Natives:
         assert isinstance(node.data, str)
         if node.operands and isinstance(node.operands[0].type, Texture):
             printed = [self._leaves.texture(node.operands[0], node.data), *printed[1:]]
-        types = tuple(operand.type for operand in node.operands)
+        types = tuple([operand.type for operand in node.operands])
         if (defined := self._definitions.get((node.data, types))) is not None:
             name, _function = self._functions[defined.body]
             return Text(f"{name}({', '.join(operand.text for operand in printed)})")
