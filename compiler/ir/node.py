@@ -52,6 +52,9 @@ class Formal:
 Formals = tuple[Formal, ...]
 
 
+BINDING = frozenset({"fold", "iterate", "apply"})
+"""Operations with bodies, in which they bind variables."""
+
 FoldOperator = Literal["add", "mul", "min", "max", "and", "or"]
 
 
@@ -105,7 +108,7 @@ class Node:
 
 def binders(node: Node) -> int:
     """How many de Bruijn variables ``node`` binds in its body; none once it has been opened."""
-    return _binders(node.op, node.operands, node.data)
+    return _binders(node.op, node.operands, node.data) if node.op in BINDING else 0
 
 
 def _binders(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
@@ -118,7 +121,7 @@ def _binders(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
 
 def bodies_of(node: Node) -> range:
     """The positions of the operands in which a binding node's variables are bound."""
-    return _bodies(node.op, node.data)
+    return _bodies(node.op, node.data) if node.op in BINDING else _NOWHERE
 
 
 _NOWHERE = range(0)
@@ -129,12 +132,12 @@ def _bodies(op: Op, data: Hashable) -> range:
         return range(2, 3)
     if isinstance(data, Iterating):
         return range(1 + data.states, 2 + 2 * data.states)
-    return range(1) if op == "apply" else _NOWHERE
+    return range(1)
 
 
 def formals_of(node: Node) -> Formals:
     """The variables of an opened binder."""
-    return _formals(node.op, node.data)
+    return _formals(node.op, node.data) if node.op in BINDING else ()
 
 
 def _formals(op: Op, data: Hashable) -> Formals:
@@ -180,8 +183,8 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, froz
         assert isinstance(data, Formal)
         return 0, frozenset((data,))
     free, variables = 0, _NONE
-    inside = _bodies(op, data)
-    if inside:
+    if op in BINDING:
+        inside = _bodies(op, data)
         bound, formals = _binders(op, operands, data), _formals(op, data)
         for position in inside:
             free |= operands[position].free >> bound

@@ -13,6 +13,7 @@ from ...frozen import changed
 from ..ir import build
 from ..ir.binding import open_body
 from ..ir.node import (
+    BINDING,
     Folding,
     Formal,
     Formals,
@@ -27,14 +28,12 @@ from ..ir.rewrite import rewrite
 from ..ir.types import INT, Array, Struct, Type
 from ..semantics.shader import Notes
 
-BINDERS = frozenset({"fold", "iterate", "apply"})
-
 
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with every fold, loop and apply opened."""
     wanted = list(roots)
     opener = _Opener(graph, notes, _taken_apart(wanted))
-    return rewrite(graph, wanted, opener.rule, notes.follow, BINDERS)
+    return rewrite(graph, wanted, opener.rule, notes.follow, BINDING)
 
 
 def _taken_apart(roots: list[Node]) -> set[tuple[int, int]]:
