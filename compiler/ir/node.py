@@ -208,18 +208,15 @@ def bare(node: Node) -> Node:
 def reachable(roots: Iterable[Node]) -> list[Node]:
     """All nodes that ``roots`` need, operands before users."""
     seen = set(roots)
-    pending = list(seen)
-    while pending:
-        for operand in pending.pop().operands:
+    found = list(seen)
+    for node in found:  # It grows on the way.
+        for operand in node.operands:
             if operand not in seen:
                 seen.add(operand)
-                pending.append(operand)
-    return in_order(seen)
+                found.append(operand)
+    found.sort(key=AGE)
+    return found
 
 
-_age: Callable[[Node], int] = attrgetter("id")
-
-
-def in_order(nodes: Iterable[Node]) -> list[Node]:
-    """The nodes, operands before users."""
-    return sorted(nodes, key=_age)
+AGE: Callable[[Node], int] = attrgetter("id")
+"""To sort nodes by: operands before users."""

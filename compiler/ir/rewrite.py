@@ -17,10 +17,12 @@ def rewrite(
     rule: Rule,
     moved: Moved | None = None,
     ops: Container[str] | None = None,
+    nodes: Iterable[Node] | None = None,
 ) -> list[Node]:
     """The roots, rebuilt with ``rule`` applied to every node they need, operands before users.
 
-    A rule that has something to say of some operations only names them: ``ops``.
+    A rule that has something to say of some operations only names them: ``ops``. ``nodes`` are all
+    that the roots need (``reachable``), where a pass has looked at them already.
 
     Bodies of folds and applies are ordinary operands here. A replacement therefore stands under
     the same binders as what it replaces and may use the same ``bound`` variables, no others.
@@ -29,7 +31,7 @@ def rewrite(
     new: dict[Node, Node] = {}
     """What became of the nodes that changed."""
     changed = new.keys()
-    for node in reachable(wanted):
+    for node in reachable(wanted) if nodes is None else nodes:
         operands = node.operands
         if not changed.isdisjoint(operands):
             operands = tuple([new.get(operand, operand) for operand in operands])

@@ -44,8 +44,9 @@ def hoist(
     """The roots with the largest hoistable values replaced by derived parameters."""
     wanted = list(roots)
     hoisting = _Hoisting(notes, ranges)
-    hoisting.choose(wanted)
-    rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow)
+    nodes = reachable(wanted)
+    hoisting.choose(wanted, nodes)
+    rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow, nodes=nodes)
     read = {node.data for node in reachable(rewritten) if node.op == "parameter"}
     return rewritten, tuple(d for d in hoisting.derived.values() if d.parameter in read)
 
@@ -62,9 +63,8 @@ class _Hoisting:
         self._naming = Naming(notes)
         self.derived: dict[int, Derived] = {}
 
-    def choose(self, roots: list[Node]) -> None:
+    def choose(self, roots: list[Node], nodes: list[Node]) -> None:
         """Find the hoistable nodes that some user which is not hoistable needs."""
-        nodes = reachable(roots)
         self._naming.learn(reversed(nodes))
         for node in nodes:
             self._groups[node.id] = self._groups_of(node)

@@ -32,15 +32,16 @@ from ..semantics.shader import Notes
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with every fold, loop and apply opened."""
     wanted = list(roots)
-    opener = _Opener(graph, notes, _taken_apart(wanted))
-    return rewrite(graph, wanted, opener.rule, notes.follow, BINDING)
+    nodes = reachable(wanted)
+    opener = _Opener(graph, notes, _taken_apart(nodes))
+    return rewrite(graph, wanted, opener.rule, notes.follow, BINDING, nodes)
 
 
-def _taken_apart(roots: list[Node]) -> set[tuple[int, int]]:
+def _taken_apart(nodes: list[Node]) -> set[tuple[int, int]]:
     """The arguments, by body and position, of which each part has to be an argument."""
     return {
         (node.operands[0].id, position)
-        for node in reachable(roots)
+        for node in nodes
         if node.op == "apply"
         for position, argument in enumerate(node.operands[1:])
         if isinstance(argument.type, Struct | Array) and not _is_stored(argument)

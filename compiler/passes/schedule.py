@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of, in_order
+from ..ir.node import AGE, Folding, Formal, Iterating, Node, bodies_of, formals_of, reachable
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.types import BOOL, Matrix, Texture
 from ..semantics.shader import Notes
@@ -68,7 +68,7 @@ class Scheduler:
         sampler before it computes the coordinate, and a ``?:`` would part join and read."""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
-        self._together = needing_uniform_flow(self._roots)
+        self._together = needing_uniform_flow(reachable(self._roots))
         """What all pixels have to reach, branches or not."""
         nodes = in_order_of_use(self._roots)
         self._naming.learn(reversed(nodes))
@@ -288,14 +288,14 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
     The bodies of functions that are called belong to it ``into_bodies``.
     """
     seen = set(roots)
-    pending = list(seen)
-    while pending:
-        node = pending.pop()
+    found = list(seen)
+    for node in found:  # It grows on the way.
         for operand in node.operands if into_bodies and node.op == "apply" else operands_of(node):
             if operand not in seen:
                 seen.add(operand)
-                pending.append(operand)
-    return in_order(seen)
+                found.append(operand)
+    found.sort(key=AGE)
+    return found
 
 
 def in_order_of_use(roots: Iterable[Node]) -> list[Node]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...stdlib.builtins import BUILTINS
-from ..ir.node import Node, reachable
+from ..ir.node import Node
 
 LOOPS = frozenset({"fold", "iterate"})
 
@@ -19,8 +19,10 @@ def compares(node: Node) -> bool:
     return node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
 
 
-def needing_uniform_flow(roots: Iterable[Node]) -> frozenset[int]:
-    """The ids of operations, loops and calls under ``roots`` that all pixels have to reach.
+def needing_uniform_flow(nodes: Iterable[Node]) -> frozenset[int]:
+    """The ids of operations, loops and calls among ``nodes`` that all pixels have to reach.
+
+    ``nodes`` are all that some roots need, operands before users.
 
     What a loop's turns have in common is computed before it, and so does not count.
     """
@@ -28,7 +30,7 @@ def needing_uniform_flow(roots: Iterable[Node]) -> frozenset[int]:
     inside: set[Node] = set()
     turning: set[Node] = set()
     """What contains a comparison, and one that differs."""
-    for node in reachable(roots):
+    for node in nodes:
         own = compares(node)
         if own or not inside.isdisjoint(node.operands):
             inside.add(node)

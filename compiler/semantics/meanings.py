@@ -12,7 +12,7 @@ from ...stdlib.builtins import BUILTINS
 from ..ir.binding import Moved
 from ..ir.leaves import Attribute, Parameter
 from ..ir.meaning import ARROWS, COLORS, GEOMETRY, RGB, Meaning
-from ..ir.node import Folding, Graph, Node, reachable
+from ..ir.node import Folding, Graph, Node
 from ..ir.rewrite import rewrite
 from ..ir.types import Array, Matrix, Struct
 from .algebra import RULES, Found, chosen, gathered, side, weakened
@@ -61,8 +61,6 @@ class Meanings:
 def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:
     """The roots without ascriptions: numbers, as all that follows sees them."""
     wanted = list(roots)
-    if not any(node.op == "as" for node in reachable(wanted)):
-        return wanted
     return rewrite(graph, wanted, lambda _graph, _node, operands: operands[0], moved, ("as",))
 
 
