@@ -18,17 +18,21 @@ _INVISIBLE = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
 
 def comment_lines(text: str, mark: str = "///") -> list[str]:
     """``text`` as line comments, one for each of its lines; nothing for a blank text."""
+    if not text:
+        return []
     cleaned = [_clean(line) for line in _LINE_ENDS.split(text.strip())]
     return [f"{mark} {line}".rstrip() for line in cleaned] if any(cleaned) else []
 
 
-@lru_cache(maxsize=1024)
 def comment_line(text: str, mark: str = "///") -> str:
     """``text`` as one comment, its lines joined; empty for a blank text."""
+    if not text:
+        return ""
     cleaned = " ".join(filter(None, map(_clean, _LINE_ENDS.split(text))))
     return f"{mark} {cleaned}" if cleaned else ""
 
 
+@lru_cache(maxsize=1024)
 def _clean(line: str) -> str:
     closed = _visible(line).replace("*/", "* /").replace("/*", "/ *").replace("??/", "?? /")
     return _OPEN_END.sub("", closed).strip()

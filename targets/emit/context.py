@@ -32,6 +32,13 @@ class Context:
         self.names = names
         self.definitions = definitions
         """The functions for what the profile lacks."""
+        self.members = {
+            member.parameter: (block.name, member.name, member.type)
+            for block in program.blocks
+            for member in block.members
+            if member.parameter is not None
+        }
+        """The block, the name there and the stored type of each parameter."""
         self.types = TypeSpeller(target.types, names.structs)
         """Writes types, with the final names of structs."""
         self.textures = TextureSpeller(target.textures, program)
