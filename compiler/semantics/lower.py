@@ -7,7 +7,7 @@ more is reported. Calls and lights have files of their own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Mapping
 from math import isinf, radians
 from typing import Any
 
@@ -114,15 +114,15 @@ class Lowering:
     def node(self, expression: ast.Expression, scope: Scope) -> Reply[Node | Failure]:
         """The value of ``expression`` where only a plain value will do."""
         lowered = _LOWER[type(expression)](self, expression, scope)
-        if isinstance(lowered, Generator):
-            return self._node_later(lowered, expression)
-        return self._plain(lowered, expression)
+        if isinstance(lowered, Node):
+            self.notes.spans.setdefault(lowered.id, expression.span)
+            return lowered
+        return self._node_later(lowered, expression)
 
-    def _node_later(self, lowered: Step[Value], expression: ast.Expression) -> Step[Node | Failure]:
+    def _node_later(
+        self, lowered: Reply[Value], expression: ast.Expression
+    ) -> Step[Node | Failure]:
         value = yield lowered
-        return self._plain(value, expression)
-
-    def _plain(self, value: Value, expression: ast.Expression) -> Node | Failure:
         if isinstance(value, Node):
             self.notes.spans.setdefault(value.id, expression.span)
             return value
