@@ -30,7 +30,7 @@ class Ranges:
 
     def __init__(self, roots: Iterable[Node], without: frozenset[str] = frozenset()) -> None:
         self.without = without
-        self._facts: dict[int, Fact] = {}
+        self._facts: dict[Node, Fact] = {}
         self._sources: dict[Formal, list[Node]] = {}
         """The arguments that a formal stands for, over all applies."""
         self._indices: dict[Formal, int] = {}
@@ -58,23 +58,23 @@ class Ranges:
     def of(self, node: Node) -> Fact:
         """What is known of ``node``."""
         facts = self._facts
-        known = facts.get(node.id)
+        known = facts.get(node)
         if known is not None:
             return known
         pending = [node]
         while pending:
             top = pending[-1]
-            if top.id in facts:
+            if top in facts:
                 pending.pop()
                 continue
             needs = self.needs(top)
-            missing = [need for need in needs if need.id not in facts]
-            if missing:
-                pending.extend(missing)
-                continue
-            pending.pop()
-            facts[top.id] = self.derived(top, [facts[need.id] for need in needs])
-        return facts[node.id]
+            for need in needs:
+                if need not in facts:
+                    pending.append(need)
+            if pending[-1] is top:
+                pending.pop()
+                facts[top] = self.derived(top, tuple(map(facts.__getitem__, needs)))
+        return facts[node]
 
     def needs(self, node: Node) -> Sequence[Node]:
         """The values from whose facts that of ``node`` is derived."""
@@ -93,8 +93,8 @@ class Ranges:
 
     def assume(self, node: Node, fact: Fact) -> None:
         """Take over what is known of a node's value otherwise than through its operands."""
-        known = self._facts.get(node.id)
-        self._facts[node.id] = fact if known is None else known.meet(fact)
+        known = self._facts.get(node)
+        self._facts[node] = fact if known is None else known.meet(fact)
 
     def reason(self, node: Node) -> str | None:
         """The name of the rule that gives the fact of ``node``."""

@@ -34,7 +34,7 @@ def rewrite(
     for node in reachable(wanted) if nodes is None else nodes:
         operands = node.operands
         if not changed.isdisjoint(operands):
-            operands = tuple([new.get(operand, operand) for operand in operands])
+            operands = tuple(map(new.get, operands, operands))
         replacement = rule(graph, node, operands) if ops is None or node.op in ops else None
         if replacement is None:
             if operands is node.operands:
