@@ -22,7 +22,7 @@ from .declared import declared_type, numbers_of
 from .functions import bound, entered, fit_result
 from .generics import shown, unfounded, untold
 from .modules import Symbol
-from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
+from .scope import FAILURE, Application, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
 from .wording import counted
 
@@ -373,16 +373,13 @@ def apply_body(
         return low.applied[key]
     if not entered(low, symbol, span):
         return FAILURE
-    return _applied(low, symbol, arguments, span, surface)
+    return _new_application(low, key, arguments, span)
 
 
-def _applied(
-    low: Lowering,
-    symbol: Symbol,
-    arguments: tuple[Node, ...],
-    span: Span,
-    surface: Instance | None,
+def _new_application(
+    low: Lowering, key: Application, arguments: tuple[Node, ...], span: Span
 ) -> Step[Node | Failure]:
+    symbol, _, surface = key
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     locals_ = {
@@ -399,7 +396,7 @@ def _applied(
         label = Label(span, f"in `{shown(symbol.name, variables)}`, called here")
         low.report.explain(before, label)
     low.active.pop(symbol)
-    low.applied[symbol, tuple(argument.id for argument in arguments), surface] = result
+    low.applied[key] = result
     if isinstance(result, Node) and result.operands:
         low.notes.roles.setdefault(result.id, symbol.name)
     return result

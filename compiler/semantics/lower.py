@@ -44,6 +44,7 @@ from .modules import Symbol
 from .records import Records
 from .scope import (
     FAILURE,
+    Application,
     Failure,
     Inherited,
     Instance,
@@ -90,7 +91,7 @@ class Lowering:
         """What is known of values already: by it loops are bounded, and lengths proven."""
         self.passing: Instance | None = None
         """The pass, whose transforms are in scope everywhere."""
-        self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
+        self.applied: dict[Application, Node | Failure] = {}
         self.active: dict[Any, tuple[str, Span]] = {}
         """What is being lowered right now, outermost first: finding it again is a cycle."""
         self.recursive: set[Symbol] = set()
