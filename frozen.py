@@ -44,8 +44,10 @@ def frozen(
 def changed(record: T, **changes: Any) -> T:
     """A copy of a record with some fields changed."""
     kind: Any = type(record)
-    kept = {name: getattr(record, name) for name in kind.__match_args__}
-    made: T = kind(**(kept | changes))
+    for name in kind.__match_args__:
+        if name not in changes:
+            changes[name] = getattr(record, name)
+    made: T = kind(**changes)
     return made
 
 
@@ -93,6 +95,8 @@ def _by_value(names: tuple[str, ...]) -> dict[str, Any]:
     values: Callable[[Any], object] = attrgetter(*names) if names else type
 
     def equal(self: object, other: object) -> object:
+        if self is other:
+            return True
         if other.__class__ is not self.__class__:
             return NotImplemented
         return values(self) == values(other)

@@ -2,31 +2,41 @@
 
 Expressions nest as deeply as a text is long and equations chain without limit, so what follows
 their structure is written as generators: ``yield sub()`` stands for a recursive call. ``run`` keeps
-the pending ones on a list, whose length nothing limits.
+the pending ones on a list, whose length nothing limits. What can be answered without a further call
+need not be a generator: ``yield answer`` is as good, and cheaper.
 """
 
 from __future__ import annotations
 
 from collections.abc import Generator
-from typing import Any, TypeVar
+from types import GeneratorType
+from typing import Any, TypeAlias, TypeVar, overload
 
 Result = TypeVar("Result")
 Step = Generator[Any, Any, Result]
 """A suspended call that yields further calls and returns ``Result``."""
+Reply: TypeAlias = Step[Result] | Result
+"""A call, or what it returns where that is known at once."""
 
 
-def run(call: Step[Result]) -> Result:
+@overload
+def run(call: Step[Result]) -> Result: ...
+@overload
+def run(call: Result) -> Result: ...
+def run(call: Any) -> Any:
     """The result of ``call`` and of all the calls that it makes."""
-    stack: list[Step[Any]] = [call]
-    value: Any = None
-    while stack:
+    value: Any = call
+    current: Any = None
+    waiting: list[Any] = []
+    while True:
+        if isinstance(value, GeneratorType):
+            waiting.append(current)
+            current, value = value, None
+        elif current is None:
+            break
         try:
-            inner = stack[-1].send(value)
+            value = current.send(value)
         except StopIteration as finished:
-            stack.pop()
             value = finished.value
-        else:
-            stack.append(inner)
-            value = None
-    result: Result = value
-    return result
+            current = waiting.pop()
+    return value

@@ -81,38 +81,38 @@ def _transform(
     moved: Moved | None,
 ) -> Node:
     """Rebuild ``root`` with leaves replaced, counting binders on the way; without recursion."""
-    done: dict[tuple[int, int], Node] = {}
+    done: dict[tuple[Node, int], Node] = {}
     pending: list[tuple[Node, int]] = [(root, 0)]
     while pending:
-        node, depth = pending[-1]
-        key = node.id, depth
-        if key in done:
+        place = node, depth = pending[-1]
+        if place in done:
             pending.pop()
             continue
         if not affected(node, depth):
-            done[key] = node
+            done[place] = node
             pending.pop()
             continue
-        inner = _operand_depths(node, depth)
-        missing = [
-            (operand, at)
-            for operand, at in zip(node.operands, inner, strict=True)
-            if (operand.id, at) not in done
-        ]
+        parts = _parts(node, depth)
+        missing = [part for part in parts if part not in done]
         if missing:
             pending.extend(missing)
             continue
         pending.pop()
-        operands = tuple(
-            done[operand.id, at] for operand, at in zip(node.operands, inner, strict=True)
-        )
+        operands = tuple([done[part] for part in parts])
         replaced = leaf(node, depth) if not operands else None
-        done[key] = replaced or graph.node(node.op, node.type, operands, node.data)
+        done[place] = replaced or graph.node(node.op, node.type, operands, node.data)
         if moved is not None and operands:
-            moved(node, done[key])
-    return done[root.id, 0]
+            moved(node, done[place])
+    return done[root, 0]
 
 
-def _operand_depths(node: Node, depth: int) -> list[int]:
-    count, inside = binders(node), bodies_of(node)
-    return [depth + count if i in inside else depth for i in range(len(node.operands))]
+def _parts(node: Node, depth: int) -> list[tuple[Node, int]]:
+    """The operands, each with the number of binders around it."""
+    count = binders(node)
+    if not count:
+        return [(operand, depth) for operand in node.operands]
+    inside = bodies_of(node)
+    return [
+        (operand, depth + count if i in inside else depth)
+        for i, operand in enumerate(node.operands)
+    ]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Literal
 
 from ...frozen import frozen
@@ -46,7 +45,7 @@ class Parameter:
     """The host's own block that holds it, instead of the group's."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen(key=True)
 class Resource:
     """A texture and the state of the sampler that reads it."""
 
@@ -54,7 +53,7 @@ class Resource:
     type: Type
     group: str
     default: str = "white"
-    state: tuple[tuple[str, str], ...] = field(default=())
+    state: tuple[tuple[str, str], ...] = ()
     """Sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` repeat/clamp/mirror …"""
 
 

@@ -22,7 +22,7 @@ COLORS: frozenset[str] = frozenset({"rgb", "rgba"})
 MAPS: frozenset[str] = frozenset({"transform", "frame"})
 
 
-@frozen
+@frozen(key=True)
 class Meaning:
     """``point<world>``, ``rgb``, ``transform<object, world>``; of an array, that of its elements.
 

@@ -8,7 +8,8 @@ in the passes recurses over the graph.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable
+from operator import attrgetter
 from typing import Literal
 
 from ...frozen import frozen
@@ -50,6 +51,9 @@ class Formal:
 
 Formals = tuple[Formal, ...]
 
+
+BINDING = frozenset({"fold", "iterate", "apply"})
+"""Operations with bodies, in which they bind variables."""
 
 FoldOperator = Literal["add", "mul", "min", "max", "and", "or"]
 
@@ -104,7 +108,7 @@ class Node:
 
 def binders(node: Node) -> int:
     """How many de Bruijn variables ``node`` binds in its body; none once it has been opened."""
-    return _binders(node.op, node.operands, node.data)
+    return _binders(node.op, node.operands, node.data) if node.op in BINDING else 0
 
 
 def _binders(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
@@ -117,7 +121,7 @@ def _binders(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
 
 def bodies_of(node: Node) -> range:
     """The positions of the operands in which a binding node's variables are bound."""
-    return _bodies(node.op, node.data)
+    return _bodies(node.op, node.data) if node.op in BINDING else _NOWHERE
 
 
 _NOWHERE = range(0)
@@ -128,12 +132,12 @@ def _bodies(op: Op, data: Hashable) -> range:
         return range(2, 3)
     if isinstance(data, Iterating):
         return range(1 + data.states, 2 + 2 * data.states)
-    return range(1) if op == "apply" else _NOWHERE
+    return range(1)
 
 
 def formals_of(node: Node) -> Formals:
     """The variables of an opened binder."""
-    return _formals(node.op, node.data)
+    return _formals(node.op, node.data) if node.op in BINDING else ()
 
 
 def _formals(op: Op, data: Hashable) -> Formals:
@@ -179,20 +183,16 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, froz
         assert isinstance(data, Formal)
         return 0, frozenset((data,))
     free, variables = 0, _NONE
+    if op in BINDING:
+        inside = _bodies(op, data)
+        bound, formals = _binders(op, operands, data), _formals(op, data)
+        for position in inside:
+            free |= operands[position].free >> bound
+            variables = variables | operands[position].variables.difference(formals)
+        operands = operands[: inside.start] + operands[inside.stop :]
     for operand in operands:
-        if operand.free or operand.variables:
-            break
-    else:
-        return free, variables
-    inside = _bodies(op, data)
-    bound, formals = (_binders(op, operands, data), _formals(op, data)) if inside else (0, ())
-    for i, operand in enumerate(operands):
+        free |= operand.free
         theirs = operand.variables
-        if i in inside:
-            free |= operand.free >> bound
-            theirs = theirs.difference(formals)
-        else:
-            free |= operand.free
         if theirs and theirs is not variables:
             variables = variables | theirs if variables else theirs
     return free, variables
@@ -207,11 +207,16 @@ def bare(node: Node) -> Node:
 
 def reachable(roots: Iterable[Node]) -> list[Node]:
     """All nodes that ``roots`` need, operands before users."""
-    seen = {root.id: root for root in roots}
-    pending = list(seen.values())
-    while pending:
-        for operand in pending.pop().operands:
-            if operand.id not in seen:
-                seen[operand.id] = operand
-                pending.append(operand)
-    return [seen[id_] for id_ in sorted(seen)]
+    seen = set(roots)
+    found = list(seen)
+    for node in found:  # It grows on the way.
+        for operand in node.operands:
+            if operand not in seen:
+                seen.add(operand)
+                found.append(operand)
+    found.sort(key=AGE)
+    return found
+
+
+AGE: Callable[[Node], int] = attrgetter("id")
+"""To sort nodes by: operands before users."""

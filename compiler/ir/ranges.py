@@ -32,7 +32,7 @@ class Ranges:
 
     def __init__(self, roots: Iterable[Node], without: frozenset[str] = frozenset()) -> None:
         self.without = without
-        self._facts: MutableMapping[int, Fact] = {}
+        self._facts: MutableMapping[Node, Fact] = {}
         self._sources: dict[Formal, list[Node]] = {}
         """The arguments that a formal stands for, over all applies."""
         self._indices: dict[Formal, int] = {}
@@ -75,29 +75,32 @@ class Ranges:
     def of(self, node: Node) -> Fact:
         """What is known of ``node``."""
         facts = self._facts
-        known = facts.get(node.id)
+        known = facts.get(node)
         if known is not None:
             return known
         pending = [node]
-        begun: set[int] = set()
+        begun: set[Node] = set()
         while pending:
             top = pending[-1]
-            if top.id in facts:
+            if top in facts:
                 pending.pop()
                 continue
             needs = self.needs(top)
             # A function that a loop calls before it and in its turns needs itself, by its argument.
-            missing = [need for need in needs if need.id not in facts and need.id not in begun]
-            begun.add(top.id)
-            if missing:
-                pending.extend(missing)
-                continue
-            pending.pop()
-            so_far = [facts.get(need.id, UNKNOWN.as_kind(_kind(need))) for need in needs]
-            facts[top.id] = self.derived(top, so_far)
-        return facts[node.id]
+            for need in needs:
+                if need not in facts and need not in begun:
+                    pending.append(need)
+            begun.add(top)
+            if pending[-1] is top:
+                pending.pop()
+                facts[top] = self.derived(top, tuple(map(self._so_far, needs)))
+        return facts[node]
 
-    def assuming(self, facts: Mapping[int, Fact]) -> Ranges:
+    def _so_far(self, node: Node) -> Fact:
+        known = self._facts.get(node)
+        return UNKNOWN.as_kind(_kind(node)) if known is None else known
+
+    def assuming(self, facts: Mapping[Node, Fact]) -> Ranges:
         """The same knowledge with more taken for granted; what follows from that is not kept."""
         other = Ranges((), self.without)
         other._facts = ChainMap(dict(facts), self._facts)
@@ -135,8 +138,8 @@ class Ranges:
 
     def assume(self, node: Node, fact: Fact) -> None:
         """Take over what is known of a node's value otherwise than through its operands."""
-        known = self._facts.get(node.id)
-        self._facts[node.id] = fact if known is None else known.meet(fact)
+        known = self._facts.get(node)
+        self._facts[node] = fact if known is None else known.meet(fact)
 
     def reason(self, node: Node) -> str | None:
         """The name of the rule that gives the fact of ``node``."""
@@ -163,7 +166,7 @@ class Ranges:
 
         def turn(facts: Sequence[Fact]) -> Sequence[Fact]:
             given = {
-                self._leaves[formal].id: fact
+                self._leaves[formal]: fact
                 for formal, fact in zip(states, facts, strict=True)
                 if formal in self._leaves
             }

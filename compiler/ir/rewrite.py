@@ -17,33 +17,31 @@ def rewrite(
     rule: Rule,
     moved: Moved | None = None,
     ops: Container[str] | None = None,
+    nodes: Iterable[Node] | None = None,
 ) -> list[Node]:
     """The roots, rebuilt with ``rule`` applied to every node they need, operands before users.
 
-    A rule that has something to say of some operations only names them: ``ops``.
+    A rule that has something to say of some operations only names them: ``ops``. ``nodes`` are all
+    that the roots need (``reachable``), where a pass has looked at them already.
 
     Bodies of folds and applies are ordinary operands here. A replacement therefore stands under
     the same binders as what it replaces and may use the same ``bound`` variables, no others.
     """
     wanted = list(roots)
-    new: dict[int, Node] = {}
+    new: dict[Node, Node] = {}
     """What became of the nodes that changed."""
-    for node in reachable(wanted):
+    changed = new.keys()
+    for node in reachable(wanted) if nodes is None else nodes:
         operands = node.operands
-        if new and operands:
-            operands = tuple([new.get(operand.id, operand) for operand in operands])
+        if not changed.isdisjoint(operands):
+            operands = tuple(map(new.get, operands, operands))
         replacement = rule(graph, node, operands) if ops is None or node.op in ops else None
         if replacement is None:
-            replacement = with_operands(graph, node, operands)
+            if operands is node.operands:
+                continue
+            replacement = graph.node(node.op, node.type, operands, node.data)
         if replacement is not node:
-            new[node.id] = replacement
+            new[node] = replacement
             if moved is not None:
                 moved(node, replacement)
-    return [new.get(root.id, root) for root in wanted]
-
-
-def with_operands(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-    """The same operation of other operands; ``node`` itself where they are its own."""
-    if operands == node.operands:
-        return node
-    return graph.node(node.op, node.type, operands, node.data)
+    return [new.get(root, root) for root in wanted]

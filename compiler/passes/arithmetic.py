@@ -43,9 +43,13 @@ def _fits(s: Simplifier, node: Node, type_: Type) -> Node | None:
     return None
 
 
+_OF_EQUAL_LANES = ("splat", "constant")
+"""What may be a vector of equal lanes."""
+
+
 def _scalar_form(s: Simplifier, name: str, type_: Type, operands: tuple[Node, ...]) -> Node | None:
     """Arithmetic with equal lanes as arithmetic with a scalar."""
-    if not isinstance(type_, Vector):
+    if not isinstance(type_, Vector) or not any(o.op in _OF_EQUAL_LANES for o in operands):
         return None
     lanes = [_equal_lane(s, operand) for operand in operands]
     if all(lane is not None for lane in lanes):

@@ -126,9 +126,11 @@ class Expanding(Simplifier):
 
 def write_out(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
     """The roots with every ``call`` that no backend has as its expansion, in calls again."""
-    if not any(map(_is_homeless, reachable(roots))):
+    nodes = reachable(roots)
+    if not any(map(_is_homeless, nodes)):
         return roots
-    return rewrite(graph, roots, _WritingOut(graph, ranges, notes).rule, notes.follow)
+    rule = _WritingOut(graph, ranges, notes).rule
+    return rewrite(graph, roots, rule, notes.follow, nodes=nodes)
 
 
 def _is_homeless(node: Node) -> bool:

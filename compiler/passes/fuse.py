@@ -23,19 +23,20 @@ SUMMED = frozenset({"fold", "apply"})
 def fuse(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
     """The roots with the sums in them fused."""
     wanted = list(roots)
-    fusing = _Fusing(graph, notes, simplifier, _inner_sums(wanted))
-    return rewrite(graph, wanted, fusing.rule, notes.follow)
+    nodes = reachable(wanted)
+    fusing = _Fusing(graph, notes, simplifier, _inner_sums(wanted, nodes))
+    return rewrite(graph, wanted, fusing.rule, notes.follow, ("call",), nodes)
 
 
 def _is_sum(node: Node) -> bool:
     return node.op == "call" and node.data == "add"
 
 
-def _inner_sums(roots: list[Node]) -> set[int]:
+def _inner_sums(roots: list[Node], nodes: list[Node]) -> set[int]:
     """Sums that are part of one other sum and nothing else: their terms are gathered there."""
     users: dict[int, int] = {root.id: 2 for root in roots}
     inner: set[int] = set()
-    for node in reachable(roots):
+    for node in nodes:
         for operand in node.operands:
             users[operand.id] = users.get(operand.id, 0) + 1
             if _is_sum(node) and _is_sum(operand) and operand.type == node.type:

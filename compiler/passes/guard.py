@@ -90,7 +90,7 @@ class Guarding(Expanding):
         """
         row = BUILTINS[str(node.data)]
         self.at = self.notes.spans.get(node.id, self.at)
-        if row.domain(tuple(self.ranges.of(operand) for operand in node.operands)):
+        if row.domain(tuple(map(self.ranges.of, node.operands))):
             self.judge(row.name, node.operands, "native")
             return True
         known = [self._paths.known(node, operand) for operand in node.operands]
@@ -112,7 +112,7 @@ class Guarding(Expanding):
         row = BUILTINS[str(node.data)]
         if not row.expansion:
             return self.graph.node("native", node.type, node.operands, node.data)
-        facts = tuple(self.ranges.of(operand) for operand in node.operands)
+        facts = tuple(map(self.ranges.of, node.operands))
         if row.domain(facts):
             self.judge(row.name, node.operands, "native")
             return self.graph.node("native", node.type, node.operands, node.data)
@@ -128,5 +128,5 @@ class Guarding(Expanding):
             operands = asked.operands
         self.judge(row.name, operands, "guarded")
         if row.needs:
-            facts = tuple(self.ranges.of(operand) for operand in operands)
+            facts = tuple(map(self.ranges.of, operands))
             self.kept[node.id] = Guard(row.name, facts, self.at)

@@ -16,7 +16,7 @@ from ...frozen import frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, reachable
 from ..ir.ranges import Ranges
-from ..ir.rewrite import rewrite, with_operands
+from ..ir.rewrite import rewrite
 from ..ir.types import Array, Matrix, Scalar, Vector
 from ..semantics.shader import Notes
 from .cost import LOAD, cost_of
@@ -97,8 +97,9 @@ def hoist(
     """
     wanted = list(roots)
     hoisting = _Hoisting(graph, notes, ranges, taken)
-    hoisting.choose(wanted)
-    rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow)
+    nodes = reachable(wanted)
+    hoisting.choose(wanted, nodes)
+    rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow, nodes=nodes)
     read = {node.data for node in reachable(rewritten) if node.op == "parameter"}
     return rewritten, tuple(d for d in hoisting.derived() if d.parameter in read)
 
@@ -121,9 +122,8 @@ class _Hoisting:
         self._tables: dict[tuple[int, str], Table] = {}
         """By the array's id and the group that owns the values."""
 
-    def choose(self, roots: list[Node]) -> None:
+    def choose(self, roots: list[Node], nodes: list[Node]) -> None:
         """Find the hoistable nodes that some user which is not hoistable needs."""
-        nodes = reachable(roots)
         self._naming.learn(reversed(nodes))
         for node in nodes:
             self._reads[node.id] = self._reads_of(node)
@@ -140,7 +140,7 @@ class _Hoisting:
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Replace a chosen node; inside hoisted values nothing changes."""
         if node.id in self._positions:
-            self._moved[node.id] = with_operands(graph, node, operands)
+            self._moved[node.id] = graph.node(node.op, node.type, operands, node.data)
         if node.id in self._single:
             parameter = self._single[node.id].parameter
             return graph.node("parameter", node.type, (), parameter)

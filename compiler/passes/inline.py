@@ -18,7 +18,8 @@ TRIVIAL = 4
 def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
     """The roots with applies of bodies that are used once replaced by the bodies."""
     wanted = list(roots)
-    uses = Counter(node.operands[0].id for node in reachable(wanted) if node.op == "apply")
+    nodes = reachable(wanted)
+    uses = Counter(node.operands[0].id for node in nodes if node.op == "apply")
     if not uses:
         return wanted
     costs: dict[int, int] = {}
@@ -35,4 +36,4 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
         replacements = dict(zip(node.data, operands[1:], strict=True))
         return substitute_through(simplifier, operands[0], replacements)
 
-    return rewrite(graph, wanted, rule, notes.follow, ("apply",))
+    return rewrite(graph, wanted, rule, notes.follow, ("apply",), nodes)

@@ -13,6 +13,7 @@ from ...frozen import changed
 from ..ir import build
 from ..ir.binding import open_body
 from ..ir.node import (
+    BINDING,
     Folding,
     Formal,
     Formals,
@@ -27,21 +28,20 @@ from ..ir.rewrite import rewrite
 from ..ir.types import INT, Array, Struct, Type
 from ..semantics.shader import Notes
 
-BINDERS = frozenset({"fold", "iterate", "apply"})
-
 
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with every fold, loop and apply opened."""
     wanted = list(roots)
-    opener = _Opener(graph, notes, _taken_apart(wanted))
-    return rewrite(graph, wanted, opener.rule, notes.follow, BINDERS)
+    nodes = reachable(wanted)
+    opener = _Opener(graph, notes, _taken_apart(nodes))
+    return rewrite(graph, wanted, opener.rule, notes.follow, BINDING, nodes)
 
 
-def _taken_apart(roots: list[Node]) -> set[tuple[int, int]]:
+def _taken_apart(nodes: list[Node]) -> set[tuple[int, int]]:
     """The arguments, by body and position, of which each part has to be an argument."""
     return {
         (node.operands[0].id, position)
-        for node in reachable(roots)
+        for node in nodes
         if node.op == "apply"
         for position, argument in enumerate(node.operands[1:])
         if isinstance(argument.type, Struct | Array) and not _is_stored(argument)

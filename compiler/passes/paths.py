@@ -79,7 +79,7 @@ class Paths:
         wanted = list(roots)
         nodes = reachable(wanted)
         if any(node.op == "select" for node in nodes):
-            self._find(wanted, nodes, needing_uniform_flow(wanted))
+            self._find(wanted, nodes, needing_uniform_flow(nodes))
 
     def known(self, user: Node, operand: Node) -> Known:
         """What holds of ``operand`` where ``user`` is computed.

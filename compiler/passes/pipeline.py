@@ -199,8 +199,9 @@ def _stage(
 ) -> Stage:
     roots = values if discard is None else [*values, discard]
     naming = Naming(shader.notes)
-    functions = tuple(_function(call, shader.notes, naming) for call in called_functions(roots))
-    leaves = [leaf for node in visible(roots, into_bodies=True) if (leaf := node.data) is not None]
+    nodes = visible(roots, into_bodies=True)
+    functions = tuple(_function(call, shader.notes, naming) for call in called_functions(nodes))
+    leaves = [leaf for node in nodes if (leaf := node.data) is not None]
     parameters = {leaf for leaf in leaves if isinstance(leaf, Parameter)}
     resources = {leaf for leaf in leaves if isinstance(leaf, Resource)}
     return Stage(
@@ -215,7 +216,7 @@ def _stage(
         results=tuple(values[1:] if name == "vertex" else values),
         discard=discard,
         builtin_inputs=tuple(sorted({str(n.data) for n in visible(roots) if n.op == "input"})),
-        reads=texture_reads(visible(roots, into_bodies=True)),
+        reads=texture_reads(nodes),
     )
 
 

@@ -22,16 +22,17 @@ AFFINE = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
 def move_to_vertices(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with affine values of single crossings computed before the crossing."""
     wanted = list(roots)
-    return rewrite(graph, wanted, _Moving(wanted, notes).rule, notes.follow)
+    nodes = reachable(wanted)
+    return rewrite(graph, wanted, _Moving(wanted, nodes, notes).rule, notes.follow, nodes=nodes)
 
 
 class _Moving:
-    def __init__(self, roots: list[Node], notes: Notes) -> None:
+    def __init__(self, roots: list[Node], nodes: list[Node], notes: Notes) -> None:
         self._notes = notes
         self._users: dict[int, int] = {root.id: 1 for root in roots}
         self._constant: dict[int, bool] = {}
         """Which values are the same all over the draw."""
-        for node in reachable(roots):
+        for node in nodes:
             for operand in set(node.operands):
                 self._users[operand.id] = self._users.get(operand.id, 0) + 1
             self._constant[node.id] = node.op in ("constant", "parameter") or (

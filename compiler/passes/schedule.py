@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of
+from ..ir.node import AGE, Folding, Formal, Iterating, Node, bodies_of, formals_of, reachable
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.types import BOOL, Matrix, Texture
 from ..semantics.shader import Notes
-from ..trampoline import Step, run
+from ..trampoline import Reply, Step, run
 from .cost import cost_of
 from .guard import BRANCH
 from .naming import Naming
@@ -31,7 +31,7 @@ INLINE_SIZE = 12
 
 
 BOUND = (0, 0)
-"""Size and depth, where it is used, of a value that has a name."""
+"""Size and depth, where it is used, of a value that has a name, and of a leaf."""
 
 
 @dataclass(eq=False, slots=True)
@@ -68,10 +68,11 @@ class Scheduler:
         sampler before it computes the coordinate, and a ``?:`` would part join and read."""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
-        self._together = needing_uniform_flow(self._roots)
+        self._together = needing_uniform_flow(reachable(self._roots))
         """What all pixels have to reach, branches or not."""
-        self._order = in_order_of_use(self._roots)
-        self._naming.learn(reversed(self._order))
+        nodes = in_order_of_use(self._roots)
+        self._naming.learn(reversed(nodes))
+        self._order = [node for node in nodes if node.op not in LEAVES]
 
     def schedule(self) -> Region:
         """The statements that compute the roots."""
@@ -109,6 +110,8 @@ class Scheduler:
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
             for position, operand in enumerate(operands_of(node)):
+                if operand.op in LEAVES:
+                    continue
                 region = self._region_of(node, position, home)
                 homes.setdefault(operand.id, []).append(region)
                 self._uses[operand.id] = self._uses.get(operand.id, 0) + 1
@@ -116,8 +119,7 @@ class Scheduler:
                     optional.add(operand.id)
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
-        inside = bodies_of(user)
-        if user.id in self._loops and position in inside:
+        if user.op in LOOPS and position in (inside := bodies_of(user)):
             # Of a fold the whole body; of a loop with states first what says whether to go on.
             head, tail = self._loops[user.id]
             return head if position == inside.start else tail
@@ -191,23 +193,24 @@ class Scheduler:
                 statements.append(statement)
         return Region(tuple(statements))
 
-    def _statement(self, node: Node) -> Step[Statement | None]:
+    def _statement(self, node: Node) -> Reply[Statement | None]:
         if node.op == "fold":
-            loop: Loop = yield self._loop(node)
-            return loop
+            return self._loop(node)
         if node.op == "iterate":
-            iterate: Iterate = yield self._iterate(node)
-            return iterate
+            return self._iterate(node)
         if node.id in self._sides:
-            first, second = self._sides[node.id]
-            then = yield self._emit(first)
-            otherwise = yield self._emit(second)
-            self._size[node.id] = BOUND
-            return Branch(self._naming.name(node), node, then, otherwise)
+            return self._branch(node)
         if not self._bound(node):
             return None
         self._size[node.id] = BOUND
         return Let(self._naming.name(node), node, self._notes.docs.get(node.id, ""))
+
+    def _branch(self, node: Node) -> Step[Branch]:
+        first, second = self._sides[node.id]
+        then = yield self._emit(first)
+        otherwise = yield self._emit(second)
+        self._size[node.id] = BOUND
+        return Branch(self._naming.name(node), node, then, otherwise)
 
     def _loop(self, node: Node) -> Step[Loop]:
         assert isinstance(node.data, Folding) and node.data.index is not None
@@ -240,8 +243,9 @@ class Scheduler:
 
     def _bound(self, node: Node) -> bool:
         """Whether a node gets a statement of its own."""
-        size, depth = self._measure(node)
-        if node.op in LEAVES or is_access(node):
+        access = is_access(node)
+        size, depth = self._measure(node, 0 if access else 1)
+        if access:
             return False
         if node.op == "array":
             return True
@@ -254,17 +258,18 @@ class Scheduler:
         named = node.id in self._notes.names and size > 1
         return named or size > INLINE_SIZE or depth > INLINE_DEPTH
 
-    def _measure(self, node: Node) -> tuple[int, int]:
+    def _measure(self, node: Node, own: int) -> tuple[int, int]:
         """Operations and nesting of a node printed in place."""
-        parts = [self._size[operand.id] for operand in operands_of(node)]
-        own = 0 if node.op in LEAVES or is_access(node) else 1
-        size = own + sum(part for part, _ in parts)
-        depth = own + max((deep for _, deep in parts), default=0)
+        size, depth = own, 0
+        chooses = node.op == "select"
+        for operand in operands_of(node):
+            part = self._size.get(operand.id, BOUND)
+            size += part[0]
+            depth = max(depth, part[1])
+            chooses = chooses or (operand.id in self._choosing and part != BOUND)
+        depth += own
         self._size[node.id] = (size, depth)
-        if node.op == "select" or any(
-            operand.id in self._choosing and self._size[operand.id] != BOUND
-            for operand in operands_of(node)
-        ):
+        if chooses:
             self._choosing.add(node.id)
         return size, depth
 
@@ -282,15 +287,15 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
 
     The bodies of functions that are called belong to it ``into_bodies``.
     """
-    seen = {root.id: root for root in roots}
-    pending = list(seen.values())
-    while pending:
-        node = pending.pop()
+    seen = set(roots)
+    found = list(seen)
+    for node in found:  # It grows on the way.
         for operand in node.operands if into_bodies and node.op == "apply" else operands_of(node):
-            if operand.id not in seen:
-                seen[operand.id] = operand
-                pending.append(operand)
-    return [seen[id_] for id_ in sorted(seen)]
+            if operand not in seen:
+                seen.add(operand)
+                found.append(operand)
+    found.sort(key=AGE)
+    return found
 
 
 def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
@@ -368,7 +373,7 @@ def _enclosing(blocks: list[_Block]) -> _Block:
     return common
 
 
-def called_functions(roots: Iterable[Node]) -> list[Node]:
-    """One call of each function that ``roots`` need, callees before callers."""
-    calls = [node for node in visible(roots, into_bodies=True) if node.op == "apply"]
+def called_functions(nodes: Iterable[Node]) -> list[Node]:
+    """One call of each function among the nodes of a stage, callees before callers."""
+    calls = [node for node in nodes if node.op == "apply"]
     return list({call.operands[0].id: call for call in reversed(calls)}.values())[::-1]

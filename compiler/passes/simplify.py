@@ -74,7 +74,7 @@ class Simplifier:
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """For ``rewrite``: the same operation in its simplest form."""
         self.at = self.notes.spans.get(node.id, self.at)
-        return self.make(node.op, node.type, operands, node.data)
+        return self.make(node.op, node.type, operands, node.data) if operands else node
 
     def make(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
@@ -115,8 +115,9 @@ def _builtin(op: Op) -> OpRule:
 
 def _folded(s: Simplifier, type_: Type, operands: tuple[Node, ...], name: str) -> Node | None:
     """The value of a builtin of constants, where float32 can hold it."""
-    if not operands or any(operand.op != "constant" for operand in operands):
-        return None
+    for operand in operands:
+        if operand.op != "constant":
+            return None
     if BUILTINS[name].uniform_control_flow or not isinstance(type_, Scalar | Vector):
         return None
     lanes = apply(

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...stdlib.builtins import BUILTINS
-from ..ir.node import Node, reachable
+from ..ir.node import Node
 
 LOOPS = frozenset({"fold", "iterate"})
 
@@ -19,23 +19,24 @@ def compares(node: Node) -> bool:
     return node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
 
 
-def needing_uniform_flow(roots: Iterable[Node]) -> frozenset[int]:
-    """The ids of operations, loops and calls under ``roots`` that all pixels have to reach.
+def needing_uniform_flow(nodes: Iterable[Node]) -> frozenset[int]:
+    """The ids of operations, loops and calls among ``nodes`` that all pixels have to reach.
+
+    ``nodes`` are all that some roots need, operands before users.
 
     What a loop's turns have in common is computed before it, and so does not count.
     """
     found: set[int] = set()
-    inside: set[int] = set()
-    turning: set[int] = set()
+    inside: set[Node] = set()
+    turning: set[Node] = set()
     """What contains a comparison, and one that differs."""
-    for node in reachable(roots):
-        below = [operand.id for operand in node.operands]
+    for node in nodes:
         own = compares(node)
-        if own or not inside.isdisjoint(below):
-            inside.add(node.id)
-        if (own and node.variables) or not turning.isdisjoint(below):
-            turning.add(node.id)
-        calls = node.op == "apply" and node.operands[0].id in inside
-        if own or calls or (node.op in LOOPS and node.id in turning):
+        if own or not inside.isdisjoint(node.operands):
+            inside.add(node)
+        if (own and node.variables) or not turning.isdisjoint(node.operands):
+            turning.add(node)
+        calls = node.op == "apply" and node.operands[0] in inside
+        if own or calls or (node.op in LOOPS and node in turning):
             found.add(node.id)
     return frozenset(found)

@@ -16,7 +16,7 @@ from ..trampoline import Step, run
 from . import scalars
 from .functions import evaluate as builtin
 from .namespace import Lane, Lanes, Namespace
-from .operations import NotConstantError, apply, chosen
+from .operations import NotConstantError, apply, chosen, constant_lanes
 
 __all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "evaluate"]
 
@@ -38,6 +38,8 @@ def evaluate(root: Node, leaves: Leaves | None = None, xp: Namespace = scalars) 
 
     Raises ``NotConstantError`` at a leaf without a value.
     """
+    if root.op == "constant":
+        return constant_lanes(root.type, root.data)
     return Evaluator(leaves, xp).value(root)
 
 

@@ -12,7 +12,7 @@ from ..diagnostics.source import Span
 from ..ir.node import Node, bare
 from ..ir.types import TEXTURES, Texture
 from ..syntax import ast
-from ..trampoline import Step
+from ..trampoline import Reply, Step
 from . import advice, fitting, lights, lookup, textures
 from .aggregates import structure
 from .coerce import coerce
@@ -23,7 +23,7 @@ from .generics import shown, unfounded, untold
 from .modules import Symbol
 from .operands import listed
 from .records import Definition
-from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
+from .scope import FAILURE, Application, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
 from .wording import counted
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 def call(low: Lowering, e: ast.Call, scope: Scope) -> Step[Value]:
     """``f(…)`` for every kind of f."""
-    arguments, failed = yield _arguments(low, e, scope)
+    arguments, failed = yield from _arguments(low, e, scope)
     if isinstance(e.callee, ast.Reference):
         result: Value = yield _named(low, e, e.callee, arguments, scope, failed)
         return result
@@ -94,27 +94,40 @@ def _named(
     arguments: tuple[Node, ...],
     scope: Scope,
     failed: bool,
-) -> Step[Value]:
+) -> Reply[Value]:
     name = callee.name
     own = scope.instance is not None and _is_map(scope.instance.record.definitions.get(name))
     if own or name in scope.locals:
-        texture = yield lookup.value(low, name, callee.span, scope)
-        return FAILURE if failed else textures.read(low, texture, arguments, e)
-    functions = [s for s in scope.module.find(name) if isinstance(s.declaration, ast.Function)]
+        texture = lookup.value(low, name, callee.span, scope)
+        return _read(low, texture, arguments, e, failed)
+    symbols = scope.module.find(name)
+    functions = [s for s in symbols if isinstance(s.declaration, ast.Function)]
     if functions:
-        applied: Value = FAILURE
-        if not failed:
-            applied = yield _function(low, functions, arguments, e, scope)
-        return applied
-    structures = scope.module.find(name)
-    if structures and isinstance(structures[0].declaration, ast.StructDeclaration):
-        return FAILURE if failed else structure(low, structures[0], arguments, e)
+        return FAILURE if failed else _function(low, functions, arguments, e, scope)
+    if symbols and isinstance(symbols[0].declaration, ast.StructDeclaration):
+        return FAILURE if failed else structure(low, symbols[0], arguments, e)
     if _is_built_in(name):
         return FAILURE if failed else _built_in(low, name, arguments, e, scope)
     surface = scope.surface
     if surface is not None and _is_map(surface.record.definitions.get(name)):
-        texture = yield lookup.slot(low, surface, name, callee.span)
-        return FAILURE if failed else textures.read(low, texture, arguments, e)
+        texture = lookup.slot(low, surface, name, callee.span)
+        return _read(low, texture, arguments, e, failed)
+    return _no_function(low, e, callee, scope, failed)
+
+
+def _read(
+    low: Lowering, named: Reply[Value], arguments: tuple[Node, ...], e: ast.Call, failed: bool
+) -> Step[Value]:
+    """``albedo(uv)``: a read of what is named."""
+    texture = yield named
+    return FAILURE if failed else textures.read(low, texture, arguments, e)
+
+
+def _no_function(
+    low: Lowering, e: ast.Call, callee: ast.Reference, scope: Scope, failed: bool
+) -> Step[Value]:
+    """A call of what cannot be called; if that is a slot, it may have failed by itself."""
+    name = callee.name
     if scope.instance is not None and scope.instance.has(name):
         known = yield lookup.slot(low, scope.instance, name, callee.span)
         failed = failed or isinstance(known, Failure)
@@ -210,11 +223,10 @@ def _function(
     arguments: tuple[Node, ...],
     e: ast.Call,
     scope: Scope,
-) -> Step[Value]:
+) -> Reply[Value]:
     symbol = overloaded[0] if len(overloaded) == 1 else best(low, overloaded, arguments)
     if symbol is not None:
-        result: Value = yield _apply(low, symbol, arguments, e, scope)
-        return result
+        return _apply(low, symbol, arguments, e, scope)
     low.report.add(
         rules.NO_OVERLOAD, e.span, name=overloaded[0].name, arguments=listed(arguments),
         labels=[Label(s.declaration.name.span, "a candidate") for s in overloaded],
@@ -263,21 +275,19 @@ def accepts(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...]) -> bool 
 
 def _apply(
     low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
-) -> Step[Value]:
+) -> Reply[Value]:
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     fitted = _fit_arguments(low, symbol, arguments, e, scope)
     if fitted is None:
         return FAILURE
     if function.per is not None:
-        summed: Value = yield lights.per_light(low, symbol, fitted, e.span, scope)
-        return summed
+        return lights.per_light(low, symbol, fitted, e.span, scope)
     surface = scope.surface if function.kind == "term" else None
     if function.kind == "term" and surface is None:
         low.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name=symbol.name)
         return FAILURE
-    result: Value = yield apply_body(low, symbol, fitted, e.span, surface)
-    return result
+    return apply_body(low, symbol, fitted, e.span, surface)
 
 
 def _fit_arguments(
@@ -323,18 +333,25 @@ def apply_body(
     span: Span,
     surface: Instance | None = None,
     use: str = "called here",
-) -> Step[Node | Failure]:
+) -> Reply[Node | Failure]:
     """A function's value for fitted arguments; the same call is lowered once.
 
     ``use`` is what messages about a generic body say of ``span``.
     """
-    function = symbol.declaration
-    assert isinstance(function, ast.Function)
     key = (symbol, tuple(argument.id for argument in arguments), surface)
     if key in low.applied:
         return low.applied[key]
     if not entered(low, symbol, span):
         return FAILURE
+    return _new_application(low, key, arguments, span, use)
+
+
+def _new_application(
+    low: Lowering, key: Application, arguments: tuple[Node, ...], span: Span, use: str
+) -> Step[Node | Failure]:
+    symbol, _, surface = key
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
     locals_ = {
         formal.name.text: argument
         for formal, argument in zip(function.arguments, arguments, strict=True)
@@ -407,7 +424,7 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
         low.report.add(rules.WITH_NEEDS_TERM, e.operand.span)
         return FAILURE
     assert isinstance(term, ast.Reference)
-    arguments, failed = yield _arguments(low, e.operand, scope)
+    arguments, failed = yield from _arguments(low, e.operand, scope)
     shaded = changed(scope, surface=surface.with_replaced(given))
     result: Value = yield _named(low, e.operand, term, arguments, shaded, failed)
     return result

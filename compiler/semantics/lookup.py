@@ -17,7 +17,7 @@ from ..ir.leaves import PIPELINE_TYPES
 from ..ir.node import Formal, Node, bare
 from ..ir.types import Array, Texture, Type
 from ..syntax import ast
-from ..trampoline import Step
+from ..trampoline import Reply, Step
 from . import advice, fitting
 from .declared import declared_type
 from .modules import Module, Symbol
@@ -36,22 +36,19 @@ OUTERMOST = -1
 """The level at which a name means what was given from outside, if anything was."""
 
 
-def value(low: Lowering, name: str, span: Span, scope: Scope) -> Step[Value]:
+def value(low: Lowering, name: str, span: Span, scope: Scope) -> Reply[Value]:
     """The value of a bare name."""
     if name in scope.locals:
         return scope.locals[name]
     if name == "inherited" and scope.instance is not None:
         return Inherited(scope.instance, scope.level)
     if scope.instance is not None and scope.instance.has(name):
-        own: Value = yield slot(low, scope.instance, name, span)
-        return own
+        return slot(low, scope.instance, name, span)
     symbols = scope.module.find(name)
     if symbols:
-        declared: Value = yield _symbol_value(low, symbols[0], span)
-        return declared
+        return _symbol_value(low, symbols[0], span)
     if scope.surface is not None and scope.surface.has(name):
-        outer: Value = yield slot(low, scope.surface, name, span)
-        return outer
+        return slot(low, scope.surface, name, span)
     if name in INPUTS and scope.surface is not None:
         return low.graph.node("input", INPUTS[name], (), name)
     if name in VERTEX_INPUTS and scope.surface is not None:
@@ -153,27 +150,24 @@ def unknown_here(
 # --- slots ---------------------------------------------------------------------------------------
 
 
-def slot_or_report(low: Lowering, instance: Instance, name: str, span: Span) -> Step[Value]:
+def slot_or_report(low: Lowering, instance: Instance, name: str, span: Span) -> Reply[Value]:
     """``instance.name`` where it is written with the dot."""
     if not instance.has(name):
         if instance.record.baseless:
             return FAILURE
         unknown(low, f"slot of `{instance.record.name}`", name, span, instance.record.definitions)
         return FAILURE
-    result: Value = yield slot(low, instance, name, span)
-    return result
+    return slot(low, instance, name, span)
 
 
-def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> Step[Value]:
+def inherited(low: Lowering, instance: Instance, level: int, name: ast.Name) -> Reply[Value]:
     """``inherited.name``: the definition above the one in which this is written."""
     above = instance.record.above(name.text, level)
     if above is not None:
-        own: Value = yield slot(low, instance, name.text, name.span, above.level)
-        return own
+        return slot(low, instance, name.text, name.span, above.level)
     surface = instance.surface
     if surface is not None and name.text in surface.record.definitions:
-        behind: Value = yield slot(low, surface, name.text, name.span, 0)
-        return behind
+        return slot(low, surface, name.text, name.span, 0)
     if not instance.record.baseless:
         _unknown_inherited(low, instance.record, name)
     return FAILURE
@@ -191,16 +185,22 @@ def _unknown_inherited(low: Lowering, record: Record, name: ast.Name) -> None:
 
 def slot(
     low: Lowering, instance: Instance, name: str, span: Span, level: int = OUTERMOST
-) -> Step[Node | Failure]:
+) -> Reply[Node | Failure]:
     """The value that ``name`` has in ``instance``, as defined at ``level`` or further up."""
     key = (name, level)
     if key in instance.values:
         return instance.values[key]
     if _is_cycle(low, (instance, *key), name, span):
         return FAILURE
+    return _new_slot(low, instance, name, span, level)
+
+
+def _new_slot(
+    low: Lowering, instance: Instance, name: str, span: Span, level: int
+) -> Step[Node | Failure]:
     result: Node | Failure = yield _slot_value(low, instance, name, span, level)
-    low.active.pop((instance, *key))
-    instance.values[key] = result
+    low.active.pop((instance, name, level))
+    instance.values[name, level] = result
     if isinstance(result, Node) and result.operands:
         _note(low, instance, name, level, result)
     return result
@@ -213,11 +213,10 @@ def _definition(instance: Instance, name: str, level: int) -> Definition:
 
 def _slot_value(
     low: Lowering, instance: Instance, name: str, span: Span, level: int
-) -> Step[Node | Failure]:
+) -> Reply[Node | Failure]:
     replacement = instance.replaced.get(name) if level == OUTERMOST else None
     if replacement is not None:
-        given: Node | Failure = yield _replacement_value(low, instance, replacement, name)
-        return given
+        return _replacement_value(low, instance, replacement, name)
     definition = _definition(instance, name, level)
     member = definition.member
     if not isinstance(member, ast.Slot):
@@ -233,8 +232,7 @@ def _slot_value(
         )  # fmt: skip
         return FAILURE
     scope = Scope(definition.owner.module, instance, definition.level, instance.surface or instance)
-    result: Node | Failure = yield _defined(low, instance, name, member.value, scope)
-    return result
+    return _defined(low, instance, name, member.value, scope)
 
 
 def _setting(low: Lowering, instance: Instance, definition: Definition) -> str:
@@ -271,7 +269,7 @@ def _leaf(low: Lowering, instance: Instance, member: NamedMember) -> Node | Fail
 
 def _replacement_value(
     low: Lowering, instance: Instance, replacement: Replacement, name: str
-) -> Step[Node | Failure]:
+) -> Reply[Node | Failure]:
     definition = replacement.definition
     if definition is None:
         assert replacement.value is not None
@@ -279,9 +277,7 @@ def _replacement_value(
     assert isinstance(definition.member, ast.Slot) and definition.member.value is not None
     within = replacement.within or instance
     scope = Scope(definition.owner.module, within, definition.level, within.surface or within)
-    expression = definition.member.value
-    result: Node | Failure = yield _defined(low, instance, name, expression, scope)
-    return result
+    return _defined(low, instance, name, definition.member.value, scope)
 
 
 def _defined(

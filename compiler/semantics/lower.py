@@ -33,7 +33,7 @@ from ..ir.types import (
     width,
 )
 from ..syntax import ast
-from ..trampoline import Step
+from ..trampoline import Reply, Step
 from . import advice, aggregates, calls, conversions, fitting, folds, lookup, mixing, overloads
 from .coerce import coerce
 from .constants import ConstantValues
@@ -45,6 +45,7 @@ from .operands import no_signature
 from .records import Records
 from .scope import (
     FAILURE,
+    Application,
     Failure,
     Inherited,
     Instance,
@@ -91,7 +92,7 @@ class Lowering:
         """What is known of values already: by it loops are bounded, and lengths proven."""
         self.passing: Instance | None = None
         """The pass, whose transforms are in scope everywhere."""
-        self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
+        self.applied: dict[Application, Node | Failure] = {}
         self.active: dict[Any, tuple[str, Span]] = {}
         """What is being lowered right now, outermost first: finding it again is a cycle."""
         self.cyclic: set[object] = set()
@@ -128,9 +129,18 @@ class Lowering:
             self.notes.spans.setdefault(value.id, expression.span)
         return value
 
-    def node(self, expression: ast.Expression, scope: Scope) -> Step[Node | Failure]:
+    def node(self, expression: ast.Expression, scope: Scope) -> Reply[Node | Failure]:
         """The value of ``expression`` where only a plain value will do."""
-        value = yield _LOWER[type(expression)](self, expression, scope)
+        lowered = _LOWER[type(expression)](self, expression, scope)
+        if isinstance(lowered, Node):
+            self.notes.spans.setdefault(lowered.id, expression.span)
+            return lowered
+        return self._node_later(lowered, expression)
+
+    def _node_later(
+        self, lowered: Reply[Value], expression: ast.Expression
+    ) -> Step[Node | Failure]:
+        value = yield lowered
         if isinstance(value, Node):
             self.notes.spans.setdefault(value.id, expression.span)
             return value
@@ -139,7 +149,7 @@ class Lowering:
         self.report.add(rules.NOT_A_VALUE, expression.span)
         return FAILURE
 
-    def part(self, value: Value, name: ast.Name) -> Step[Value]:
+    def part(self, value: Value, name: ast.Name) -> Reply[Value]:
         """``value.name``."""
         match value:
             case Failure():
@@ -147,12 +157,11 @@ class Lowering:
             case Node():
                 return _component(self, value, name)
             case LightVariable():
-                result: Value = yield lookup.light_slot(self, value, name)
+                return lookup.light_slot(self, value, name)
             case Inherited(instance, level):
-                result = yield lookup.inherited(self, instance, level, name)
+                return lookup.inherited(self, instance, level, name)
             case Instance():
-                result = yield lookup.slot_or_report(self, value, name.text, name.span)
-        return result
+                return lookup.slot_or_report(self, value, name.text, name.span)
 
     def typed(
         self, expression: ast.Expression, scope: Scope, wanted: Type, declared: str
@@ -220,8 +229,7 @@ class Lowering:
 # --- literals ------------------------------------------------------------------------------------
 
 
-def _number(low: Lowering, e: ast.Number, _scope: Scope) -> Step[Value]:
-    yield from ()
+def _number(low: Lowering, e: ast.Number, _scope: Scope) -> Value:
     if e.kind in ("int", "uint"):
         limit, type_ = (2**31 - 1, INT) if e.kind == "int" else (2**32 - 1, UINT)
         whole = int(e.text, 16 if e.text[:2] in ("0x", "0X") else 10)
@@ -244,25 +252,22 @@ def linear(channel: int) -> float:
     return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
 
 
-def _color(low: Lowering, e: ast.Color, _scope: Scope) -> Step[Value]:
-    yield from ()
+def _color(low: Lowering, e: ast.Color, _scope: Scope) -> Value:
     lanes = [linear(channel) for channel in e.channels[:3]]
     lanes += [channel / 255 for channel in e.channels[3:]]
     color = build.constant(low.graph, Vector("float", len(lanes)), tuple(lanes))
     return low.meanings.ascribed(color, RGB if len(lanes) == 3 else RGBA)
 
 
-def _boolean(low: Lowering, e: ast.Boolean, _scope: Scope) -> Step[Value]:
-    yield from ()
+def _boolean(low: Lowering, e: ast.Boolean, _scope: Scope) -> Value:
     return build.constant(low.graph, BOOL, e.value)
 
 
 # --- names ---------------------------------------------------------------------------------------
 
 
-def _reference(low: Lowering, e: ast.Reference, scope: Scope) -> Step[Value]:
-    value: Value = yield lookup.value(low, e.name, e.span, scope)
-    return value
+def _reference(low: Lowering, e: ast.Reference, scope: Scope) -> Reply[Value]:
+    return lookup.value(low, e.name, e.span, scope)
 
 
 def _field(low: Lowering, e: ast.Field, scope: Scope) -> Step[Value]:
@@ -410,7 +415,7 @@ def _ascription(low: Lowering, e: ast.Ascription, scope: Scope) -> Step[Value]:
     return low.meanings.ascribed(fitted, declared.meaning)
 
 
-_LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Step[Value]]] = {
+_LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Reply[Value]]] = {
     ast.Number: _number,
     ast.Color: _color,
     ast.Boolean: _boolean,

@@ -12,7 +12,7 @@ from ...stdlib.builtins import BUILTINS
 from ..ir.binding import Moved
 from ..ir.leaves import Attribute, Parameter
 from ..ir.meaning import ARROWS, COLORS, GEOMETRY, RGB, Meaning
-from ..ir.node import Folding, Graph, Node, reachable
+from ..ir.node import Folding, Graph, Node
 from ..ir.rewrite import rewrite
 from ..ir.types import Array, Matrix, Struct
 from .algebra import RULES, Found, chosen, gathered, side, weakened
@@ -23,33 +23,35 @@ class Meanings:
 
     def __init__(self, graph: Graph) -> None:
         self._graph = graph
-        self._known: dict[int, Meaning | None] = {}
+        self._known: dict[Node, Meaning | None] = {}
 
     def of(self, node: Node) -> Meaning | None:
         """What ``node`` means; ``None`` for a bare number."""
         if node.op not in _RULES:
             return None
-        if node.id in self._known:
-            return self._known[node.id]
+        known = self._known
+        if node in known:
+            return known[node]
         pending = [node]
         while pending:
             top = pending[-1]
-            if top.id in self._known:
+            rule = _RULES.get(top.op)
+            if rule is None or top in known:
+                known.setdefault(top, None)
                 pending.pop()
                 continue
-            rule = _RULES.get(top.op)
-            missing = [o for o in top.operands if o.id not in self._known] if rule else []
-            if missing:
-                pending += missing
-                continue
-            pending.pop()
-            found = None if rule is None else rule(top, [self._known[o.id] for o in top.operands])
-            self._known[top.id] = found if isinstance(found, Meaning) else None
-        return self._known[node.id]
+            for operand in top.operands:
+                if operand not in known:
+                    pending.append(operand)
+            if pending[-1] is top:
+                pending.pop()
+                found = rule(top, [known[operand] for operand in top.operands])
+                known[top] = found if isinstance(found, Meaning) else None
+        return known[node]
 
     def keep(self, node: Node, meaning: Meaning | None) -> None:
         """Remember what was worked out for ``node`` already."""
-        self._known[node.id] = meaning
+        self._known[node] = meaning
 
     def ascribed(self, node: Node, meaning: Meaning | None) -> Node:
         """The value of ``node`` with a meaning given to it; ``None`` makes it a bare number."""
@@ -61,8 +63,6 @@ class Meanings:
 def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:
     """The roots without ascriptions: numbers, as all that follows sees them."""
     wanted = list(roots)
-    if not any(node.op == "as" for node in reachable(wanted)):
-        return wanted
     return rewrite(graph, wanted, lambda _graph, _node, operands: operands[0], moved, ("as",))
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
@@ -40,9 +41,8 @@ WRITTEN_FAMILIES: Mapping[str, Family] = {
 """The families of numbers and vectors that a function's type parameters may name."""
 
 
-@frozen
-class Operand:
-    """What resolution needs to know of an operand."""
+class Operand(NamedTuple):
+    """What resolution needs to know of an operand; part of keys more often than anything else."""
 
     type: Type
     constant: bool = False

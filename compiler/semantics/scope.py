@@ -9,7 +9,7 @@ from typing import Literal
 from ...frozen import changed, frozen
 from ..ir.leaves import Parameter, Resource
 from ..ir.node import Node
-from .modules import Module
+from .modules import Module, Symbol
 from .records import Definition, Record
 from .typenames import Variables
 
@@ -80,6 +80,9 @@ class Inherited:
 
 
 Value = Node | Failure | Instance | LightVariable | Inherited
+
+Application = tuple[Symbol, tuple[int, ...], Instance | None]
+"""A function, the ids of its arguments, and the surface that it shades."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -112,6 +112,13 @@ class Notes:
     """What a value without a name is to the named one that it is a part of."""
     wholes: dict[int, str] = field(default_factory=dict)
     """What the parts of a value are called after, where that is not its name."""
+    _tables: tuple[dict[int, Any], ...] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self._tables = (
+            self.names, self.spans, self.docs, self.functions, self.variables, self.roles,
+            self.wholes,
+        )  # fmt: skip
 
     def copy(self) -> Notes:
         """The notes as they are now."""
@@ -122,13 +129,10 @@ class Notes:
 
     def follow(self, old: Node, new: Node) -> None:
         """Hand what is noted of a node on to one that replaces it, which keeps what it has."""
-        tables: tuple[dict[int, Any], ...] = (
-            self.names, self.spans, self.docs, self.functions, self.variables, self.roles,
-            self.wholes,
-        )  # fmt: skip
-        for table in tables:
-            if old.id in table:
-                table.setdefault(new.id, table[old.id])
+        id_ = old.id
+        for table in self._tables:
+            if id_ in table:
+                table.setdefault(new.id, table[id_])
 
 
 @dataclass(slots=True)

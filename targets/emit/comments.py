@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 
 _LINE_ENDS = re.compile("\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")
 _OPEN_END = re.compile(r"[\\\s]+$")
@@ -17,16 +18,21 @@ _INVISIBLE = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
 
 def comment_lines(text: str, mark: str = "///") -> list[str]:
     """``text`` as line comments, one for each of its lines; nothing for a blank text."""
+    if not text:
+        return []
     cleaned = [_clean(line) for line in _LINE_ENDS.split(text.strip())]
     return [f"{mark} {line}".rstrip() for line in cleaned] if any(cleaned) else []
 
 
 def comment_line(text: str, mark: str = "///") -> str:
     """``text`` as one comment, its lines joined; empty for a blank text."""
+    if not text:
+        return ""
     cleaned = " ".join(filter(None, map(_clean, _LINE_ENDS.split(text))))
     return f"{mark} {cleaned}" if cleaned else ""
 
 
+@lru_cache(maxsize=1024)
 def _clean(line: str) -> str:
     closed = _visible(line).replace("*/", "* /").replace("/*", "/ *").replace("??/", "?? /")
     return _OPEN_END.sub("", closed).strip()

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...compiler.ir.program import Program
-from ...frozen import frozen
 from .definitions import Definitions
 from .description import PipelineInput, Profile, Spellings, Target
 from .names import Names
@@ -13,41 +12,42 @@ from .spelling import TypeSpeller
 from .textures import TextureSpeller
 
 
-@frozen
 class Context:
     """A program, the language to print it in, and what was decided for all of it."""
 
-    program: Program
-    target: Target
-    profile: Profile
-    names: Names
-    flip_y: bool
-    definitions: Definitions
-    """The functions for what the profile lacks."""
-
-    @property
-    def types(self) -> TypeSpeller:
+    def __init__(
+        self,
+        program: Program,
+        target: Target,
+        profile: Profile,
+        names: Names,
+        flip_y: bool,
+        definitions: Definitions,
+    ) -> None:
+        # Whether the picture's rows count upwards, against Burnish's own y.
+        rows_up = profile.rows_up and not flip_y
+        self.program = program
+        self.target = target
+        self.profile = profile
+        self.names = names
+        self.definitions = definitions
+        """The functions for what the profile lacks."""
+        self.members = {
+            member.parameter: (block.name, member.name, member.type)
+            for block in program.blocks
+            for member in block.members
+            if member.parameter is not None
+        }
+        """The block, the name there and the stored type of each parameter."""
+        self.types = TypeSpeller(target.types, names.structs)
         """Writes types, with the final names of structs."""
-        return TypeSpeller(self.target.types, self.names.structs)
-
-    @property
-    def textures(self) -> TextureSpeller:
+        self.textures = TextureSpeller(target.textures, program)
         """Writes the types of textures and samplers."""
-        return TextureSpeller(self.target.textures, self.program)
-
-    @property
-    def natives(self) -> Spellings:
+        self.natives: Spellings = {
+            **target.natives, **profile.natives, **(profile.natives_rows_up if rows_up else {})
+        }  # fmt: skip
         """Spellings of builtins under the profile."""
-        turned = self.profile.natives_rows_up if self._rows_up else {}
-        return {**self.target.natives, **self.profile.natives, **turned}
-
-    @property
-    def inputs(self) -> Mapping[str, PipelineInput]:
+        self.inputs: Mapping[str, PipelineInput] = {
+            **target.inputs, **profile.inputs, **(profile.inputs_rows_up if rows_up else {})
+        }  # fmt: skip
         """How the pipeline's values are read under the profile."""
-        turned = self.profile.inputs_rows_up if self._rows_up else {}
-        return {**self.target.inputs, **self.profile.inputs, **turned}
-
-    @property
-    def _rows_up(self) -> bool:
-        """Whether the picture's rows count upwards, against Burnish's own y."""
-        return self.profile.rows_up and not self.flip_y

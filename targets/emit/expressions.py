@@ -129,7 +129,7 @@ class Expressions:
             made, vector = node.operands
             if made.op == "matrix" and made.id not in self.bound and isinstance(node.type, Vector):
                 return self._product_of_columns(made, vector)
-        return self._natives.print(node, [self.operand(operand) for operand in node.operands])
+        return self._natives.print(node, list(map(self.operand, node.operands)))
 
     def _product_of_columns(self, made: Node, vector: Node) -> Text:
         type_, columns = self._types.type(made.type), self._arguments(made.operands)

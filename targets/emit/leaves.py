@@ -21,19 +21,13 @@ class Leaves:
         context: Context,
         stage: Stage,
     ) -> None:
-        program = context.program
         self._forms = context.target.forms
         self._texture = context.profile.texture or context.target.forms.texture
         self._textures = context.textures
         self._names = context.names
         self._inputs = context.inputs
-        self._members = {
-            member.parameter: (block.name, member.name, member.type)
-            for block in program.blocks
-            for member in block.members
-            if member.parameter is not None
-        }
-        self._crossings = dict(_crossings(program)) if stage.name == "fragment" else {}
+        self._members = context.members
+        self._crossings = dict(_crossings(context.program)) if stage.name == "fragment" else {}
 
     def parameter(self, node: Node) -> Text:
         """A member of a uniform block, in its stored type."""

@@ -26,7 +26,9 @@ class Namer:
 
     def declare(self, wanted: str) -> str:
         """A legal name that nothing visible has: ``wanted`` itself wherever possible."""
-        name = next(filter(self._free, self._candidates(wanted)))
+        name = _base(wanted)
+        if name[:1].isdigit() or not self._free(name):
+            name = next(filter(self._free, self._others(name)))
         self._taken.add(name)
         if self._scopes:
             self._scopes[-1].append(name)
@@ -48,10 +50,8 @@ class Namer:
     def _free(self, name: str) -> bool:
         return name not in self._taken and not self._reserved.refuses(name)
 
-    def _candidates(self, wanted: str) -> Iterable[str]:
-        base = _base(wanted)
-        if not base[:1].isdigit():
-            yield base
+    def _others(self, base: str) -> Iterable[str]:
+        """Names to take instead of one that cannot be had."""
         stem = base.rstrip("_") or "user"
         if stem[0].isdigit() or self._reserved.refuses(f"{stem}_2"):
             # A suffix cannot help a word such as ``gl_FragColor``.

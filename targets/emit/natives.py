@@ -86,9 +86,9 @@ class Natives:
         assert isinstance(node.data, str)
         if node.operands and isinstance(node.operands[0].type, Texture):
             printed = [self._leaves.texture(node.operands[0], node.data), *printed[1:]]
-        types = tuple(operand.type for operand in node.operands)
-        if (defined := self._definitions.get((node.data, types))) is not None:
-            name, _function = self._functions[defined.body]
+        types = tuple([operand.type for operand in node.operands])
+        if self._definitions and (node.data, types) in self._definitions:
+            name, _function = self._functions[self._definitions[node.data, types].body]
             return Text(f"{name}({', '.join(operand.text for operand in printed)})")
         operands = self._widened(node, printed) if node.data in self._splats else printed
         spelled = spelling_of(node.data, types, self._table)

@@ -8,18 +8,21 @@ from pathlib import Path
 
 from ...frozen import frozen
 
+_NEVER = "(?!)"
+"""What matches nothing."""
+
 
 @frozen
 class Reserved:
-    """Words, and patterns of words, that cannot be names."""
+    """Words, and a pattern of words, that cannot be names."""
 
     words: frozenset[str]
-    patterns: tuple[re.Pattern[str], ...] = ()
+    pattern: re.Pattern[str]
     """Anchored at the start of a word."""
 
     def refuses(self, word: str) -> bool:
         """Whether ``word`` cannot be a name."""
-        return word in self.words or any(pattern.match(word) for pattern in self.patterns)
+        return word in self.words or self.pattern.match(word) is not None
 
 
 @cache
@@ -27,4 +30,4 @@ def read_reserved(path: Path, *patterns: str) -> Reserved:
     """Words from a text file (``#`` starts a comment), and regular expressions."""
     lines = path.read_text(encoding="utf-8").splitlines()
     words = frozenset(word for line in lines for word in line.partition("#")[0].split())
-    return Reserved(words, tuple(map(re.compile, patterns)))
+    return Reserved(words, re.compile("|".join(patterns) or _NEVER))

@@ -12,9 +12,16 @@ class TypeSpeller:
     def __init__(self, names: TypeNames, structs: dict[str, str]) -> None:
         self._names = names
         self._structs = structs
+        self._written: dict[Type, str] = {}
 
     def type(self, type_: Type) -> str:
         """The type where it stands alone, as in a constructor or a result."""
+        written = self._written.get(type_)
+        if written is None:
+            written = self._written[type_] = self._type(type_)
+        return written
+
+    def _type(self, type_: Type) -> str:
         match type_:
             case Scalar(kind=kind):
                 return self._names.scalars[kind]

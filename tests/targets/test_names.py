@@ -25,7 +25,7 @@ HARD = ["gl_Position", "a__b", "__", "_", "_x", "texture", "main", "float3", "ve
 
 
 def namer(*taken: str) -> Namer:
-    return Namer(Reserved(frozenset({"texture"}), (re.compile("gl_"),)), taken)
+    return Namer(Reserved(frozenset({"texture"}), re.compile("gl_")), taken)
 
 
 def test_suffixes() -> None:
