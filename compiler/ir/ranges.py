@@ -62,6 +62,8 @@ class Ranges:
         if known is not None:
             return known
         pending = [node]
+        waiting: set[int] = set()
+        """The values that wait for what they need."""
         while pending:
             top = pending[-1]
             if top.id in facts:
@@ -70,11 +72,26 @@ class Ranges:
             needs = self.needs(top)
             missing = [need for need in needs if need.id not in facts]
             if missing:
-                pending.extend(missing)
+                waiting.add(top.id)
+                if waiting.isdisjoint(need.id for need in missing):
+                    pending.extend(missing)
+                else:
+                    self._cut(pending, waiting)
                 continue
             pending.pop()
+            waiting.discard(top.id)
             facts[top.id] = self.derived(top, [facts[need.id] for need in needs])
         return facts[node.id]
+
+    def _cut(self, pending: list[Node], waiting: set[int]) -> None:
+        """Go back to the last argument on the way round: nothing is known of it.
+
+        An argument of a function may have been computed by the same function.
+        """
+        while (last := pending.pop()).op != "formal" or last.id not in waiting:
+            waiting.discard(last.id)
+        waiting.remove(last.id)
+        self._facts[last.id] = UNKNOWN.as_kind(_kind(last))
 
     def needs(self, node: Node) -> Sequence[Node]:
         """The values from whose facts that of ``node`` is derived."""
@@ -308,4 +325,5 @@ _RULES: Mapping[str, _Rule] = {
     "array": _named(rulebook.ELEMENTS, _elements),
     "formal": _named(rulebook.ARGUMENT, _any_argument),
     "apply": _named(rulebook.BODY, _apply),
+    "called": _named(rulebook.BODY, _apply),
 }

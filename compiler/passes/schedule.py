@@ -371,4 +371,7 @@ def _enclosing(blocks: list[_Block]) -> _Block:
 def called_functions(roots: Iterable[Node]) -> list[Node]:
     """One call of each function that ``roots`` need, callees before callers."""
     calls = [node for node in visible(roots, into_bodies=True) if node.op == "apply"]
-    return list({call.operands[0].id: call for call in reversed(calls)}.values())[::-1]
+    first: dict[int, Node] = {}
+    for call in calls:
+        first.setdefault(call.operands[0].id, call)
+    return list(first.values())

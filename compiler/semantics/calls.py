@@ -16,6 +16,7 @@ from ..syntax import ast
 from ..trampoline import Step
 from . import advice, fitting, lights, lookup, overloads, textures
 from .aggregates import structure
+from .callees import marked
 from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type, numbers_of
@@ -381,9 +382,12 @@ def apply_body(
         label = Label(span, f"in `{shown(symbol.name, variables)}`, called here")
         low.report.explain(before, label)
     low.active.pop(symbol)
-    low.applied[key] = result
     if isinstance(result, Node) and result.operands:
         low.notes.roles.setdefault(result.id, symbol.name)
+        if surface is None:
+            result = marked(low, symbol, arguments, result)
+            low.notes.roles.setdefault(result.id, symbol.name)
+    low.applied[key] = result
     return result
 
 

@@ -17,13 +17,13 @@ from . import lookup
 from .checks import check_declarations, check_slots
 from .instances import instance_of
 from .lower import Lowering
-from .meanings import erased
 from .modules import Module, Symbol
 from .parameters import Leaves, leaves_of
 from .records import Record, Records
 from .rigs import Entry, rig_entries
 from .scope import Failure, Instance, Replacement, Scope
 from .shader import ExternInfo, ParameterInfo, Shader, TargetInfo
+from .sharing import shared
 from .typenames import TypeResolver
 
 FORMATS: Mapping[str, Type] = {
@@ -99,9 +99,9 @@ def elaborate(parts: Parts, report: Report, records: Records) -> Shader | None:
 def _numbers_only(
     low: Lowering, clip: Node, targets: tuple[TargetInfo, ...], discard: Node | None
 ) -> tuple[Node, tuple[TargetInfo, ...], Node | None]:
-    """What a shader delivers, without what was noted of its meaning."""
+    """What a shader delivers, without what was noted of meanings and calls."""
     roots = [clip, *(target.value for target in targets), *([] if discard is None else [discard])]
-    clip, *values = erased(low.graph, roots, low.notes.follow)
+    clip, *values = shared(low, roots)
     given = tuple(changed(t, value=v) for t, v in zip(targets, values, strict=False))
     return clip, given, None if discard is None else values[-1]
 
