@@ -45,10 +45,9 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
         assert isinstance(node.data, tuple)
         replacements = dict(zip(node.data, operands[1:], strict=True))
         written = substitute_through(simplifier, operands[0], replacements)
-        if written.id not in bodies:
+        # What a light adds keeps the names of its terms, which say what it is.
+        if written.id not in bodies and node.operands[0].id not in notes.terms:
             notes.forget_function(written)
-            if written.operands and node.operands[0].id in notes.functions:
-                notes.roles.setdefault(written.id, notes.functions[node.operands[0].id])
         return written
 
     return rewrite(graph, wanted, rule, notes.follow, ("apply",))
