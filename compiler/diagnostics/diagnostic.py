@@ -111,6 +111,11 @@ class Report:
             found = self._found[key]
             self._found[key] = changed(found, labels=(*found.labels, label))
 
+    def forget(self, since: int) -> None:
+        """Drop all that was found after the first ``since`` findings."""
+        for key in list(self._found)[since:]:
+            del self._found[key]
+
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """All findings so far, as a reader meets them: by file, from top to bottom.

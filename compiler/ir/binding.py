@@ -55,6 +55,24 @@ def open_body(
     return _transform(graph, body, leaf, lambda node, depth: node.free >> depth != 0, moved)
 
 
+def freed(graph: Graph, roots: Sequence[Node]) -> list[Node]:
+    """The roots with formals for the bound variables of binders further out, the same in all."""
+    variables: dict[int, Node] = {}
+
+    def leaf(node: Node, depth: int) -> Node | None:
+        if node.op != "bound" or not isinstance(node.data, int) or node.data < depth:
+            return None
+        position = node.data - depth
+        if position not in variables:
+            variables[position] = graph.node("formal", node.type, (), Formal(str(position)))
+        return variables[position]
+
+    return [
+        _transform(graph, root, leaf, lambda node, depth: node.free >> depth != 0, None)
+        for root in roots
+    ]
+
+
 def substitute(
     graph: Graph, root: Node, replacements: Mapping[Formal, Node], moved: Moved | None = None
 ) -> Node:

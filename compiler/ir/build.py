@@ -136,6 +136,19 @@ def flattened(graph: Graph, node: Node) -> Iterator[Node]:
         yield from flattened(graph, part(graph, node, position))
 
 
+def named_parts(name: str, type_: Type) -> Iterator[tuple[str, Type]]:
+    """Names and types of what ``flattened`` makes of a value."""
+    match type_:
+        case Struct(members=members):
+            for member, inner in members:
+                yield from named_parts(f"{name}_{member}", inner)
+        case Array(element=element, count=count):
+            for i in range(count):
+                yield from named_parts(f"{name}_{i}", element)
+        case _:
+            yield name, type_
+
+
 def states_type(types: Sequence[Type]) -> Type:
     """The type of a loop with states of these types: of one, its own; of several, their struct."""
     if len(types) == 1:

@@ -30,6 +30,7 @@ Op = Literal[
     "array",  # the elements
     "swizzle",  # data: tuple of lane numbers
     "as",  # data: Meaning, or None for bare numbers; the operand itself. Gone after semantics
+    "called",  # data: Callee; (value, *arguments), the value itself. Gone after semantics
     "index",  # (aggregate, integer)
     "member",  # data: member name of a struct
     "select",  # (condition, then, otherwise); data: "branch" where both must not be computed
@@ -199,9 +200,9 @@ def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, froz
 
 
 def bare(node: Node) -> Node:
-    """The value under what was said of its meaning."""
-    while node.op == "as":
-        (node,) = node.operands
+    """The value under what was said of its meaning, and of whose value it is."""
+    while node.op in ("as", "called"):
+        node = node.operands[0]
     return node
 
 

@@ -86,7 +86,8 @@ class Ranges:
                 pending.pop()
                 continue
             needs = self.needs(top)
-            # A function that a loop calls before it and in its turns needs itself, by its argument.
+            # What a function gets may have been computed by the same function, before a loop and
+            # in its turns: of a value that needs itself nothing is known on the way round.
             for need in needs:
                 if need not in facts and need not in begun:
                     pending.append(need)
@@ -396,4 +397,5 @@ _RULES: Mapping[str, _Rule] = {
     "array": _named(rulebook.ELEMENTS, _elements),
     "formal": _named(rulebook.ARGUMENT, _any_argument),
     "apply": _named(rulebook.BODY, _apply),
+    "called": _named(rulebook.BODY, _apply),
 }

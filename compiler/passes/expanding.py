@@ -75,7 +75,9 @@ class Expanding(Simplifier):
             self.notes.docs.setdefault(body.id, found.doc)
             self._functions[key] = body, tuple(formal for formal, _ in passed)
         body, formals = self._functions[key]
-        return self.graph.node("apply", body.type, (body, *(o for _, o in passed)), formals)
+        call = self.graph.node("apply", body.type, (body, *(o for _, o in passed)), formals)
+        self.notes.roles.setdefault(call.id, found.name)
+        return call
 
     def _varies(self, root: Node) -> bool:
         """Whether a value may differ between vertices or pixels; elements of arrays do not."""

@@ -72,7 +72,7 @@ class _Fusing:
         # Where in `groups` the folds and applies are: nothing else can be fused.
         summed: list[int] = []
         for term in terms:
-            position = next((i for i in summed if _fusable(groups[i], term)), None)
+            position = next((i for i in summed if self._fusable(groups[i], term)), None)
             if position is not None:
                 groups[position] = self._fused(groups[position], term)
                 continue
@@ -95,6 +95,18 @@ class _Fusing:
             else:
                 terms.append(node)
         return terms
+
+    def _fusable(self, left: Node, right: Node) -> bool:
+        if left.op != right.op or left.type != right.type:
+            return False
+        if left.op == "fold":
+            return _same_turns(left, right)
+        if left.op != "apply" or left.operands[0] is right.operands[0]:
+            return False
+        if any(side.operands[0].id not in self._notes.terms for side in (left, right)):
+            return False
+        varying = {arg for arg in left.operands[1:] if arg.op != "constant"}
+        return any(argument in varying for argument in right.operands[1:])
 
     def _fused(self, left: Node, right: Node) -> Node:
         return self._folds(left, right) if left.op == "fold" else self._applies(left, right)
@@ -139,21 +151,10 @@ class _Fusing:
         other = substitute(self._graph, right.operands[0], replacements, self._notes.follow)
         body = self._simplifier.call("add", left.type, left.operands[0], other)
         names = [self._notes.functions.get(part.operands[0].id, "") for part in (left, right)]
-        self._notes.functions.setdefault(body.id, "_".join(filter(None, names)) or "shade")
+        name = "_".join(filter(None, names)) or "shade"
+        self._notes.functions.setdefault(body.id, name)
+        self._notes.terms.setdefault(body.id, name)
         return body, formals
-
-
-def _fusable(left: Node, right: Node) -> bool:
-    if left.op != right.op or left.type != right.type:
-        return False
-    if left.op == "fold":
-        return _same_turns(left, right)
-    if left.op != "apply":
-        return False
-    if left.operands[0] is right.operands[0]:
-        return False
-    varying = {arg for arg in left.operands[1:] if arg.op != "constant"}
-    return any(argument in varying for argument in right.operands[1:])
 
 
 def _same_turns(left: Node, right: Node) -> bool:

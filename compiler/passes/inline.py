@@ -1,39 +1,108 @@
-"""Writes a body out where it is used once, or where calling it would cost more than it does."""
+"""Writes a body out where it is used once, or where calling it would cost more than it does.
+
+That is decided call by call: constant arguments may leave little of a body, and what depends on
+parameters alone can only leave the shader if it is written out.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Container, Hashable, Iterable
 
 from ..ir.node import Graph, Node, reachable
 from ..ir.rewrite import rewrite
 from ..semantics.shader import Notes
-from .cost import cost
+from .cost import cost, cost_of
+from .expanding import VARYING
+from .schedule import operands_of, visible
 from .simplify import Simplifier, substitute_through
 
 TRIVIAL = 4
 """Bodies of at most this cost are written out wherever they are used."""
 
+WORTHWHILE = 0.5
+"""A call that computes no more than this share of its body for its own arguments is written out."""
+
+NOT_UNIFORM = frozenset({"interpolate", "fold", "iterate", "apply"})
+"""What may differ between pixels, or never leaves the shader."""
+
 
 def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
-    """The roots with applies of bodies that are used once replaced by the bodies."""
+    """The roots with applies of bodies that are used once, or hardly used, as the bodies."""
     wanted = list(roots)
     nodes = reachable(wanted)
-    uses = Counter(node.operands[0].id for node in nodes if node.op == "apply")
-    if not uses:
+    if not any(node.op == "apply" for node in nodes):
         return wanted
-    costs: dict[int, int] = {}
-
-    def is_dear(body: Node) -> bool:
-        if body.id not in costs:
-            costs[body.id] = cost(body)
-        return costs[body.id] > TRIVIAL
+    prices = _Prices(simplifier, nodes)
+    calls = [node for node in nodes if node.op == "apply" and prices.is_worth_calling(node)]
+    bodies = {node.operands[0].id for node in nodes if node.op == "apply"}
+    uses = Counter(node.operands[0].id for node in calls)
+    kept = {node.id for node in calls if uses[node.operands[0].id] > 1}
 
     def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
-        if uses[node.operands[0].id] > 1 and is_dear(operands[0]):
+        if node.id in kept:
             return None
         assert isinstance(node.data, tuple)
         replacements = dict(zip(node.data, operands[1:], strict=True))
-        return substitute_through(simplifier, operands[0], replacements)
+        written = substitute_through(simplifier, operands[0], replacements)
+        # What a light adds keeps the names of its terms, which say what it is.
+        if written.id not in bodies and node.operands[0].id not in notes.terms:
+            notes.forget_function(written)
+        return written
 
     return rewrite(graph, wanted, rule, notes.follow, ("apply",), nodes)
+
+
+class _Prices:
+    """What bodies cost, and what is left of them for the arguments of a call."""
+
+    def __init__(self, simplifier: Simplifier, nodes: Iterable[Node]) -> None:
+        """``nodes`` are all that there are, operands before users."""
+        self._simplifier = simplifier
+        self._uniform: set[int] = set()
+        """What is the same all over the draw."""
+        self._trivial: dict[int, bool] = {}
+        self._left: dict[tuple[int, tuple[Node | None, ...]], int] = {}
+        """By the body and the arguments that are put in."""
+        for node in nodes:
+            inner = bool(node.operands) and node.op not in NOT_UNIFORM
+            if node.op in ("constant", "parameter") or (
+                inner and all(operand.id in self._uniform for operand in node.operands)
+            ):
+                self._uniform.add(node.id)
+
+    def is_worth_calling(self, call: Node) -> bool:
+        """Whether a call is better than its body written out."""
+        body, *arguments = call.operands
+        if body.id not in self._trivial:
+            self._trivial[body.id] = cost(body) <= TRIVIAL
+        if self._trivial[body.id]:
+            return False
+        fixed = tuple(a if a.id in self._uniform else None for a in arguments)
+        if not any(fixed):
+            return True
+        whole = self._price(body, call.data, (None,) * len(fixed))
+        return self._price(body, call.data, fixed) > max(TRIVIAL, WORTHWHILE * whole)
+
+    def _price(self, body: Node, formals: Hashable, fixed: tuple[Node | None, ...]) -> int:
+        """The cost of what a call computes, if these arguments are put in, for every pixel."""
+        if (body.id, fixed) not in self._left:
+            assert isinstance(formals, tuple)
+            pairs = zip(formals, fixed, strict=True)
+            known = {formal: value for formal, value in pairs if value is not None}
+            left = substitute_through(self._simplifier, body, known)
+            outside = {node.id for node in visible((body,)) if not node.variables}
+            self._left[body.id, fixed] = _varying_cost(left, outside)
+        return self._left[body.id, fixed]
+
+
+def _varying_cost(root: Node, outside: Container[int]) -> int:
+    """The cost of what may differ from pixel to pixel, but for what is computed ``outside``."""
+    varying: set[int] = set()
+    price = 0
+    for node in visible((root,)):
+        if node.op in VARYING or any(operand.id in varying for operand in operands_of(node)):
+            varying.add(node.id)
+            own = cost(node.operands[0]) if node.op == "apply" else cost_of(node)
+            price += 0 if node.id in outside else own
+    return price

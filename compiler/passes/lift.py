@@ -31,11 +31,12 @@ class _Lifting:
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Pass the captured values along; callees inside the body have been closed already."""
         assert isinstance(node.data, tuple)
-        body = operands[0]
+        body, *arguments = operands
+        needed = [a for a, formal in zip(arguments, node.data, strict=True) if _reads(body, formal)]
         if body.id not in self._lifted:
             self._lifted[body.id] = self._close(graph, body, node.data)
         closed, formals, captured = self._lifted[body.id]
-        return graph.node("apply", node.type, (closed, *operands[1:], *captured), formals)
+        return graph.node("apply", node.type, (closed, *needed, *captured), formals)
 
     def _close(
         self, graph: Graph, body: Node, formals: Formals
@@ -51,7 +52,13 @@ class _Lifting:
             return replaced.get(node.id)
 
         (closed,) = rewrite(graph, (body,), rule, self._notes.follow)
-        return closed, formals + extra, captured
+        needed = tuple(formal for formal in formals if _reads(body, formal))
+        return closed, needed + extra, captured
+
+
+def _reads(body: Node, formal: Formal) -> bool:
+    """Whether a body needs an argument; passes may have found that it does not."""
+    return formal in body.variables
 
 
 def _captured(body: Node, formals: Formals) -> tuple[Node, ...]:

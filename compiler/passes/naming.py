@@ -55,7 +55,7 @@ class Naming:
     def _own(self, node: Node) -> str | None:
         """A name that says by itself what the value is."""
         body = node.operands[0] if node.op == "apply" else node
-        if body.id in self._notes.functions:
+        if body.id in self._notes.terms:
             return self._notes.functions[body.id]
         if node.op in ("native", "call") and node.data == "dot":
             left, right = (self._short(operand) for operand in node.operands)

@@ -7,7 +7,7 @@ come from uniform blocks as they are: elsewhere each of their parts is an argume
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from ...frozen import changed
 from ..ir import build
@@ -99,7 +99,7 @@ class _Opener:
         formals: list[Formal] = []
         for name, argument, split in zip(names, node.operands[1:], apart, strict=True):
             type_ = argument.type
-            parts = tuple(_parts(name, type_)) if split else ((name, type_),)
+            parts = tuple(build.named_parts(name, type_)) if split else ((name, type_),)
             own = tuple(Formal(part) for part, _ in parts)
             leaves = self._variables(own, tuple(inner for _, inner in parts))
             whole = build.assembled(self._graph, type_, iter(leaves)) if split else leaves[0]
@@ -119,19 +119,11 @@ class _Opener:
         return opened
 
     def _names(self, node: Node, count: int) -> tuple[str, ...]:
-        named = node.operands[0] if node.op == "apply" else node
-        known = self._notes.variables.get(named.id, ())
+        notes = self._notes
+        of_body = node.op == "apply"
+        known = (
+            notes.arguments.get(node.operands[0].id, ())
+            if of_body
+            else notes.variables.get(node.id, ())
+        )
         return tuple(known[i] if i < len(known) else "i" for i in range(count))
-
-
-def _parts(name: str, type_: Type) -> Iterator[tuple[str, Type]]:
-    """Names and types of what ``build.flattened`` makes of a value."""
-    match type_:
-        case Struct(members=members):
-            for member, inner in members:
-                yield from _parts(f"{name}_{member}", inner)
-        case Array(element=element, count=count):
-            for i in range(count):
-                yield from _parts(f"{name}_{i}", element)
-        case _:
-            yield name, type_

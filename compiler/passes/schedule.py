@@ -375,5 +375,8 @@ def _enclosing(blocks: list[_Block]) -> _Block:
 
 def called_functions(nodes: Iterable[Node]) -> list[Node]:
     """One call of each function among the nodes of a stage, callees before callers."""
-    calls = [node for node in nodes if node.op == "apply"]
-    return list({call.operands[0].id: call for call in reversed(calls)}.values())[::-1]
+    first: dict[Node, Node] = {}
+    for node in nodes:
+        if node.op == "apply":
+            first.setdefault(node.operands[0], node)
+    return list(first.values())

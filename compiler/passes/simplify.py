@@ -24,7 +24,7 @@ from ..reference.operations import apply, constant_lanes
 from ..semantics.shader import Notes
 from .arithmetic import BUILTIN_RULES, DECIDED, uniform_lane
 from .bits import BIT_RULES
-from .cost import cost_of
+from .cost import cost, cost_of
 from .judgement import Judgement, Outcome
 from .paths import Told
 
@@ -338,7 +338,7 @@ def _worth_unrolling(turns: int, bodies: Iterable[Node], formals: set[Formal]) -
         seen.add(node.id)
         if node.op in ("fold", "iterate"):
             return False
-        spent += cost_of(node) * turns
+        spent += (cost(node) if node.op == "apply" else cost_of(node)) * turns
         if turns > UNROLLED and spent > UNROLLED_COST:
             return False
         pending += node.operands

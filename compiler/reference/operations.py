@@ -116,8 +116,8 @@ def _interpolate(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
     return operands[0]
 
 
-def _ascribed(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    """Semantics evaluates constants while meanings are still noted in the graph."""
+def _marked(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
+    """Semantics evaluates constants while meanings and calls are still noted in the graph."""
     return operands[0]
 
 
@@ -135,6 +135,7 @@ _STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "member": _member,
     "select": _select,
     "interpolate": _interpolate,
-    "as": _ascribed,
+    "as": _marked,
+    "called": _marked,
 }
 """A ``native`` is only used where the hardware agrees with the builtin's meaning."""

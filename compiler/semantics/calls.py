@@ -15,6 +15,7 @@ from ..syntax import ast
 from ..trampoline import Reply, Step
 from . import advice, fitting, lights, lookup, textures
 from .aggregates import structure
+from .callees import marked
 from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type, numbers_of
@@ -366,9 +367,12 @@ def _new_application(
         label = Label(span, f"in `{shown(symbol.name, variables)}`, {use}")
         low.report.explain(before, label)
     low.active.pop(symbol)
-    low.applied[key] = result
     if isinstance(result, Node) and result.operands:
         low.notes.roles.setdefault(result.id, symbol.name)
+        if surface is None:
+            result = marked(low, symbol, arguments, result)
+            low.notes.roles.setdefault(result.id, symbol.name)
+    low.applied[key] = result
     return result
 
 

@@ -19,6 +19,7 @@ from .shader import Lanes as Value
 _OPERATIONS = frozenset(
     {
         "as",
+        "called",
         "constant",
         "call",
         "vector",

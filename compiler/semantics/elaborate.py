@@ -14,7 +14,6 @@ from ..trampoline import run
 from . import lookup
 from .checks import check_rig, check_slots
 from .lower import Lowering
-from .meanings import erased
 from .modules import Symbol
 from .parameters import Leaves
 from .records import Record, Records
@@ -22,6 +21,7 @@ from .rigs import Entry
 from .scope import Failure, Instance, Scope
 from .setting import Parts, is_declared_abstract, set_up
 from .shader import ExternInfo, ParameterInfo, Shader, TargetInfo
+from .sharing import shared
 
 FORMATS: Mapping[str, Type] = {
     "r8": FLOAT, "r16f": FLOAT, "r32f": FLOAT,
@@ -81,9 +81,9 @@ def elaborate(
 def _numbers_only(
     low: Lowering, clip: Node, targets: tuple[TargetInfo, ...], discard: Node | None
 ) -> tuple[Node, tuple[TargetInfo, ...], Node | None]:
-    """What a shader delivers, without what was noted of its meaning."""
+    """What a shader delivers, without what was noted of meanings and calls."""
     roots = [clip, *(target.value for target in targets), *([] if discard is None else [discard])]
-    clip, *values = erased(low.graph, roots, low.notes.follow)
+    clip, *values = shared(low, roots)
     given = tuple(changed(t, value=v) for t, v in zip(targets, values, strict=False))
     return clip, given, None if discard is None else values[-1]
 

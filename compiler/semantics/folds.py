@@ -17,7 +17,7 @@ from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.binding import Moved, close, substitute
 from ..ir.node import Folding, FoldOperator, Formal, Graph, Iterating, Node, reachable
-from ..ir.types import BOOL, INT, Array, Scalar, Struct, Texture, Type, Vector, width
+from ..ir.types import BOOL, INT, Scalar, Texture, Type, Vector, width
 from ..syntax import ast
 from ..trampoline import Step
 from .coerce import coerce
@@ -265,7 +265,7 @@ def iterate(low: Lowering, e: ast.Iterate, scope: Scope) -> Step[Value]:
     if len(starts) > LARGEST_STATE:
         low.report.add(rules.STATE_TOO_LARGE, e.initial.span, count=len(starts), most=LARGEST_STATE)
         return FAILURE
-    names = tuple(_names(e.state.text, initial.type))
+    names = tuple(name for name, _ in build.named_parts(e.state.text, initial.type))
     formals = tuple(map(Formal, names))
     variables = [
         low.graph.node("formal", start.type, (), formal)
@@ -334,19 +334,6 @@ def _looped(
     low.notes.variables.setdefault(loop.id, tuple(formal.name for formal in formals))
     last = {formal: build.state(graph, loop, k) for k, (formal, *_) in enumerate(kept)}
     return [fixed.get(formal) or last[formal] for formal, *_ in states]
-
-
-def _names(name: str, type_: Type) -> Iterator[str]:
-    """Names for the parts of a state, in the order of ``build.flattened``."""
-    match type_:
-        case Struct(members=members):
-            for member, inner in members:
-                yield from _names(f"{name}_{member}", inner)
-        case Array(element=element, count=count):
-            for i in range(count):
-                yield from _names(f"{name}_{i}", element)
-        case _:
-            yield name
 
 
 # --- what may stand in a loop --------------------------------------------------------------------

@@ -108,7 +108,8 @@ def _shared_body(
             return FAILURE
     closed = close(low.graph, body, formals, low.notes.follow)
     low.notes.functions.setdefault(closed.id, symbol.name)
-    low.notes.variables.setdefault(closed.id, tuple(light.variables))
+    low.notes.terms.setdefault(closed.id, symbol.name)
+    low.notes.arguments.setdefault(closed.id, tuple(light.variables))
     return closed, light.variables
 
 

@@ -60,10 +60,14 @@ class Meanings:
         return self._graph.node("as", node.type, (node,), meaning)
 
 
+MARKS = ("as", "called")
+"""What semantics notes in the graph, and no pass ever sees."""
+
+
 def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:
     """The roots without ascriptions: numbers, as all that follows sees them."""
     wanted = list(roots)
-    return rewrite(graph, wanted, lambda _graph, _node, operands: operands[0], moved, ("as",))
+    return rewrite(graph, wanted, lambda _graph, _node, operands: operands[0], moved, MARKS)
 
 
 def combined(node: Node, meanings: Iterable[Meaning | None]) -> Found:
@@ -140,7 +144,7 @@ def _fold(node: Node, operands: Operands) -> Found:
     return weakened(term)
 
 
-def _apply(_node: Node, operands: Operands) -> Found:
+def _value(_node: Node, operands: Operands) -> Found:
     return operands[0]
 
 
@@ -158,5 +162,6 @@ _RULES: Mapping[str, Callable[[Node, Operands], Found]] = {
     "member": _member,
     "interpolate": _interpolate,
     "fold": _fold,
-    "apply": _apply,
+    "apply": _value,
+    "called": _value,
 }

@@ -106,8 +106,12 @@ class Notes:
     docs: dict[int, str] = field(default_factory=dict)
     functions: dict[int, str] = field(default_factory=dict)
     """Names for the bodies of ``apply`` nodes."""
+    terms: dict[int, str] = field(default_factory=dict)
+    """Those of them that are bodies of terms, once for all lights: sums of these may be fused."""
+    arguments: dict[int, tuple[str, ...]] = field(default_factory=dict)
+    """Names for the variables of the bodies of ``apply`` nodes, in order."""
     variables: dict[int, tuple[str, ...]] = field(default_factory=dict)
-    """Names for the variables of bodies, in order."""
+    """Names for the variables of loops, in order."""
     roles: dict[int, str] = field(default_factory=dict)
     """What a value without a name is to the named one that it is a part of."""
     wholes: dict[int, str] = field(default_factory=dict)
@@ -116,16 +120,22 @@ class Notes:
 
     def __post_init__(self) -> None:
         self._tables = (
-            self.names, self.spans, self.docs, self.functions, self.variables, self.roles,
-            self.wholes,
+            self.names, self.spans, self.docs, self.functions, self.terms, self.arguments,
+            self.variables, self.roles, self.wholes,
         )  # fmt: skip
 
     def copy(self) -> Notes:
         """The notes as they are now."""
         return Notes(
             dict(self.names), dict(self.spans), dict(self.docs), dict(self.functions),
-            dict(self.variables), dict(self.roles), dict(self.wholes),
+            dict(self.terms), dict(self.arguments), dict(self.variables), dict(self.roles),
+            dict(self.wholes),
         )  # fmt: skip
+
+    def forget_function(self, node: Node) -> None:
+        """A value that a body gives where it is written out is no body itself."""
+        for table in (self.functions, self.terms, self.arguments):
+            table.pop(node.id, None)
 
     def follow(self, old: Node, new: Node) -> None:
         """Hand what is noted of a node on to one that replaces it, which keeps what it has."""

@@ -73,9 +73,10 @@ def test_indices_within_bounds_are_not_clamped(text: str, clamps: int) -> None:
 def test_every_loop_has_variables_of_its_own() -> None:
     text = """
     fn wave(i: int, x: float) -> float = sum j in 0..7 : sin(x * float(i * j))
+    fn same(i: int, x: float) -> float = sum j in 0..7 : sin(x * float(i * j))
     material M {
         a = sum i in 0..5 : wave(i, uv.x)
-        b = max i in 0..5 : wave(i, uv.x)
+        b = max i in 0..5 : same(i, uv.x)
         color = vec3(a, b, 0)
     }
     """
