@@ -375,7 +375,7 @@ def apply_body(
     values = {**numbers_of(low, variables), **locals_}
     scope = Scope(symbol.module, surface=surface, locals=values, variables=variables)
     before = low.report.count
-    result: Node | Failure = yield low.node(function.body, scope)
+    result: Node | Failure = yield lookup.body(low, function, scope)
     result = fit_result(low, symbol, result, arguments)
     if variables:
         label = Label(span, f"in `{shown(symbol.name, variables)}`, called here")

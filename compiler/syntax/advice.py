@@ -58,11 +58,18 @@ class Advice:
         What cannot be read starts at ``start``, and the declaration around it at ``begin``.
         """
         return (
-            self._of_name(index, expected, start, start == begin)
+            self._of_body(index, begin)
+            or self._of_name(index, expected, start, start == begin)
             or self._of_expression(index, expected, self._text(start))
             or MEMBERS.get(self._text(start), "")
             or self._of_declaration(start, begin)
         )
+
+    def _of_body(self, index: int, begin: int) -> str:
+        """About braces around a function's body, as other languages have them."""
+        in_braces = self._text(index) == "{" and self._text(index - 1) == "="
+        word = self._text(begin)
+        return DECLARATIONS[word] if in_braces and word in ("fn", "term") else ""
 
     def _of_name(self, index: int, expected: set[str], start: int, outside: bool) -> str:
         """About what stands where a member or declaration begins."""

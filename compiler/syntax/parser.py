@@ -98,7 +98,7 @@ class _Parser:
     def _start(self, index: int) -> int:
         """The first token of the member or declaration that cannot be read on at ``index``."""
         start = self._machine.begun(_BODY_PARTS)
-        if start is None and not self._machine.knows("param"):
+        if start is None and not self._machine.accepts("param"):
             start = self._machine.begun(_FILE_PARTS)
         if start is None:
             return index
