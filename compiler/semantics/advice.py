@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...stdlib.builtins import BUILTINS
 from ..diagnostics.nearest import suggestion
+from ..ir.node import Node, bare
 from ..ir.types import BOOL, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ..syntax import ast
 from .typenames import NAMED
@@ -27,7 +28,7 @@ def fitting_type(found: Type, wanted: Type) -> str:
     if isinstance(found, Texture):
         return "" if isinstance(wanted, Texture) else READ
     if wanted == BOOL and isinstance(found, Vector) and found.kind == "bool":
-        return "`all(…)` or `any(…)` makes one truth of them"
+        return "`all(…)` or `any(…)` makes one truth; `choose(c, x, y)` chooses in each lane"
     if wanted == BOOL:
         return "a truth is a comparison, as in `x > 0`"
     if isinstance(found, Scalar) and isinstance(wanted, Vector):
@@ -39,6 +40,17 @@ def fitting_type(found: Type, wanted: Type) -> str:
         return f"brackets make an array; a vector is `{wanted}({lanes})`"
     if isinstance(found, Vector) and isinstance(wanted, Scalar | Vector):
         return _of_lanes(found, wanted)
+    return ""
+
+
+def cut_quotient(operands: Iterable[Node]) -> str:
+    """About a quotient of two whole literals, ``1 / 3``, where a float is wanted."""
+    for operand in map(bare, operands):
+        if operand.op != "call" or operand.data != "div" or scalar_kind(operand.type) != "int":
+            continue
+        x, y = (bare(part).data for part in operand.operands)
+        if isinstance(x, int) and isinstance(y, int):
+            return f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
     return ""
 
 

@@ -10,6 +10,7 @@ from ..ir.meaning import MAPS, Meaning
 from ..ir.node import Node
 from ..ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ..syntax import ast
+from . import advice
 from .coerce import coerce, is_constant
 from .scope import FAILURE, Failure
 from .typenames import NAMED
@@ -59,6 +60,8 @@ def _meaning(low: Lowering, name: str, arguments: tuple[Node, ...]) -> Meaning |
 
 def _hint(name: str, type_: Type, arguments: tuple[Node, ...]) -> str:
     kinds = {scalar_kind(argument.type) for argument in arguments}
+    if scalar_kind(type_) == "float" and (hint := advice.cut_quotient(arguments)):
+        return hint
     match type_:
         case Vector(kind="float") if len(arguments) > 1 and kinds & {"int", "uint"}:
             return "lanes that are joined have one kind: convert the integer with `float(…)`"

@@ -30,6 +30,7 @@ from ..ir.types import (
     Texture,
     Type,
     Vector,
+    scalar_kind,
     width,
 )
 from ..syntax import ast
@@ -152,7 +153,7 @@ class Lowering:
         if fitted is None:
             self.report.add(
                 rules.WRONG_TYPE, span, expected=declared, found=node.type,
-                hint=advice.fitting_type(node.type, wanted), caption=f"this is `{node.type}`",
+                hint=_way_to_fit(node, wanted), caption=f"this is `{node.type}`",
             )  # fmt: skip
             return FAILURE
         return fitted
@@ -197,6 +198,11 @@ class Lowering:
             fitted.append(lane)
         node = self.graph.node("call", found.result, tuple(fitted), name)
         return mixing.checked(self, node, shown, span, written, scope)
+
+
+def _way_to_fit(node: Node, wanted: Type) -> str:
+    cut = advice.cut_quotient((node,)) if scalar_kind(wanted) == "float" else ""
+    return cut or advice.fitting_type(node.type, wanted)
 
 
 # --- literals ------------------------------------------------------------------------------------
