@@ -188,10 +188,10 @@ def compile(
 
     ``source`` is a path, or the text itself (a ``str`` with a line break or a brace in it).
     ``targets`` are names such as ``"wgsl"``, with a profile where wanted: ``"glsl:es300"``, or
-    ``"all"`` for every profile there is. All concrete materials are compiled unless ``material`` names one; ``rig`` and ``pass_`` are only
-    needed where a file has several. With ``hoist=False`` the shaders compute everything themselves.
-    With ``line_directives``, texts say by ``#line`` which line of the material each statement is
-    for, where the language has that.
+    ``"all"`` for every profile there is. All concrete materials are compiled unless ``material``
+    names one; ``rig`` and ``pass_`` are only needed where a file has several. With ``hoist=False``
+    the shaders compute everything themselves. With ``line_directives``, texts say by ``#line``
+    which line of the material each statement is for, where the language has that.
 
     Raises ``CompileError``, whose ``diagnostics`` are all the errors found.
     """

@@ -33,6 +33,13 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
             return None
         assert isinstance(node.data, tuple)
         replacements = dict(zip(node.data, operands[1:], strict=True))
-        return substitute_through(simplifier, operands[0], replacements)
+        body = operands[0]
+
+        def follow(old: Node, new: Node) -> None:
+            # A call may be the whole of another function, whose name and doc then hold.
+            whole = old is body and node.id in notes.functions
+            notes.follow(node if whole else old, new)
+
+        return substitute_through(simplifier, body, replacements, follow)
 
     return rewrite(graph, wanted, rule, notes.follow, ("apply",))

@@ -12,7 +12,7 @@ from math import isfinite
 from ...stdlib.builtins import BUILTINS
 from ..diagnostics.source import Span
 from ..ir import build
-from ..ir.binding import substitute
+from ..ir.binding import Moved, substitute
 from ..ir.conditions import OPPOSITES
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
 from ..ir.ranges import Ranges
@@ -344,9 +344,11 @@ def _worth_unrolling(turns: int, bodies: Iterable[Node], formals: set[Formal]) -
     return True
 
 
-def substitute_through(s: Simplifier, body: Node, replacements: Mapping[Formal, Node]) -> Node:
+def substitute_through(
+    s: Simplifier, body: Node, replacements: Mapping[Formal, Node], moved: Moved | None = None
+) -> Node:
     """``body`` with formals replaced, each node that changes built anew in its simplest form."""
-    replaced = substitute(s.graph, body, replacements, s.notes.follow)
+    replaced = substitute(s.graph, body, replacements, moved or s.notes.follow)
     if replaced is body:
         return body
     (simplified,) = rewrite(s.graph, (replaced,), s.rule, s.notes.follow)

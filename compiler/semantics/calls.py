@@ -188,7 +188,8 @@ def no_signature(
         low.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
-            hint=_parts(operands) or advice.cut_quotient(operands) or _operator_hint(name, operands) or _bare_moved(low, operands),
+            hint=_parts(operands) or advice.cut_quotient(operands)
+            or _operator_hint(name, operands) or _bare_moved(low, operands),
         )  # fmt: skip
         return FAILURE
     hint = advice.cut_quotient(operands) or f"candidates: {overloads.signatures(row)}"
