@@ -34,7 +34,7 @@ def test_the_terms_of_one_light_are_one_function() -> None:
 
 def test_a_term_that_ends_in_a_guard_keeps_its_name() -> None:
     past = compiled(
-        "term ours(k: rgb) per light = k * dot(normal, light.to_light) / dot(to_eye, light.to_light)\n"
+        "term ours(k: rgb) per light = k * light.diffuse / dot(to_eye, light.to_light)\n"
         "material M { color = ours(vec3(0.5)) }\n"
         "rig R { one : Point; two : Point }"
     )
