@@ -182,10 +182,10 @@ def _default(
     return value
 
 
-def _within(value: Lanes, lo: float, hi: float) -> bool:
+def _within(value: Lanes | None, lo: float, hi: float) -> bool:
     if isinstance(value, tuple):
         return all(_within(lane, lo, hi) for lane in value)
-    return lo <= value <= hi
+    return value is not None and lo <= value <= hi
 
 
 def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:
