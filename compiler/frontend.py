@@ -19,6 +19,11 @@ from .syntax import ast
 from .syntax.load import load_source
 from .syntax.parser import parse
 
+_NOT_OWN = {
+    kind: f"the file declares no {kind}; without `--{kind}` the library's is taken"
+    for kind in ("rig", "pass")
+}
+
 
 class Frontend:
     """Reads one file with its imports and elaborates its materials."""
@@ -123,7 +128,8 @@ class Frontend:
         return found[0]
 
     def _unknown(self, kind: str, name: str, known: list[str]) -> None:
-        hint = suggestion(name, known) or (f"there is {', '.join(known)}" if known else "")
+        own = f"there is {', '.join(known)}" if known else _NOT_OWN.get(kind, "")
+        hint = suggestion(name, known) or own
         self._report.add(rules.UNKNOWN_NAME, None, kind=kind, name=name, hint=hint)
 
 

@@ -4,17 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+_ALIKE = 0.62
+"""How much of two names has to agree."""
+_SHORT, _ALIKE_IF_SHORT = 4, 0.7
+"""Names of so few letters agree in most of them by chance: `i` and `pi`, `key` and `eye`."""
+
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The name most like ``name``, if any is like it at all; a slip in case counts least."""
+    """The name most like ``name``, if any is like it; a slip in case or order counts least."""
     from difflib import get_close_matches
 
     candidates = sorted(set(known) - {name})
     for candidate in candidates:
         if candidate.casefold() == name.casefold():
             return candidate
-    matches = get_close_matches(name, candidates, n=1, cutoff=0.6)
-    return matches[0] if matches else None
+    for candidate in candidates:
+        if sorted(candidate) == sorted(name):
+            return candidate
+    for candidate in candidates:
+        if len(name) <= _SHORT and _continues(name, candidate):
+            return candidate
+    cutoff = _ALIKE_IF_SHORT if len(name) <= _SHORT else _ALIKE
+    folded = {candidate.casefold(): candidate for candidate in reversed(candidates)}
+    matches = get_close_matches(name.casefold(), folded, n=1, cutoff=cutoff)
+    return folded[matches[0]] if matches else None
+
+
+def _continues(name: str, other: str) -> bool:
+    """Whether one of two names is the other with a letter more: `tt` for `t`."""
+    return abs(len(name) - len(other)) == 1 and (name.startswith(other) or other.startswith(name))
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

@@ -169,6 +169,13 @@ UNPARENTHESISED = _error(
     "expression they stand in parentheses.",
 )
 
+MERGE_CONFLICT = _error(
+    "B0116",
+    "a merge conflict is left in this file",
+    "A version control system left both sides here, between lines of `<<<<<<<`, `=======` and "
+    "`>>>>>>>`. Keep the side that is meant and remove these lines; only the first side is read.",
+)
+
 # --- B02: names ----------------------------------------------------------------------------------
 
 UNKNOWN_NAME = _error(
@@ -390,7 +397,7 @@ SETTING_WITHOUT_USE = _error(
 )
 MEMBER_COUNT = _error(
     "B0380",
-    "`{name}` has the members ({members}), found {found} values",
+    "`{name}` has the members ({members}), found {found}",
     "A structure is made by calling it with a value for each member, in the order of the "
     "declaration.",
 )
@@ -635,6 +642,7 @@ OUTSIDE_LIGHT = _error(
     "`{name}` is known only per light",
     "`light` means the light being summed over, inside of a `term … per light`. A light reads its "
     "own slots by their names alone.",
+    of_absence=True,
 )
 UNKNOWN_LIGHT = _error(
     "B0602",

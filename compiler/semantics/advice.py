@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from ...stdlib.builtins import BUILTINS
 from ..diagnostics.nearest import suggestion
+from ..diagnostics.source import Span
 from ..ir.node import Node, bare
-from ..ir.types import BOOL, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
+from ..ir.types import Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ..syntax import ast
 from .typenames import NAMED
+from .wording import counted, operand, spanned
 
 if TYPE_CHECKING:
-    from .scope import Scope
+    from .modules import Symbol
+    from .scope import RigEntry, Scope
 
 _FEW = 8
 """As many names can be listed."""
@@ -23,45 +27,60 @@ _LANES = "xyzw"
 _COLORS = "rgba"
 
 
-def fitting_type(found: Type, wanted: Type) -> str:
-    """How to make a value of a type that is not the wanted one fit."""
-    if isinstance(found, Texture):
-        return "" if isinstance(wanted, Texture) else READ
-    if wanted == BOOL and isinstance(found, Vector) and found.kind == "bool":
-        return "`all(…)` or `any(…)` makes one truth; `choose(c, x, y)` chooses in each lane"
-    if wanted == BOOL:
-        return "a truth is a comparison, as in `x > 0`"
-    if isinstance(found, Scalar) and isinstance(wanted, Vector):
-        return f"write `{wanted}(…)` for equal lanes"
-    if isinstance(found, Scalar) and isinstance(wanted, Scalar):
-        return f"convert with `{wanted}(…)`"
-    if isinstance(found, Array) and isinstance(wanted, Vector):
-        lanes = ", ".join(_LANES[: wanted.size])
-        return f"brackets make an array; a vector is `{wanted}({lanes})`"
-    if isinstance(found, Vector) and isinstance(wanted, Scalar | Vector):
-        return _of_lanes(found, wanted)
+def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> str:
+    """How to make the value at ``span``, whose type is not the wanted one, fit."""
+    text, tight = spanned(span), operand(span)
+    match found, wanted:
+        case Texture(), _:
+            return "" if isinstance(wanted, Texture) else READ
+        case Vector(kind="bool"), Scalar(kind="bool"):
+            one = f"`all({text})` or `any({text})` makes one truth"
+            return f"{one}; `choose(c, x, y)` chooses in each lane"
+        case _, Scalar(kind="bool"):
+            return "a truth is a comparison, as in `x > 0`"
+        case Scalar(), Vector():
+            return f"write `{wanted}({text})` for equal lanes"
+        case Scalar(kind="float"), Scalar(kind="int" | "uint") if _is_literal(text):
+            whole = f"{float(text):.0f}"
+            return f"write `{whole}`" if float(text) == float(whole) else "it is a whole number"
+        case Scalar(), Scalar():
+            return f"write `{wanted}({text})`"
+        case Array(), Vector():
+            lanes = ", ".join(_LANES[: wanted.size])
+            return f"brackets make an array; a vector is `{wanted}({lanes})`"
+        case Array(), Array() if found.element == wanted.element:
+            return f"{counted(found.count, 'element')} here: write them all, or `{found}`"
+        case Vector(), Scalar() | Vector():
+            return _of_lanes(found, wanted, declared, text, tight)
     return ""
+
+
+def _is_literal(text: str) -> bool:
+    """Whether a text is one number in decimals."""
+    return text.replace(".", "", 1).isdecimal()
 
 
 def cut_quotient(operands: Iterable[Node]) -> str:
     """About a quotient of two whole literals, ``1 / 3``, where a float is wanted."""
-    for operand in map(bare, operands):
-        if operand.op != "call" or operand.data != "div" or scalar_kind(operand.type) != "int":
+    for node in map(bare, operands):
+        if node.op != "call" or node.data != "div" or scalar_kind(node.type) != "int":
             continue
-        x, y = (bare(part).data for part in operand.operands)
+        x, y = (bare(part).data for part in node.operands)
         if isinstance(x, int) and isinstance(y, int):
             return f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
     return ""
 
 
-def _of_lanes(found: Vector, wanted: Scalar | Vector) -> str:
+def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, text: str, tight: str) -> str:
     if scalar_kind(wanted) != found.kind:
-        return f"convert with `{wanted}(…)`" if width(wanted) == found.size else ""
+        return f"write `{wanted}({text})`" if width(wanted) == found.size else ""
     if isinstance(wanted, Scalar):
-        return "read one lane, as in `v.x`"
+        return f"read one lane, as in `{tight}.x`"
     if wanted.size < found.size:
-        return f"read {wanted.size} lanes: `(…).{_LANES[: wanted.size]}`"
-    return f"say what the other lanes are: `{wanted}(…{', 0' * (wanted.size - found.size)})`"
+        letters = _COLORS if declared.startswith("rgb") else _LANES
+        return f"read {wanted.size} lanes: `{tight}.{letters[: wanted.size]}`"
+    filled = "".join((", 0", ", 0", ", 0", ", 1")[found.size : wanted.size])
+    return f"say what the other lanes are: `{wanted}({text}{filled})`"
 
 
 def joined_types(operator: str, left: Type, right: Type) -> str:
@@ -137,6 +156,36 @@ def _slots(scope: Scope) -> Iterable[Collection[str]]:
                 yield {
                     member.name.text for member in members if not isinstance(member, ast.Discard)
                 }
+
+
+def of_a_light(name: str, rig: Iterable[RigEntry]) -> str:
+    """About a light of the rig that is named like a value."""
+    if all(entry.name != name for entry in rig):
+        return ""
+    return "lights are read in a `term … per light`, which is summed over them: `light.diffuse`"
+
+
+def unshaded(symbol: Symbol) -> str:
+    """About a record that is named like a value; empty for anything else."""
+    declaration = symbol.declaration
+    if not isinstance(declaration, ast.Record):
+        return ""
+    shared = f"a function, or a base, `: {symbol.name}`"
+    return f"a {declaration.kind} is no value: what several share is {shared}"
+
+
+_DECLARED_AS: Mapping[str, str] = MappingProxyType(
+    {
+        "name": "nothing declares it: `{0} = …` does, or `param {0} : type` if the host sets it",
+        "function": "nothing declares it: a function is `fn {0}(…) = …`, "
+        "a texture `map {0} : texture2d`",
+    }
+)
+
+
+def undeclared(kind: str, name: str) -> str:
+    """How to declare what nothing does."""
+    return _DECLARED_AS.get(kind, "").format(name)
 
 
 def uncalled(name: str) -> str:

@@ -16,6 +16,7 @@ from .coerce import coerce
 from .declared import struct_of
 from .modules import Symbol
 from .scope import FAILURE, Failure, Scope, Value
+from .wording import counted
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -32,7 +33,7 @@ def structure(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast
     members = declared.members
     if len(arguments) != len(members):
         low.report.add(
-            rules.MEMBER_COUNT, e.span, name=symbol.name, found=len(arguments),
+            rules.MEMBER_COUNT, e.span, name=symbol.name, found=counted(len(arguments), "value"),
             members=", ".join(f"{name}: {member.text}" for name, member in members),
             labels=[Label(symbol.declaration.name.span, "declared here")],
         )  # fmt: skip

@@ -10,18 +10,18 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.node import Node, bare
-from ..ir.signatures import FAMILIES
-from ..ir.types import VEC3, Array, Struct, Texture, scalar_kind
+from ..ir.types import Texture
 from ..syntax import ast
 from ..trampoline import Step
-from . import advice, fitting, lights, lookup, overloads, textures
+from . import advice, fitting, lights, lookup, textures
 from .aggregates import structure
 from .coerce import coerce
 from .construct import construct, is_constructor
 from .declared import declared_type, numbers_of
-from .functions import bound, entered, fit_result
+from .functions import bound, entered, fit_result, usage
 from .generics import shown, unfounded, untold
 from .modules import Symbol
+from .operands import listed
 from .scope import FAILURE, Failure, Instance, Replacement, Scope, Value
 from .unique import check_once
 from .wording import counted
@@ -62,10 +62,28 @@ def _arguments(low: Lowering, e: ast.Call, scope: Scope) -> Step[tuple[tuple[Nod
     arguments: list[Node] = []
     failed = False
     for argument in e.arguments:
+        if _is_sampler(e, argument, scope):
+            failed = True
+            continue
         node = yield low.node(argument, scope)
         failed = failed or isinstance(node, Failure)
         arguments.append(node)
     return tuple(arguments), failed
+
+
+def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
+    """Whether a name that nothing declares is given to another language's read of a texture.
+
+    There it may be a sampler; it is the read that is reported.
+    """
+    if not isinstance(argument, ast.Reference) or lookup.is_known(scope, argument.name):
+        return False
+    from ...stdlib.builtins.elsewhere import FUNCTIONS, METHODS
+
+    if isinstance(e.callee, ast.Field):
+        return e.callee.name.text in METHODS
+    read = FUNCTIONS.get(e.callee.name) if isinstance(e.callee, ast.Reference) else None
+    return read is not None and "albedo" in read.hint and argument is not e.arguments[0]
 
 
 def _named(
@@ -100,7 +118,7 @@ def _named(
         known = yield lookup.slot(low, scope.instance, name, callee.span)
         failed = failed or isinstance(known, Failure)
     if not failed or not lookup.is_declared(scope, name):
-        _not_callable(low, name, callee.span, scope)
+        _not_callable(low, name, e, scope)
     return FAILURE
 
 
@@ -131,26 +149,36 @@ def _is_map(definitions: tuple[object, ...] | None) -> bool:
     )
 
 
-def _not_callable(low: Lowering, name: str, span: Span, scope: Scope) -> None:
+def _not_callable(low: Lowering, name: str, e: ast.Call, scope: Scope) -> None:
+    assert e.callee is not None
+    span = e.callee.span
     if lookup.is_declared(scope, name):
-        low.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`")
+        symbols = scope.module.find(name)
+        is_slot = scope.instance is not None and scope.instance.has(name)
+        hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
+        hint = hint or f"it is a value: `{name}`, or a product, `{name} * (…)`"
+        low.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
         return
     callables = {n for n in BUILTINS if n not in NOT_CALLED} | set(scope.module.visible())
     for instance in (scope.instance, scope.surface):
         if instance is not None:
             callables |= {n for n, d in instance.record.definitions.items() if _is_map(d)}
-    if hint := _elsewhere(name):
+    if hint := _elsewhere(name, e.arguments):
         low.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
     lookup.unknown_here(low, "function", name, span, sorted(callables), scope.module)
 
 
-def _elsewhere(name: str) -> str:
+def _elsewhere(name: str, arguments: tuple[ast.Expression, ...]) -> str:
     """What to write for a function or a constructor of another shading language."""
-    from ...stdlib.builtins.elsewhere import FUNCTIONS, TYPES
+    from ...stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
 
     if name in FUNCTIONS:
-        return FUNCTIONS[name].hint
+        hint = FUNCTIONS[name].hint
+        texture = arguments[0] if arguments else None
+        return hint.replace("albedo", texture.name) if isinstance(texture, ast.Reference) else hint
+    if name in KEYWORDS:
+        return KEYWORDS[name]
     if advice.is_read(name):
         return f"it is a read of a texture, written `map.{name}(…)`"
     return f"it is `{TYPES[name]}` here" if name in TYPES else ""
@@ -164,79 +192,6 @@ def _unguarded(low: Lowering, arguments: tuple[Node, ...], e: ast.Call) -> Value
     node = bare(arguments[0])
     native = low.graph.node("native", node.type, node.operands, node.data)
     return low.meanings.ascribed(native, low.meanings.of(arguments[0]))
-
-
-def listed(operands: tuple[Node, ...]) -> str:
-    """The operands' types for a message."""
-    return ", ".join(str(operand.type) for operand in operands)
-
-
-def no_signature(
-    low: Lowering, name: str, operands: tuple[Node, ...], span: Span, shown: str
-) -> Failure:
-    """Report operands that no signature of a builtin takes."""
-    row = BUILTINS[name]
-    if not row.operator and not overloads.takes(name, len(operands)):
-        counts = sorted({len(s.split("->")[0].split(",")) for s in row.signatures})
-        low.report.add(
-            rules.WRONG_COUNT, span, name=shown,
-            expected=counted(" or ".join(map(str, counts)), "argument"), found=len(operands),
-        )  # fmt: skip
-        return FAILURE
-    if row.operator:
-        types = [str(operand.type) for operand in operands]
-        low.report.add(
-            rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
-            operator=shown, left=types[0], right=types[-1],
-            hint=_parts(operands) or advice.cut_quotient(operands)
-            or _operator_hint(name, operands) or _bare_moved(low, operands),
-        )  # fmt: skip
-        return FAILURE
-    hint = advice.cut_quotient(operands) or f"candidates: {overloads.signatures(row)}"
-    low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
-    return FAILURE
-
-
-def _parts(operands: tuple[Node, ...]) -> str:
-    """Operators are for numbers: of structures and arrays they take the parts."""
-    for operand in operands:
-        if isinstance(operand.type, Struct):
-            return f"name the members that count: `a.{operand.type.members[0][0]}`"
-        if isinstance(operand.type, Array):
-            return "name the elements that count: `a[0]`, or `sum i in 0..n : a[i]`"
-    return ""
-
-
-_INTEGERS = frozenset(FAMILIES["I"].kinds)
-
-
-def _operator_hint(name: str, operands: tuple[Node, ...]) -> str:
-    """How to mend ``x * i`` between a float and an integer, and the like."""
-    kinds = {scalar_kind(operand.type) for operand in operands}
-    if _is_of_bits(name) and "float" in kinds:
-        power = "a power is written `pow(x, y)`; " if name == "bit_xor" else ""
-        return f"{power}bits are those of integers: convert with `int(…)`, or see `bits_of`"
-    if _is_of_bits(name) and "bool" in kinds:
-        return "truths are joined by `and` and `or`, and turned over by `not`"
-    if kinds == _INTEGERS:
-        return "convert one with `int(…)` or `uint(…)`, which keep the bits"
-    if kinds == {"float", *kinds & _INTEGERS} and len(kinds) > 1:
-        return "convert the integer with `float(…)`"
-    return advice.joined_types(name, operands[0].type, operands[-1].type)
-
-
-def _bare_moved(low: Lowering, operands: tuple[Node, ...]) -> str:
-    """How to mend ``transform * vec3``, which may be meant for a point or a vector."""
-    by = low.meanings.of(operands[0])
-    if by is None or by.kind != "transform" or operands[-1].type != VEC3:
-        return ""
-    space = by.spaces[0]
-    return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
-
-
-def _is_of_bits(name: str) -> bool:
-    """Whether an operator takes integers only."""
-    return all(signature.startswith("I") for signature in BUILTINS[name].signatures)
 
 
 # --- functions and terms -------------------------------------------------------------------------
@@ -327,7 +282,7 @@ def _fit_arguments(
         low.report.add(
             rules.WRONG_COUNT, e.span, name=symbol.name,
             expected=counted(len(function.arguments), "argument"), found=len(arguments),
-            labels=[Label(function.name.span, "declared here")],
+            labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
         )  # fmt: skip
         return None
     variables = bound(low, function, arguments)
@@ -336,7 +291,7 @@ def _fit_arguments(
     if variables is None:
         low.report.add(
             rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments),
-            labels=[Label(function.name.span, "declared here")],
+            labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
         )  # fmt: skip
         return None
     fitted = []
@@ -344,6 +299,7 @@ def _fit_arguments(
         wanted = declared_type(low, formal.type, symbol.module, variables)
         if wanted is None:
             return None
+        wanted = changed(wanted, text=f"{wanted.text} for `{formal.name.text}`")
         generic = formal.type.name.text in variables
         broadcast = coerce(low.graph, argument, wanted.type, broadcast=generic)
         node = low.as_declared(broadcast or argument, wanted, written, scope)

@@ -8,12 +8,13 @@ from ..diagnostics import rules
 from ..ir import build
 from ..ir.meaning import MAPS, Meaning
 from ..ir.node import Node
-from ..ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
+from ..ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from ..syntax import ast
 from . import advice
 from .coerce import coerce, is_constant
 from .scope import FAILURE, Failure
 from .typenames import NAMED
+from .wording import spanned
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -41,7 +42,7 @@ def construct(low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call
             pass
     if result is None:
         found = ", ".join(str(argument.type) for argument in arguments)
-        hint = _hint(name, type_, arguments)
+        hint = _hint(name, type_, arguments, e.arguments)
         low.report.add(rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=hint)
         return FAILURE
     if isinstance(result, Failure):
@@ -58,19 +59,34 @@ def _meaning(low: Lowering, name: str, arguments: tuple[Node, ...]) -> Meaning |
     return Meaning(named.meaning) if named.meaning is not None and not named.spaces else None
 
 
-def _hint(name: str, type_: Type, arguments: tuple[Node, ...]) -> str:
-    kinds = {scalar_kind(argument.type) for argument in arguments}
-    if scalar_kind(type_) == "float" and (hint := advice.cut_quotient(arguments)):
-        return hint
+def _hint(
+    name: str, type_: Type, arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]
+) -> str:
+    sole = arguments[0].type if len(arguments) == 1 else None
+    if scalar_kind(type_) == "float" and (cut := advice.cut_quotient(arguments)):
+        return cut
     match type_:
-        case Vector(kind="float") if len(arguments) > 1 and kinds & {"int", "uint"}:
-            return "lanes that are joined have one kind: convert the integer with `float(…)`"
+        case Vector(kind="float") if converted := _as_floats(arguments, written):
+            return f"lanes have one kind: write {converted}"
+        case Vector(kind="float", size=size) if isinstance(sole, Vector) and sole.size < size:
+            filled = ", 0" * (size - sole.size)
+            return f"say what the other lanes are: `{name}({spanned(written[0].span)}{filled})`"
         case Vector(kind=kind, size=size):
             return f"`{name}` takes {size} lanes in all, or one {kind} for every lane"
         case Matrix(size=size):
             return f"`{name}` takes {size} columns, each a vec{size}, or another matrix"
         case _:
             return f"`{name}` takes one number"
+
+
+def _as_floats(arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]) -> str:
+    """The integers among the lanes of a vector as floats; literals are by themselves."""
+    edits = (
+        f"`{with_width('float', width(node.type))}({spanned(expression.span)})`"
+        for node, expression in zip(arguments, written, strict=True)
+        if scalar_kind(node.type) in ("int", "uint") and not is_constant(node)
+    )
+    return " and ".join(edits)
 
 
 def _scalar(low: Lowering, type_: Scalar, argument: Node) -> Node | Failure | None:

@@ -18,6 +18,7 @@ from ..syntax import ast
 from ..trampoline import Step
 from . import algebra, calls, lookup, mixing, ways
 from .modules import Module
+from .operands import listed
 from .scope import FAILURE, Failure, Scope, Value
 from .typenames import HOMOGENEOUS, SPACES
 from .wording import tight
@@ -113,7 +114,7 @@ def _library(
 ) -> Step[Node | Failure]:
     """A function of ``spaces.burnish``."""
     symbol = calls.best(low, list(library().find(name)), arguments)
-    assert symbol is not None, f"{name} does not take {calls.listed(arguments)}"
+    assert symbol is not None, f"{name} does not take {listed(arguments)}"
     result: Node | Failure = yield calls.called(low, symbol, arguments, span)
     return result
 

@@ -13,7 +13,7 @@ from .declared import declared_type
 from .generics import Use, bind
 from .modules import Symbol
 from .scope import FAILURE, Failure
-from .typenames import Variables
+from .typenames import Variables, described
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -50,6 +50,13 @@ def fit_result(
     if wanted is None:
         return FAILURE
     return low.as_declared(result, wanted, function.body)
+
+
+def usage(function: ast.Function) -> str:
+    """A function as it is declared, up to its arguments: ``f<T: floats>(a: T, b: float)``."""
+    parameters = ", ".join(f"{p.name.text}: {p.family.text}" for p in function.type_parameters)
+    arguments = ", ".join(f"{a.name.text}: {described(a.type)}" for a in function.arguments)
+    return f"{function.name.text}{parameters and f'<{parameters}>'}({arguments})"
 
 
 def bound(low: Lowering, function: ast.Function, arguments: tuple[Node, ...]) -> Variables | None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
+from ..diagnostics.nearest import nearest
 from ..diagnostics.source import Span
 from ..ir.leaves import PIPELINE_TYPES
 from ..ir.node import Formal, Node, bare
@@ -79,7 +80,7 @@ def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
     if isinstance(declaration, ast.ExternMember):
         return low.externs.value(symbol, span)
     if not isinstance(declaration, ast.Constant):
-        hint = ""
+        hint = advice.unshaded(symbol)
         if isinstance(declaration, ast.Function | ast.StructDeclaration):
             hint = f"call it: `{symbol.name}(…)`"
         elif isinstance(declaration, ast.ExternBlock) and declaration.members:
@@ -110,7 +111,9 @@ def _symbol_value(low: Lowering, symbol: Symbol, span: Span) -> Step[Value]:
 
 def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
     if name == "light":
-        low.report.add(rules.OUTSIDE_LIGHT, span, name=name)
+        in_term = scope.surface is not None and scope.instance is None
+        hint = "sum over the lights: write `per light` in front of the term's `=`"
+        low.report.add(rules.OUTSIDE_LIGHT, span, name=name, hint=hint if in_term else "")
         return
     parts = () if scope.parts is None else scope.parts.declared
     known = [*scope.locals, *parts, *scope.module.visible(), *INPUTS, *VERTEX_INPUTS]
@@ -122,13 +125,20 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
     from ...stdlib.builtins.elsewhere import KEYWORDS, VALUES
 
     here = f"it is `{VALUES[name]}` here" if name in VALUES else ""
-    if hint := here or advice.of_a_record(name, scope) or KEYWORDS.get(name, ""):
+    lit = advice.of_a_light(name, low.rig)
+    if hint := here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, ""):
         low.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=hint)
         return
     if hint := advice.uncalled(name):
         low.report.add(rules.NOT_A_VALUE, span, hint=hint)
         return
     unknown_here(low, "name", name, span, known, scope.module)
+
+
+def is_known(scope: Scope, name: str) -> bool:
+    """Whether a name means something in an expression."""
+    seen = scope.surface is not None and scope.surface.has(name)
+    return name in scope.locals or seen or is_declared(scope, name)
 
 
 def is_declared(scope: Scope, name: str) -> bool:
@@ -148,8 +158,9 @@ def unknown_here(
 ) -> None:
     """The same for a name that an import could bring, or should have brought."""
     if name not in module.missing:
-        hint = module.hint(name, known)
-        if module.incomplete and not hint:
+        known = list(known)
+        hint = module.hint(name, known) or advice.undeclared(kind, name)
+        if module.incomplete and nearest(name, known) is None:
             return
         low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 
@@ -251,11 +262,13 @@ def _slot_value(
     if not isinstance(member, ast.Slot):
         return _leaf(low, instance, member, span, replaced=level != OUTERMOST)
     if member.value is None:
+        record = instance.record
+        outermost = record.definitions[name][0] is definition
         low.report.add(
-            rules.ABSTRACT_SLOT, instance.record.symbol.declaration.name.span,
-            name=name, record=instance.record.name,
+            rules.ABSTRACT_SLOT, record.symbol.declaration.name.span if outermost else span,
+            name=name, record=record.name,
             labels=[Label(member.name.span, "declared here without a value")],
-            hint=_declaring(low, member, definition.owner.module) or member.doc,
+            hint=_setting(low, instance, definition),
         )  # fmt: skip
         return FAILURE
     scope = Scope(definition.owner.module, instance, definition.level, instance.surface or instance)
@@ -263,12 +276,26 @@ def _slot_value(
     return result
 
 
-def _declaring(low: Lowering, member: ast.Slot, module: Module) -> str:
-    """How a texture is declared, for one that is declared as a slot."""
-    declared = None if member.type is None else declared_type(low, member.type, module)
-    if declared is None or not isinstance(declared.type, Texture):
-        return ""
-    return f"declare a texture with `map {member.name.text} : {declared.text}`"
+def _setting(low: Lowering, instance: Instance, definition: Definition) -> str:
+    """How an abstract slot is set, or what else was meant by declaring it."""
+    member = definition.member
+    assert isinstance(member, ast.Slot)
+    name, record = member.name.text, instance.record
+    declared = (
+        None if member.type is None else declared_type(low, member.type, definition.owner.module)
+    )
+    if declared is not None and isinstance(declared.type, Texture):
+        return f"declare a texture with `map {name} : {declared.text}`"
+    if record.definitions[name][0] is not definition:
+        return f"`inherited.{name}` has no value, so nothing can be computed from it"
+    if definition.owner is record.symbol:
+        return f"give it a value, `{name} : {declared.text} = …`" if declared is not None else ""
+    own = (n for n, found in record.definitions.items() if found[-1].owner is record.symbol)
+    slip = nearest(name, own)
+    if slip is not None:
+        return f"`{slip}` is declared in `{record.name}`: did you mean `{name}`?"
+    about = f": {member.doc}" if member.doc else ""
+    return f"add `{name} = …` to `{record.name}`{about}"
 
 
 def _leaf(
@@ -344,13 +371,16 @@ def _is_cycle(low: Lowering, key: object, name: str, span: Span) -> bool:
     if key not in low.active:
         low.active[key] = (name, span)
         return False
+    if key in low.cyclic:
+        return True
+    low.cyclic.add(key)
     steps = list(low.active.values())
     start = list(low.active).index(key)
     cycle = [step for step, _ in steps[start:]] + [name]
     labels = [Label(place, f"`{step}` is needed here") for step, place in steps[start + 1 :]]
     shown = " → ".join(cycle)
     hint = ""
-    if isinstance(key, tuple) and isinstance(key[0], Instance) and len(cycle) == 2:
+    if isinstance(key, tuple) and isinstance(key[0], Instance):
         above = len(key[0].record.definitions.get(name, ())) > 1
         hint = f"what it is otherwise is `inherited.{name}`" if above else ""
     low.report.add(

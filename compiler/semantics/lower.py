@@ -42,6 +42,7 @@ from .declared import declared_type
 from .externs import Externs
 from .meanings import Meanings
 from .modules import Symbol
+from .operands import no_signature
 from .records import Records
 from .scope import (
     FAILURE,
@@ -94,6 +95,8 @@ class Lowering:
         self.applied: dict[tuple[Symbol, tuple[int, ...], Instance | None], Node | Failure] = {}
         self.active: dict[Any, tuple[str, Span]] = {}
         """What is being lowered right now, outermost first: finding it again is a cycle."""
+        self.cyclic: set[object] = set()
+        """What is defined by itself, which has been reported."""
         self.recursive: set[Symbol] = set()
         """Functions that call themselves, which has been reported."""
         self.structs: dict[Symbol, Declared | None] = {}
@@ -153,7 +156,8 @@ class Lowering:
         if fitted is None:
             self.report.add(
                 rules.WRONG_TYPE, span, expected=declared, found=node.type,
-                hint=_way_to_fit(node, wanted), caption=f"this is `{node.type}`",
+                hint=_way_to_fit(node, wanted, declared, span),
+                caption=f"this is `{node.type}`",
             )  # fmt: skip
             return FAILURE
         return fitted
@@ -188,21 +192,21 @@ class Lowering:
         """
         found = overloads.resolve(name, tuple(map(overloads.operand, operands)))
         if found is None:
-            return calls.no_signature(self, name, operands, span, shown)
+            return no_signature(self, name, operands, span, shown, written)
         fitted = []
         for operand, type_ in zip(operands, found.operands, strict=True):
             # Arithmetic between scalars and vectors exists as such; elsewhere a scalar broadcasts.
             lane = coerce(self.graph, operand, type_, broadcast=True)
             if lane is None:  # A negative literal is no `uint`.
-                return calls.no_signature(self, name, operands, span, shown)
+                return no_signature(self, name, operands, span, shown, written)
             fitted.append(lane)
         node = self.graph.node("call", found.result, tuple(fitted), name)
         return mixing.checked(self, node, shown, span, written, scope)
 
 
-def _way_to_fit(node: Node, wanted: Type) -> str:
+def _way_to_fit(node: Node, wanted: Type, declared: str, span: Span) -> str:
     cut = advice.cut_quotient((node,)) if scalar_kind(wanted) == "float" else ""
-    return cut or advice.fitting_type(node.type, wanted)
+    return cut or advice.fitting_type(node.type, wanted, declared, span)
 
 
 # --- literals ------------------------------------------------------------------------------------
@@ -304,7 +308,10 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
     known = low.constants.known_integer(position)
     if known is not None:
         if not 0 <= known < count:
-            low.report.add(rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type)
+            hint = f"counted from 0, the last one is `[{count - 1}]`"
+            low.report.add(
+                rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
+            )
             return FAILURE
         return build.part(low.graph, operand, known)
     zero, last = (build.constant(low.graph, INT, n) for n in (0, count - 1))

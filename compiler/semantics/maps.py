@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...frozen import EMPTY, frozen
 from ..diagnostics import rules
+from ..diagnostics.nearest import suggestion
 from ..ir.leaves import Resource
 from ..ir.types import Array, Texture
 from ..syntax import ast
@@ -104,6 +105,5 @@ def _sampler_state(low: Lowering, member: ast.Map, kind: Kind, type_: str) -> di
 def unknown_word(low: Lowering, kind: str, name: ast.Name, known: Iterable[str]) -> None:
     """Report a word that is none of those which can stand in its place."""
     listed = ", ".join(f"`{word}`" for word in known)
-    low.report.add(
-        rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=f"one of {listed}"
-    )
+    hint = suggestion(name.text, known) or f"one of {listed}"
+    low.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)

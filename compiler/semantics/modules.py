@@ -15,7 +15,7 @@ from pathlib import Path, PurePosixPath
 from ...frozen import frozen
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
-from ..diagnostics.nearest import suggestion
+from ..diagnostics.nearest import nearest, suggestion
 from ..diagnostics.source import Source, Span
 from ..syntax import ast
 from .generics import FAMILIES, unfounded, untold
@@ -216,7 +216,8 @@ class Loader:
         for name in names:
             symbols = found.declared.get(name.text)
             if symbols is None:
-                module.missing.add(name.text)
+                meant = nearest(name.text, found.declared)
+                module.missing.update((name.text, meant or name.text))
                 self._report.add(
                     rules.UNKNOWN_EXPORT, name.span, name=name.text, path=found.file.source.name,
                     hint=suggestion(name.text, found.declared),
@@ -284,7 +285,14 @@ class Loader:
         return ""
 
     def _suggest(self, wanted: ast.Import) -> str:
-        if wanted.quoted or wanted.path[0] != "std":
+        if wanted.quoted:
+            path = wanted.path[0]
+            whole = path.endswith(".burnish")
+            return "" if whole else f'the ending belongs to the path: `"{path}.burnish"`'
+        *folder, name = wanted.path
+        if folder and self._offering(name) == ".".join(folder):
+            return f"write `import {'.'.join(folder)}.{{{name}}}`"
+        if wanted.path[0] != "std":
             return ""
         stems = {path.stem for path in self._library.glob("*.burnish")} - _NOT_IMPORTED
         modules = (f"std.{stem}" for stem in stems)

@@ -26,6 +26,7 @@ from .records import Definition, Record
 from .scope import Failure, Scope
 from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
 from .typenames import Declared
+from .wording import quoted
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -177,9 +178,16 @@ def _default(
     if needs_unit(declared):
         value = _unit(low, value, member.default)
     if limits is not None and not _within(value, *limits):
-        shown = f"{limits[0]:g}..{limits[1]:g}"
+        shown = _range_text(member, limits)
         low.report.add(rules.OUT_OF_RANGE, member.default.span, value="this default", range=shown)
     return value
+
+
+def _range_text(member: ast.Param, limits: tuple[float, float]) -> str:
+    """A parameter's range as it is written."""
+    assert member.range is not None
+    low, high = (quoted(bound) for bound in member.range)
+    return f"{low}..{high}" if "…" not in low + high else f"{limits[0]:g}..{limits[1]:g}"
 
 
 def _within(value: Lanes | None, lo: float, hi: float) -> bool:

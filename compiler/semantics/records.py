@@ -154,6 +154,8 @@ class Records:
         self._report.add(
             rules.MISPLACED_MEMBER, member.span, member=word, record=f"a {declaration.kind}"
         )
+        if not isinstance(member, ast.Discard):
+            self._report.unread((member.name.text,))
         return False
 
     def _check_blend(self, declaration: ast.Record) -> None:
@@ -255,9 +257,22 @@ class Records:
         declaration = found[0].declaration
         if isinstance(declaration, ast.Mixin) and declaration.kind == kind:
             return found[0]
-        labels = [Label(declaration.name.span, "declared here")]
-        self._report.add(rules.NOT_A_MIXIN, name.span, name=name.text, kind=kind, labels=labels)
+        if not self._follows_mixin(symbol):
+            record = isinstance(declaration, ast.Record) and declaration.kind == kind
+            self._report.add(
+                rules.NOT_A_MIXIN, name.span, name=name.text, kind=kind,
+                labels=[Label(declaration.name.span, "declared here")],
+                hint=f"there is one base: declare this one as `mixin {name.text} {{ … }}`"
+                if record else "",
+            )  # fmt: skip
         return None
+
+    def _follows_mixin(self, symbol: Symbol) -> bool:
+        """Whether a mixin stands where the base should, which is reported there."""
+        declaration = symbol.declaration
+        assert isinstance(declaration, ast.Record)
+        base = symbol.module.find(declaration.base.text) if declaration.base is not None else ()
+        return bool(base) and isinstance(base[0].declaration, ast.Mixin)
 
     def _report_cycle(self, steps: list[Symbol]) -> None:
         """Each cycle once, from wherever it was entered."""
@@ -302,8 +317,14 @@ class Records:
     def _report_mixin_as_base(
         self, symbol: Symbol, kind: str, name: ast.Name, mixin: ast.Mixin
     ) -> None:
-        root = root_of(symbol.module, kind)
-        base = "Base" if root is None else root.name
+        declaration, root = symbol.declaration, root_of(symbol.module, kind)
+        assert isinstance(declaration, ast.Record)
+        bases = (
+            other.text
+            for other in declaration.mixins
+            if any(isinstance(s.declaration, ast.Record) for s in symbol.module.find(other.text))
+        )
+        base = next(bases, "Base" if root is None else root.name)
         self._report.add(
             rules.MIXIN_AS_BASE, name.span, name=name.text, kind=kind,
             labels=[Label(mixin.name.span, "declared here")],

@@ -20,7 +20,7 @@ from ..ir.signatures import FIXED, TEXTURE_FAMILIES, dependent, meaning, parsed
 from ..ir.types import INT, Texture, Type
 from ..syntax import ast
 from .scope import FAILURE, Failure, Value
-from .wording import counted
+from .wording import counted, spanned
 
 if TYPE_CHECKING:
     from .lower import Lowering
@@ -55,7 +55,8 @@ def read(
     if isinstance(texture, Failure):
         return FAILURE
     if not isinstance(texture, Node) or not isinstance(texture.type, Texture):
-        low.report.add(rules.NOT_CALLABLE, e.callee.span, found="this")
+        hint = f"a product is written `{spanned(e.callee.span)} * (…)`"
+        low.report.add(rules.NOT_CALLABLE, e.callee.span, found="this", hint=hint)
         return FAILURE
     name = "" if method is None else method.text
     way = next(_ways(texture.type, name), None)
@@ -99,11 +100,18 @@ def _no_way(low: Lowering, type_: Texture, method: str, span: Span) -> None:
     if method and all(row.method != method for row in _READS):
         low.report.add(
             rules.UNKNOWN_NAME, span, kind=f"read of `{type_}`", name=method,
-            hint=suggestion(method, known) or f"it has {listed}",
+            hint=_foreign(method) or suggestion(method, known) or f"it has {listed}",
         )  # fmt: skip
         return
     what = f"`{method}`" if method else "read by coordinate"
     low.report.add(rules.TEXTURE_LACKS_READ, span, type=type_, read=what, hint=f"it has {listed}")
+
+
+def _foreign(method: str) -> str:
+    """How a texture is read by a method of another language's."""
+    from ...stdlib.builtins.elsewhere import METHODS
+
+    return f"it is `{METHODS[method]}` here" if method in METHODS else ""
 
 
 def _operands(

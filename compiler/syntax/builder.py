@@ -38,7 +38,9 @@ class Builder:
 
     def edition(self, span: Span, number: Token) -> int:
         if number.text != str(_EDITION):
-            self._report.add(rules.UNKNOWN_EDITION, span, edition=number.text, known=_EDITION)
+            self._report.add(
+                rules.UNKNOWN_EDITION, span, edition=number.text, hint=f"write `burnish {_EDITION}`"
+            )
         return _EDITION
 
     def module(self, _: Span, *path: Token | tuple[str, ...]) -> tuple[str, ...]:

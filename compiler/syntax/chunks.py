@@ -19,7 +19,7 @@ _DECLARATION_WORDS = frozenset(
 )  # fmt: skip
 _TWO_WORDS = frozenset(("abstract", "extern"))
 """What another word of the declaration's own follows before its name."""
-_MEMBER_WORDS = frozenset(("attribute", "discard", "map", "param", "target"))
+MEMBER_WORDS = frozenset(("attribute", "discard", "map", "param", "target"))
 _AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
 _HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
@@ -56,11 +56,26 @@ class Outline:
     def begins_member(self, index: int) -> bool:
         """Whether ``index`` looks like the first token of a member or of a simple equation."""
         token, following = self.tokens[index], self._kind(index + 1)
+        if self.is_member(index):
+            return True
         if not self._may_follow(index):
             return False
         if following in ("=", ":"):
             return token.kind == "NAME" or token.kind in RESERVED
-        return token.text in _MEMBER_WORDS and (following == "NAME" or following in RESERVED)
+        return token.text in MEMBER_WORDS and (following == "NAME" or following in RESERVED)
+
+    def is_member(self, index: int) -> bool:
+        """Whether a line begins here as only a member does, whatever is unfinished above it."""
+        word = self.tokens[index].text
+        if word not in MEMBER_WORDS or not self.begins_line(index) or self.begins_line(index + 1):
+            return False
+        follows = self._text_of(index + 2) == ":" and self._kind(index + 1) == "NAME"
+        return follows or (word == "discard" and self._text_of(index + 1) == "when")
+
+    def begins_equation(self, index: int) -> bool:
+        """Whether a line begins with a name that is given something, even in an expression."""
+        names = self.tokens[index].kind == "NAME" and self._kind(index + 1) in ("=", ":")
+        return names and self.begins_line(index)
 
     def begins_line(self, index: int) -> bool:
         """Whether a token is the first of its line."""
@@ -104,7 +119,8 @@ class Outline:
 
     def _begins_constant(self, index: int) -> bool:
         """Whether an equation of the file begins here, and no further type parameter of a head."""
-        return self.begins_member(index) and (index == 0 or self._text_of(index - 1) != ",")
+        before = self._text_of(index - 1) if index else ""
+        return self.begins_member(index) and before not in (",", *MEMBER_WORDS)
 
     def _header(self, index: int) -> int:
         """How many tokens a declaration's word and name take here; 0 where none begins."""
@@ -143,9 +159,11 @@ class Outline:
         if self.tokens[self._open[-1]].kind == "{":
             return False
         following = self._kind(index + 1)
-        starts_member = self.tokens[index].text in _MEMBER_WORDS and following == "NAME"
+        starts_member = self.tokens[index].text in MEMBER_WORDS and following == "NAME"
         if self._text_of(index - 1) in ("(", ",") and not self.begins_line(index):
             return False  # An argument that is given by its name, as elsewhere.
+        if self._text_of(self._open[-1] - 1) == "for" and not self.begins_line(index):
+            return False  # A loop's head, as elsewhere.
         return following == "=" or (starts_member and self._may_follow(index))
 
     def _begin(self, index: int) -> None:

@@ -10,12 +10,17 @@ from ..diagnostics.source import Source, Span
 from .advice import STATEMENTS, Advice
 from .chunks import NESTING_LIMIT, Chunk, Outline
 from .expectations import describe_expected, describe_found
+from .habits import types
 from .tables import END
 from .tokens import RESERVED, Token
 
 _COMPARISONS = frozenset(("==", "!=", "<", "<=", ">", ">="))
 _FOLDS = frozenset(("sum", "product", "min", "max", "any", "all", "iterate"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
+
+
+FOREIGN_FILES = {"<": "this looks like XML", "{": "this looks like JSON"}
+"""Kinds of files by the mark that they begin with, as no declaration does."""
 
 
 class Complaints:
@@ -32,6 +37,11 @@ class Complaints:
         """Brackets beyond the limit."""
         self._report.add(rules.TOO_NESTED, self._span(self._tokens[index]), limit=NESTING_LIMIT)
 
+    def foreign(self, first: Token) -> None:
+        """A file of another kind, of which nothing can be read."""
+        hint = f"{FOREIGN_FILES[first.kind]}: a file of Burnish is made of declarations, such as "
+        self._unexpected(first, {"material"}, f"{hint}`material Name {{ … }}`")
+
     def report(self, index: int, chunk: Chunk, expected: set[str], start: int) -> int:
         """Say what is wrong at ``index``; returns where the next member may begin.
 
@@ -47,20 +57,48 @@ class Complaints:
             self._unclosed(opener, self._token(before))
             return before
         if interrupted:
-            self._unexpected(self._tokens[index - 1], {"NUMBER", "NAME"})
+            self._interrupted(index, chunk)
             return index - 1
         if self._special(index, found, expected):
             return index
+        if word := self._advice.misspelt(index, expected, start, chunk.start):
+            begins = "material" if start == chunk.start else "param"
+            self._unexpected(self._tokens[index - 1], {begins}, f"did you mean `{word}`?")
+            return index
         self._unexpected(found, expected, self._advice.at(index, expected, start, chunk.start))
+        return self._end_of_line(index) if found.kind in ("@", "[") else index
+
+    def _end_of_line(self, index: int) -> int:
+        """The last token of a line, which what would be an attribute elsewhere says all about."""
+        while index + 1 < len(self._tokens) and not self._outline.begins_line(index + 1):
+            index += 1
         return index
+
+    def _interrupted(self, index: int, chunk: Chunk) -> None:
+        """What an equation begins in the middle of: a value, or a header without its brace."""
+        name, before = self._tokens[index - 1], self._tokens[index - 2]
+        if before.kind == ":" and chunk.start + 3 == index - 1 and self._is_record(chunk.start):
+            header = " ".join(token.text for token in self._tokens[chunk.start : index - 2])
+            self._unexpected(name, {"{"}, f"the members stand in braces: `{header} {{ … }}`")
+            return
+        over = self._token(index - 3).kind == "NAME" and before.text == "in"
+        hint = "numbers are counted, `sum i in a..b : e`; lights are summed by a `term … per light`"
+        self._unexpected(name, {"NUMBER", "NAME"}, hint if over else "")
+
+    def _is_record(self, index: int) -> bool:
+        return self._tokens[index].text in ("material", "light", "pass", "mixin")
 
     def _special(self, index: int, found: Token, expected: set[str]) -> bool:
         """Mistakes that have a rule of their own."""
         span = self._span(found)
-        if found.kind in _COMPARISONS and "and" in expected and found.kind not in expected:
+        if self._names_types(index) and "and" in expected:
+            self._unexpected(found, expected, self._without_types(index))
+        elif found.kind in _COMPARISONS and "and" in expected and found.kind not in expected:
             self._report.add(rules.CHAINED_COMPARISON, span)
-        elif found.kind in RESERVED and "NAME" in expected and not expected & {"NUMBER", "+"}:
+        elif self._begins_statement(index, expected):
             hint = STATEMENTS.get(found.kind, "") if "param" in expected else ""
+            if self._token(index + 1).kind in ("=", ":"):
+                hint = f"give it another name, such as `{found.text}_`"
             self._report.add(rules.RESERVED_WORD, span, word=found.text, hint=hint)
         elif found.kind == "if" and "NUMBER" in expected:
             self._report.add(rules.UNPARENTHESISED, span, word=found.text)
@@ -72,6 +110,25 @@ class Complaints:
         else:
             return False
         return True
+
+    def _begins_statement(self, index: int, expected: set[str]) -> bool:
+        """Whether a reserved word stands where only a name or a member can."""
+        if self._token(index).kind not in RESERVED or "NAME" not in expected:
+            return False
+        begins = "param" in expected and self._outline.begins_line(index)
+        return begins or not expected & {"NUMBER", "+"}
+
+    def _names_types(self, index: int) -> bool:
+        """Whether a call that names types, as in ``vec3<f32>(x)``, was read as a comparison."""
+        called, opening, _, closing, call = (self._token(index + step) for step in range(-3, 2))
+        kinds = [called.kind, opening.kind, closing.kind, call.kind]
+        return kinds == ["NAME", "<", ">", "("] and called.end == opening.start
+
+    def _without_types(self, index: int) -> str:
+        """The call without the types that it names."""
+        called, type_ = self._token(index - 3).text, self._token(index - 1).text
+        name = types().get(f"{called}{type_[:1]}", called)
+        return f"a call names no types: write `{name}(…)`"
 
     def _unexpected(self, found: Token, expected: set[str], hint: str = "") -> None:
         words = describe_expected(expected)
@@ -137,8 +194,8 @@ class Complaints:
         return self._tokens[index - 1].kind == "NAME"
 
     def _token(self, index: int) -> Token:
-        """The token at ``index``, or one for the end of the file."""
-        if index < len(self._tokens):
+        """The token at ``index``; outside of the file one for its end."""
+        if 0 <= index < len(self._tokens):
             return self._tokens[index]
         last = self._tokens[-1].end
         return Token(END, "", last, last)

@@ -7,14 +7,14 @@ from functools import cache
 
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Source, Span
-from .malformed import MALFORMED, mend
+from .malformed import MALFORMED, PERCENT, mend
 from .tables import load_tables
 from .tokens import RESERVED, Docs, Lexed, Token
 
 _ORDER = ("BLANK", "NAME", "NUMBER", "COLOR", "STRING", "DOC", "FILE_DOC", "COMMENT")
 """The grammar's patterns in the order of trial: a doc comment would also be a comment."""
 
-_NOT_BEFORE = {"NAME": r"(?!\w)", "NUMBER": r"(?!\w|\.(?!\.))", "COLOR": r"(?!\w)"}
+_NOT_BEFORE = {"NAME": r"(?!\w)", "NUMBER": rf"(?!\w|\.(?!\.)|{PERCENT})", "COLOR": r"(?!\w)"}
 """What must not follow, lest ``1.0f`` read as ``1.0`` and a name."""
 
 _SEPARATORS = ";,"

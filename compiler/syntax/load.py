@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import codecs
 import os
 import re
+from pathlib import Path
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
+from ..diagnostics.nearest import nearest
 from ..diagnostics.source import Source
 
 SIZE_LIMIT = 16 * 1024 * 1024
@@ -22,7 +25,9 @@ def load_source(path: str | os.PathLike[str], report: Report, name: str = "") ->
     if content is None:
         return None
     if b"\0" in content:
-        report.add(rules.NOT_TEXT, None, path=name, reason="it contains NUL bytes")
+        encoded = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+        reason = "it is UTF-16" if encoded else "it contains NUL bytes"
+        report.add(rules.NOT_TEXT, None, path=name, reason=reason)
         return None
     try:
         text = content.decode("utf-8-sig")
@@ -38,7 +43,7 @@ def _content(path: str | os.PathLike[str], name: str, report: Report) -> bytes |
         with open(path, "rb") as file:  # noqa: PTH123
             content = file.read(SIZE_LIMIT + 1)
     except FileNotFoundError:
-        report.add(rules.MISSING_FILE, None, path=name)
+        report.add(rules.MISSING_FILE, None, path=name, hint=_similar(Path(path)))
     except IsADirectoryError:
         report.add(rules.NOT_A_FILE, None, path=name)
     except (OSError, ValueError) as error:
@@ -49,3 +54,12 @@ def _content(path: str | os.PathLike[str], name: str, report: Report) -> bytes |
             return content
         report.add(rules.TOO_LARGE, None, path=name, limit=f"{SIZE_LIMIT} bytes")
     return None
+
+
+def _similar(path: Path) -> str:
+    """The file of the folder that was probably meant."""
+    if not path.parent.is_dir():
+        return ""
+    files = {file.stem: file for file in path.parent.glob("*.burnish")}
+    stem = path.stem if path.stem in files else nearest(path.stem, files)
+    return f"did you mean `{files[stem]}`?" if stem is not None else ""

@@ -9,11 +9,23 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from .tokens import Token
 
+PERCENT = r"%(?=\s*(?:$|[\n,;)\]}=]|\.\.))"
+"""A sign behind a number that has no second operand."""
+
 MALFORMED = [
-    ("DIRECTIVE", r"#(?:define|undef|include|version|pragma|extension|ifn?def|if|endif)\b[^\n]*"),
+    ("CONFLICT", r"(?m:^)<{7}[^\n]*"),
+    ("OTHER_SIDE", r"(?m:^)={7}[\s\S]*?(?:\n>{7}[^\n]*|\Z)"),
+    (
+        "DIRECTIVE",
+        r"#(?:define|undef|include|version|pragma|extension|ifn?def|if|elif|else|endif|line|error)\b[^\n]*",
+    ),
     ("HASH", r"#(?![\w])[^\n]*"),
     ("BAD_NAME", r"[^\W\d]\w*"),
-    ("BAD_NUMBER", r"(?:[0-9]+(?:\.(?!\.)[0-9]*)?|\.[0-9]+)(?:[eE][+-][0-9]+)?\w*"),
+    ("PERCENT", rf"(?:[0-9]+(?:\.(?!\.)[0-9]*)?|\.[0-9]+){PERCENT}"),
+    (
+        "BAD_NUMBER",
+        r"(?:[0-9]+(?:\.[0-9]+){2,}|[0-9]+(?:\.(?!\.)[0-9]*)?|\.[0-9]+)(?:[eE][+-][0-9]+)?\w*",
+    ),
     ("BAD_COLOR", r"#\w*"),
     ("BAD_STRING", r'"[^"\n]*'),
     ("BAD_COMMENT", r"/\*[\s\S]*"),
@@ -30,7 +42,7 @@ _SIMPLE = {
 
 _INSTEAD = {
     "&&": "and", "||": "or", "!": "not", "%": "mod", ":=": "=", "<>": "!=", "===": "==",
-    "!==": "!=", "..=": "..",
+    "!==": "!=", "..=": "..", "::": ".",
 }  # fmt: skip
 
 _HINTS = {
@@ -60,10 +72,18 @@ def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
     """Report the slip; the token that was probably meant, or None to leave it out."""
     if kind == "BAD_NUMBER":
         return _number(word, span, report)
+    if kind == "PERCENT":
+        share = f"{float(word.rstrip('%')) / 100:g}"
+        report.add(rules.BAD_NUMBER, span, text=word, hint=f"write `{share}`")
+        return Token("NUMBER", share, span.start, span.end)
     if kind == "FOREIGN":
         return _foreign(word, span, report)
     if kind == "BAD_COMMENT":
         report.add(rules.UNFINISHED_COMMENT, Span(span.source, span.start, span.start + 2))
+        return None
+    if kind == "CONFLICT":
+        report.add(rules.MERGE_CONFLICT, Span(span.source, span.start, span.start + 7))
+    if kind in ("CONFLICT", "OTHER_SIDE"):
         return None
     if kind in ("DIRECTIVE", "HASH"):
         _hash(word, span, report)
@@ -82,25 +102,58 @@ def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
 def _hash(line: str, span: Span, report: Report) -> None:
     """A line of another language's: a remark, or one for a preprocessor, with what it defines."""
     words = line.split()
+    if words[0] in ("#elif", "#else", "#endif") and report.failed:
+        return
     hint = "a remark begins with `//`"
     if words[0] != "#":
-        hint = "there is no preprocessor: a constant is `name = expression`, a file is imported"
+        hint = f"there is no preprocessor: {_instead_of_directive(line)}"
         report.unread(word.partition("(")[0] for word in words[1:2])
     mark = Span(span.source, span.start, span.start + len(words[0]))
     report.add(rules.UNKNOWN_CHARACTER, mark, character=_character("#"), hint=hint)
 
 
+def _instead_of_directive(line: str) -> str:
+    """What there is in place of a line for a preprocessor."""
+    macro = re.match(r"#define\s+(\w+)\(([\w\s,]*)\)\s*(.*)", line)
+    if macro:
+        arguments = ", ".join(f"{name.strip()}: float" for name in macro[2].split(","))
+        return f"a function is `fn {macro[1]}({arguments}) = {macro[3].strip() or '…'}`"
+    constant = re.match(r"#define\s+(\w+)\s+(\S.*)", line)
+    if constant:
+        return f"a constant is `{constant[1]} = {constant[2].strip()}`"
+    return "a constant is `name = expression`, a file is imported"
+
+
+_BITS = re.compile(r"([0-9.]+)([iuf])(?:8|16|32|64)")
+"""A number with its width, as in Rust."""
+
+
 def _number(word: str, span: Span, report: Report) -> Token:
+    if re.fullmatch(r"[0-9]+[A-Za-z_]\w*", word) and _is_defined(span):
+        hint = f"names begin with a letter: `{re.sub('[0-9]+', '', word, count=1) or 'a'}`"
+        report.add(rules.BAD_NAME, span, text=word, hint=hint)
+        return Token("NAME", word, span.start, span.end)
+    if re.fullmatch(r"(?=.*[a-fA-F])(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})", word):
+        report.add(rules.BAD_NUMBER, span, text=word, hint=f"a colour is written `#{word}`")
+        return Token("COLOR", f"#{word}", span.start, span.end)
     number = re.match(r"[0-9.]+(?=°|degrees?$)", word)
     if number:
         better = f"{number[0]}deg"
         report.add(rules.BAD_NUMBER, span, text=word, hint=f"write `{better}`")
         return Token("NUMBER", better, span.start, span.end)
-    digits = word.rstrip("fFhHlL")
+    suffixed = _BITS.fullmatch(word)
+    digits = suffixed[1] if suffixed else word.rstrip("fFhHlL")
     better = f"{digits}0" if digits.endswith(".") else digits
     proper = better.replace(".", "", 1).isdigit()
+    if suffixed and suffixed[2] == "u" and better.isdigit():
+        better += "u"
     report.add(rules.BAD_NUMBER, span, text=word, hint=f"write `{better}`" if proper else "")
     return Token("NUMBER", better if proper else "0", span.start, span.end)
+
+
+def _is_defined(span: Span) -> bool:
+    """Whether what stands here is given a value or a type, as only names are."""
+    return re.match(r"\s*(?:=(?!=)|:)", span.source.text[span.end :][:40]) is not None
 
 
 def _foreign(word: str, span: Span, report: Report) -> Token:

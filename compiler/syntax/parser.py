@@ -12,8 +12,8 @@ from ..diagnostics.diagnostic import Diagnostic, Report
 from ..diagnostics.source import Source, Span
 from . import ast
 from .builder import Builder
-from .chunks import Chunk, Outline
-from .complaints import Complaints
+from .chunks import MEMBER_WORDS, Chunk, Outline
+from .complaints import FOREIGN_FILES, Complaints
 from .lexer import lex
 from .machine import Machine
 from .tables import END, load_tables
@@ -21,6 +21,8 @@ from .tokens import Token
 
 _BODY_PARTS = ("slot", "entry", "field", "extern_member")
 _FILE_PARTS = ("record",)
+_OF_WORDS = (rules.FOREIGN_OPERATOR, rules.BAD_NUMBER)
+"""What is said of single words, of which there are many where whole statements are foreign."""
 _FOLDS = {**dict.fromkeys(("sum", "product", "min", "max", "any", "all"), "in"), "iterate": "from"}
 """Words that begin a fold, and what follows the name behind them; else they are names."""
 
@@ -30,9 +32,13 @@ def parse(source: Source, report: Report) -> ast.File:
     found = Report()
     lexed = lex(source, found)
     outline = Outline(source.text, lexed.tokens)
+    if lexed.tokens and lexed.tokens[0].kind in FOREIGN_FILES:
+        Complaints(source, outline, report).foreign(lexed.tokens[0])
+        return ast.File(source, 1, "", ())
     machine = Machine(load_tables(), Builder(lexed.docs, found), source)
     parser = _Parser(outline, machine, Complaints(source, outline, found))
     parts = [parser.parse(chunk) for chunk in outline.chunks]
+    found = _without_skipped(found, parser.skipped)
     if not found.failed:
         for line in lexed.docs.unclaimed():
             found.add(rules.STRAY_DOC, Span(source, line.start, line.end))
@@ -41,6 +47,23 @@ def parse(source: Source, report: Report) -> ast.File:
     edition = max((part[0] for part in parts), default=1)
     declarations = tuple(chain.from_iterable(part[1] for part in parts))
     return ast.File(source, edition, "\n".join(lexed.docs.file), declarations)
+
+
+def _without_skipped(found: Report, skipped: list[range]) -> Report:
+    """What was found, less what other findings explain.
+
+    That are words of other languages in what was given up on their account, and brackets whose end
+    a comment has swallowed.
+    """
+    kept = Report()
+    kept.unread(found.unread_names)
+    rules_found = {each.rule for each in found.diagnostics}
+    for each in found.diagnostics:
+        within = each.rule in _OF_WORDS and any(_place(each) in part for part in skipped)
+        swallowed = each.rule is rules.UNCLOSED and rules.UNFINISHED_COMMENT in rules_found
+        if not within and not swallowed:
+            kept.extend((each,))
+    return kept
 
 
 def _place(diagnostic: Diagnostic) -> int:
@@ -56,6 +79,8 @@ class _Parser:
         self._machine = machine
         self._complaints = complaints
         self._words = load_tables().literals
+        self.skipped: list[range] = []
+        """Places in the text at which nothing was read, behind what could not be."""
         self.unread: set[str] = set()
         """Names that what could not be read may have declared."""
 
@@ -73,8 +98,12 @@ class _Parser:
             else:
                 start = self._start(index)
                 begin = self._complaints.report(index, chunk, self._machine.expected(), start)
+                if start < index == begin and self._tokens[start].text in MEMBER_WORDS:
+                    begin += not self._outline.begins_line(index)
                 failed, index = index, self._next_start(max(begin, failed + 1), chunk)
                 self._give_up(start, failed, index)
+                if failed < index:
+                    self.skipped.append(range(self._tokens[failed].end, self._place(index)))
         self._finish(chunk)
         return cast(tuple[int, tuple[ast.Declaration, ...]], self._machine.result)
 
@@ -83,6 +112,8 @@ class _Parser:
         token = self._tokens[index]
         if token.kind != "NAME" or token.text not in self._words:
             return token.kind
+        if self._outline.is_member(index):
+            return token.text
         if not self._machine.knows(token.text) or self._names_something(index):
             return token.kind
         return token.text
@@ -98,7 +129,7 @@ class _Parser:
     def _start(self, index: int) -> int:
         """The first token of the member or declaration that cannot be read on at ``index``."""
         start = self._machine.begun(_BODY_PARTS)
-        if start is None and not self._machine.accepts("param"):
+        if start is None and "param" not in self._machine.expected():
             start = self._machine.begun(_FILE_PARTS)
         if start is None:
             return index
@@ -107,15 +138,17 @@ class _Parser:
     def _give_up(self, start: int, failed: int, end: int) -> None:
         """Keep the names that the tokens from ``start`` to ``end`` may have been to declare.
 
-        They are all up to the first that ``failed``, with those written next to them, and what
-        looks like a declaration after that.
+        Those in front of them on the line are of them, too.
         """
         while start > 0 and self._tokens[start - 1].kind == "NAME" and self._same_line(start):
             start -= 1
         for index in range(start, min(end + 1, len(self._tokens))):
-            declared = index <= failed + 1 or self._outline.begins_member(index)
-            if declared and self._tokens[index].kind == "NAME":
+            if self._tokens[index].kind == "NAME" and (index < end or index <= failed + 1):
                 self.unread.add(self._tokens[index].text)
+
+    def _place(self, index: int) -> int:
+        """Where a token begins, or the file ends."""
+        return self._tokens[index].start if index < len(self._tokens) else self._tokens[-1].end
 
     def _same_line(self, index: int) -> bool:
         """Whether a token stands on the line of the one before it."""
@@ -125,12 +158,22 @@ class _Parser:
         """Drop what is broken; the next token from ``begin`` that can be read after that."""
         if not self._machine.unwind(_BODY_PARTS):
             self._machine.unwind(_FILE_PARTS)
-            return chunk.end
+            return next(filter(self._follows_statement, range(begin, chunk.end)), chunk.end)
         for index in range(begin, chunk.end):
             depth = self._outline.depths[index]
-            if depth == 0 or (depth == 1 and self._outline.begins_member(index)):
+            begins = self._outline.begins_member(index)
+            begins = begins or (index == begin and self._outline.begins_equation(index))
+            if depth == 0 or (depth == 1 and begins):
                 return index
         return chunk.end
+
+    def _follows_statement(self, index: int) -> bool:
+        """Whether something begins here that other languages would have at this place."""
+        if self._outline.depths[index] or not self._outline.begins_line(index):
+            return False
+        if self._tokens[index].kind != "NAME":
+            return False
+        return self._tokens[index - 1].kind in (";", "}")
 
     def _finish(self, chunk: Chunk) -> None:
         """End the chunk: a body that was left open is closed as if its brace were there."""

@@ -193,7 +193,14 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
         "storageBarrier textureBarrier textureStore workgroupBarrier workgroupUniformLoad",
         reason=_MEMORY,
     ),
-    _same("printf errorf abort", reason="shaders have nobody to tell"),
+    _same("printf print errorf abort", reason="shaders have nobody to tell"),
+    # ---- of engines, and of languages that are not for shading
+    _same("UnpackNormal", "normalize(2 * p.xyz - 1)"),
+    _same("sum", "v.x + v.y + v.z", reason="a sum over numbers is `sum i in a..b : e`"),
+    _same("product", "v.x * v.y * v.z", reason="a product is `product i in a..b : e`"),
+    _same("len", reason="the length of an array is part of its type: it is the number written"),
+    _same("range", reason="numbers in a row are `a..b`, in `sum i in a..b : e` and its like"),
+    _same("array", reason="an array is `[a, b, c]`, its type `float[3]`"),
 )
 
 FUNCTIONS: Mapping[str, Instead] = MappingProxyType(
@@ -219,6 +226,8 @@ TYPES: Mapping[str, str] = MappingProxyType(
         **{f"vec{n}u": f"uvec{n}" for n in (2, 3, 4)},
         **{f"{word}{n}x{n}": f"mat{n}" for n in (2, 3, 4) for word in ("float", "half", "mat")},
         **{f"mat{n}x{n}f": f"mat{n}" for n in (2, 3, 4)},
+        **_vectors("fixed", "vec"), **_vectors("vector", "vec"), "fixed": "float",
+        "color3": "rgb", "color4": "rgba", "filename": "texture2d",
         "f32": "float", "f16": "float", "half": "float", "double": "float", "i32": "int",
         "u32": "uint", "dword": "uint", "sampler2D": "texture2d", "Texture2D": "texture2d",
         "texture_2d": "texture2d",
@@ -234,6 +243,11 @@ TYPES: Mapping[str, str] = MappingProxyType(
 
 VALUES: Mapping[str, str] = MappingProxyType(
     {
+        "gl_Vertex": "vertex_position", "gl_Normal": "vertex_normal",
+        "gl_MultiTexCoord0": "vertex_uv", "UV0": "uv", "texcoord": "uv", "TexCoord": "uv",
+        "N": "normal", "V": "to_eye", "P": "position", "cameraPosition": "eye",
+        "_WorldSpaceCameraPos": "eye", "unity_ObjectToWorld": "object_to_world",
+        "modelMatrix": "object_to_world",
         "gl_FragCoord": "frag_coord", "SV_Position": "frag_coord",
         "gl_FrontFacing": "front_facing", "SV_IsFrontFace": "front_facing",
         "gl_Position": "clip_position", "gl_FragColor": "color",
@@ -247,6 +261,21 @@ VALUES: Mapping[str, str] = MappingProxyType(
 )  # fmt: skip
 """What other pipelines supply or take."""
 
+METHODS: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(("Sample", "sample", "read", "rgba"), "name(coordinate)"),
+        **dict.fromkeys(("SampleLevel", "lod", "sample_level"), "name.level(coordinate, level)"),
+        **dict.fromkeys(("SampleGrad", "sample_grad"), "name.grad(coordinate, dx, dy)"),
+        **dict.fromkeys(
+            ("SampleCmp", "SampleCmpLevelZero", "sample_compare"), "name(coordinate, reference)"
+        ),
+        **dict.fromkeys(("Load", "fetch"), "name.load(texel, level)"),
+        **dict.fromkeys(("GetDimensions", "width", "height"), "name.size()"),
+        "Gather": "name.gather(coordinate, lane)",
+    }
+)
+"""Methods of textures elsewhere, and how such a texture is read here."""
+
 _HOST = "a value from the host is a parameter: `param name : type`"
 _LOOP = "there are no statements; `sum i in 0..n : e` and `iterate` repeat"
 
@@ -257,8 +286,18 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         "out": "a pass writes to `target name : format = e`",
         "return": "a function is one expression: `fn f(x: float) -> float = x * x`",
         "void": "a function is one expression: `fn f(x: float) -> float = x * x`",
-        "for": _LOOP, "while": _LOOP, "do": _LOOP,
-        "switch": "there are no statements; `if c then a else b` chooses",
+        "for": _LOOP, "while": _LOOP, "do": _LOOP, "loop": _LOOP,
+        **dict.fromkeys(
+            ("switch", "match", "case"), "there are no statements; `if c then a else b` chooses"
+        ),
+        "layout": "a block of the host's is `extern block Name at group 0, binding 3 { … }`",
+        "precision": "numbers have 32 bits; nothing has to be said of precision",
+        "lambda": "a function is declared outside: `fn name(x: float) = x * x`",
+        **dict.fromkeys(
+            ("np", "numpy", "math", "Math"), "functions have no module in front: `sin(x)`"
+        ),
+        "is": "equality is `==`",
+        **dict.fromkeys(("edition", "version"), "the edition is named by `burnish 1`"),
         "discard": "a pass says `discard when condition`",
         "sampler": "a texture is `map name : texture2d`",
         **dict.fromkeys(
@@ -266,7 +305,7 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
             "a function is `fn name(x: float, y: vec3) -> float = expression`",
         ),
         **dict.fromkeys(
-            ("class", "shader", "surface", "technique", "effect"),
+            ("class", "shader", "Shader", "SubShader", "surface", "technique", "effect"),
             "a surface is `material Name { … }`",
         ),
         **dict.fromkeys(
@@ -274,11 +313,12 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
             "a file is imported by `import std.terms` or `import std.terms.{lambert}`",
         ),
         **dict.fromkeys(
-            ("export", "public", "private"),
+            ("export", "public", "private", "pub"),
             "all that a file declares can be imported from it; no word says so",
         ),
         **dict.fromkeys(
-            ("enum", "typedef", "type", "interface", "namespace", "module"),
+            ("enum", "typedef", "type", "interface", "namespace", "module", "impl", "trait",
+             "extension"),
             "types are made by `struct Name { member : type, … }` only",
         ),
         "where": "functions and terms name parts behind `where`; in a record all equations do",

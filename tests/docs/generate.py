@@ -27,7 +27,7 @@ from burnish.stdlib.builtins import (
     texture,
     trigonometry,
 )
-from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES, VALUES
+from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
 from burnish.targets.conformance.tolerances import DRIVERS
 from burnish.targets.runner.routes import ROUTES
 
@@ -134,6 +134,8 @@ def _elsewhere() -> Iterator[str]:
     yield _table(("function", "here"), rows)
     others = ((f"`{name}`", f"`{here}`") for name, here in {**TYPES, **VALUES}.items())
     yield _table(("type or value", "here"), others)
+    reads = ((f"`.{name}(…)`", f"`{here}`") for name, here in METHODS.items())
+    yield _table(("read of a texture", "here"), reads)
     words = ((f"`{name}`", _cell(here)) for name, here in KEYWORDS.items())
     yield _table(("statement or declaration", "here"), words)
 

@@ -23,6 +23,15 @@ def test_a_missing_file(tmp_path: Path) -> None:
     assert complaint(tmp_path / "none") == "B0001 there is no file `x.burnish`"
 
 
+@pytest.mark.parametrize("wanted", ["m.burnsh", "m", "M.burnish"])
+def test_a_missing_file_is_like_another(tmp_path: Path, wanted: str) -> None:
+    (tmp_path / "m.burnish").write_text("a = 1", encoding="utf-8")
+    report = Report()
+    assert load_source(tmp_path / wanted, report) is None
+    (found,) = report.diagnostics
+    assert found.hint == f"did you mean `{tmp_path / 'm.burnish'}`?"
+
+
 def test_a_folder(tmp_path: Path) -> None:
     assert complaint(tmp_path) == "B0002 `x.burnish` is a folder, not a file"
 
@@ -31,7 +40,7 @@ def test_a_folder(tmp_path: Path) -> None:
     ("content", "reason"),
     [
         (b"a = 1\xff", "byte 5 is 0xff"),
-        ("a = 1".encode("utf-16"), "it contains NUL bytes"),
+        ("a = 1".encode("utf-16"), "it is UTF-16"),
         (b"\x89PNG\r\n\0", "it contains NUL bytes"),
     ],
 )
