@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -45,6 +46,9 @@ __all__ = [
     "compile",
     "select_targets",
 ]
+
+ALL = "all"
+"""Stands for every profile of every target."""
 
 StageName = Literal["vertex", "fragment", "both"]
 
@@ -183,11 +187,11 @@ def compile(
     """Compile a file, or a text, for some targets.
 
     ``source`` is a path, or the text itself (a ``str`` with a line break or a brace in it).
-    ``targets`` are names such as ``"wgsl"``, with a profile where wanted: ``"glsl:es300"``. All
-    concrete materials are compiled unless ``material`` names one; ``rig`` and ``pass_`` are only
-    needed where a file has several. With ``hoist=False`` the shaders compute everything themselves.
-    With ``line_directives``, texts say by ``#line`` which line of the material each statement is
-    for, where the language has that.
+    ``targets`` are names such as ``"wgsl"``, with a profile where wanted: ``"glsl:es300"``, or
+    ``"all"`` for every profile there is. All concrete materials are compiled unless ``material``
+    names one; ``rig`` and ``pass_`` are only needed where a file has several. With ``hoist=False``
+    the shaders compute everything themselves. With ``line_directives``, texts say by ``#line``
+    which line of the material each statement is for, where the language has that.
 
     Raises ``CompileError``, whose ``diagnostics`` are all the errors found.
     """
@@ -251,10 +255,10 @@ def select_targets(
     """The targets and profiles that ``wanted`` names; what there is not is reported."""
     chosen: dict[tuple[str, str], tuple[Target, Profile]] = {}
     known = registry.names()
-    for text in wanted:
-        name, _, profile_name = text.strip().partition(":")
+    for text in chain.from_iterable(_meant(text.strip(), known) for text in wanted):
+        name, _, profile_name = text.partition(":")
         if name not in known:
-            hint = suggestion(name, known) or f"there are {', '.join(known)}"
+            hint = suggestion(name, (*known, ALL)) or f"there are {', '.join(known)}, and {ALL}"
             report.add(rules.UNKNOWN_TARGET, None, name=name, hint=hint)
             continue
         target = registry.load(name)
@@ -270,6 +274,13 @@ def select_targets(
             report.add(rules.UNSUPPORTED, None, target=f"{name}:{profile.name}", feature=feature)
         chosen[name, profile.name] = target, profile
     return list(chosen.values())
+
+
+def _meant(name: str, known: Iterable[str]) -> Iterable[str]:
+    """``all`` is every profile of every target."""
+    if name != ALL:
+        return (name,)
+    return [f"{each}:{profile.name}" for each in known for profile in registry.load(each).profiles]
 
 
 def _path_or_text(source: str | Path) -> tuple[Path | None, str]:

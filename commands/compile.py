@@ -50,7 +50,8 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
     metavar="NAME[:PROFILE],…",
     multiple=True,
     callback=_split,
-    help="What to write; see `burnish targets`. By default each target's first profile.",
+    help="What to write; see `burnish targets`. By default each target's first profile; `all` "
+    "is every profile.",
 )
 @click.option(
     "-o",

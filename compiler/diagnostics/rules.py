@@ -319,7 +319,7 @@ SPACE_COUNT = _error(
 NO_RANGE = _error(
     "B0312",
     "{type} cannot have a range",
-    "Only numbers, and vectors of numbers lane by lane, are bounded by `in a..b`.",
+    "Numbers are bounded by `in a..b`, vectors of them lane by lane, and arrays of both.",
 )
 
 WRONG_MEANING = _error(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from ...stdlib.builtins import BUILTINS
 from ..diagnostics.nearest import suggestion
 from ..diagnostics.source import Span
+from ..ir.node import Node, bare
 from ..ir.types import Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ..syntax import ast
 from .typenames import NAMED
@@ -35,7 +36,8 @@ def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> str:
         case _, Texture():
             return "what is read from a texture needs a slot with a name of its own"
         case Vector(kind="bool"), Scalar(kind="bool"):
-            return f"`all({text})` or `any({text})` makes one truth of them"
+            one = f"`all({text})` or `any({text})` makes one truth"
+            return f"{one}; `choose(c, x, y)` chooses in each lane"
         case _, Scalar(kind="bool"):
             return "a truth is a comparison, as in `x > 0`"
         case Scalar(), Vector():
@@ -58,6 +60,17 @@ def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> str:
 def _is_literal(text: str) -> bool:
     """Whether a text is one number in decimals."""
     return text.replace(".", "", 1).isdecimal()
+
+
+def cut_quotient(operands: Iterable[Node]) -> str:
+    """About a quotient of two whole literals, ``1 / 3``, where a float is wanted."""
+    for node in map(bare, operands):
+        if node.op != "call" or node.data != "div" or scalar_kind(node.type) != "int":
+            continue
+        x, y = (bare(part).data for part in node.operands)
+        if isinstance(x, int) and isinstance(y, int):
+            return f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
+    return ""
 
 
 def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, text: str, tight: str) -> str:

@@ -361,7 +361,7 @@ def _new_application(
     values = {**numbers_of(low, variables), **locals_}
     scope = Scope(symbol.module, surface=surface, locals=values, variables=variables)
     before = low.report.count
-    result: Node | Failure = yield low.node(function.body, scope)
+    result: Node | Failure = yield lookup.body(low, function, scope)
     result = fit_result(low, symbol, result, arguments)
     if variables:
         label = Label(span, f"in `{shown(symbol.name, variables)}`, {use}")

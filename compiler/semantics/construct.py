@@ -10,6 +10,7 @@ from ..ir.meaning import MAPS, Meaning
 from ..ir.node import Node
 from ..ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from ..syntax import ast
+from . import advice
 from .coerce import coerce, is_constant
 from .scope import FAILURE, Failure
 from .typenames import NAMED
@@ -62,6 +63,8 @@ def _hint(
     name: str, type_: Type, arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]
 ) -> str:
     sole = arguments[0].type if len(arguments) == 1 else None
+    if scalar_kind(type_) == "float" and (cut := advice.cut_quotient(arguments)):
+        return cut
     match type_:
         case Vector(kind="float") if converted := _as_floats(arguments, written):
             return f"lanes have one kind: write {converted}"

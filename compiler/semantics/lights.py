@@ -89,7 +89,7 @@ def _shared_body(
     variables = bound(low, function, arguments) or {}
     values = {**numbers_of(low, variables), **locals_}
     scope = Scope(symbol.module, surface=surface, locals=values, variables=variables)
-    body = yield low.node(function.body, scope)
+    body = yield lookup.body(low, function, scope)
     body = fit_result(low, symbol, body, arguments)
     if isinstance(body, Failure):
         return FAILURE

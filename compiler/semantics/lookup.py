@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
 from ..diagnostics.nearest import nearest
@@ -22,7 +23,17 @@ from . import advice, fitting
 from .declared import declared_type
 from .modules import Module, Symbol
 from .records import Definition, NamedMember, Record
-from .scope import FAILURE, Failure, Inherited, Instance, LightVariable, Replacement, Scope, Value
+from .scope import (
+    FAILURE,
+    Failure,
+    Inherited,
+    Instance,
+    LightVariable,
+    Parts,
+    Replacement,
+    Scope,
+    Value,
+)
 from .stages import VERTEX_INPUTS
 
 if TYPE_CHECKING:
@@ -40,6 +51,9 @@ def value(low: Lowering, name: str, span: Span, scope: Scope) -> Reply[Value]:
     """The value of a bare name."""
     if name in scope.locals:
         return scope.locals[name]
+    if scope.parts is not None and name in scope.parts.declared:
+        part: Value = yield _part(low, scope.parts, name, span)
+        return part
     if name == "inherited" and scope.instance is not None:
         return Inherited(scope.instance, scope.level)
     if scope.instance is not None and scope.instance.has(name):
@@ -98,7 +112,8 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
         hint = "sum over the lights: write `per light` in front of the term's `=`"
         low.report.add(rules.OUTSIDE_LIGHT, span, name=name, hint=hint if in_term else "")
         return
-    known = [*scope.locals, *scope.module.visible(), *INPUTS, *VERTEX_INPUTS]
+    parts = () if scope.parts is None else scope.parts.declared
+    known = [*scope.locals, *parts, *scope.module.visible(), *INPUTS, *VERTEX_INPUTS]
     for instance in (scope.instance, scope.surface):
         if instance is not None and instance.record.baseless:
             return
@@ -145,6 +160,45 @@ def unknown_here(
         if module.incomplete and nearest(name, known) is None:
             return
         low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
+
+
+# --- functions -----------------------------------------------------------------------------------
+
+
+def body(low: Lowering, function: ast.Function, scope: Scope) -> Step[Node | Failure]:
+    """A function's body, where ``scope`` has the arguments. Parts that it does not read are lowered
+    too, so that their mistakes are found."""
+    if not function.parts:
+        whole: Node | Failure = yield low.node(function.body, scope)
+        return whole
+    parts = Parts({part.name.text: part for part in function.parts}, scope)
+    within = parts.scope = changed(scope, parts=parts)
+    result: Node | Failure = yield low.node(function.body, within)
+    for name, part in parts.declared.items():
+        yield _part(low, parts, name, part.name.span)
+    return result
+
+
+def _part(low: Lowering, parts: Parts, name: str, span: Span) -> Step[Node | Failure]:
+    if name in parts.values:
+        return parts.values[name]
+    if _is_cycle(low, (parts, name), name, span):
+        return FAILURE
+    written, scope = parts.declared[name], parts.scope
+    assert written.value is not None
+    result: Node | Failure = yield low.node(written.value, scope)
+    if written.type is not None:
+        wanted = declared_type(low, written.type, scope.module, scope.variables)
+        result = (
+            FAILURE if wanted is None else low.as_declared(result, wanted, written.value, scope)
+        )
+    low.active.pop((parts, name))
+    parts.values[name] = result
+    if isinstance(result, Node) and result.operands:
+        low.notes.names.setdefault(result.id, name)
+        if written.doc:
+            low.notes.docs.setdefault(result.id, written.doc)
+    return result
 
 
 # --- slots ---------------------------------------------------------------------------------------

@@ -30,6 +30,7 @@ from ..ir.types import (
     Texture,
     Type,
     Vector,
+    scalar_kind,
     width,
 )
 from ..syntax import ast
@@ -178,7 +179,7 @@ class Lowering:
         if fitted is None:
             self.report.add(
                 rules.WRONG_TYPE, span, expected=declared, found=node.type,
-                hint=advice.fitting_type(node.type, wanted, declared, span),
+                hint=_way_to_fit(node, wanted, declared, span),
                 caption=f"this is `{node.type}`",
             )  # fmt: skip
             return FAILURE
@@ -224,6 +225,11 @@ class Lowering:
             fitted.append(lane)
         node = self.graph.node("call", found.result, tuple(fitted), name)
         return mixing.checked(self, node, shown, span, written, scope)
+
+
+def _way_to_fit(node: Node, wanted: Type, declared: str, span: Span) -> str:
+    cut = advice.cut_quotient((node,)) if scalar_kind(wanted) == "float" else ""
+    return cut or advice.fitting_type(node.type, wanted, declared, span)
 
 
 # --- literals ------------------------------------------------------------------------------------

@@ -352,7 +352,8 @@ def _check_inside(report: Report, declaration: Named) -> None:
             check_once(report, (member.name for member in members))
         case ast.Function():
             check_once(report, (variable.name for variable in declaration.type_parameters))
-            check_once(report, (argument.name for argument in declaration.arguments))
+            arguments = [argument.name for argument in declaration.arguments]
+            check_once(report, [*arguments, *(part.name for part in declaration.parts)])
         case ast.Rig():
             for entry in declaration.entries:
                 check_once(report, (override.name for override in entry.overrides))

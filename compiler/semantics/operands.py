@@ -57,7 +57,7 @@ def no_signature(
         low.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
-            hint=_operator_hint(low, name, operands, written),
+            hint=advice.cut_quotient(operands) or _operator_hint(low, name, operands, written),
         )  # fmt: skip
         return FAILURE
     candidates = f"candidates: {overloads.signatures(row)}"
@@ -69,7 +69,8 @@ def no_signature(
             hint=_of_another_count(name, written) or candidates,
         )  # fmt: skip
         return FAILURE
-    hint = _parts(operands) or _edited(name, operands, written) or candidates
+    edit = _parts(operands) or advice.cut_quotient(operands) or _edited(name, operands, written)
+    hint = edit or candidates
     low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
     return FAILURE
 

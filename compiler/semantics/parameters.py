@@ -14,7 +14,7 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Attribute, Parameter, Step
 from ..ir.meaning import ANGLE, Meaning
 from ..ir.node import Node
-from ..ir.types import INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
+from ..ir.types import FLOAT, INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
 from ..syntax import ast
 from ..trampoline import run
@@ -126,9 +126,8 @@ def _range(
 ) -> tuple[float, float] | None:
     if member.range is None:
         return None
-    if scalar_kind(declared.type) in (None, "bool") or not isinstance(
-        declared.type, Scalar | Vector
-    ):
+    type_ = declared.type.element if isinstance(declared.type, Array) else declared.type
+    if scalar_kind(type_) in (None, "bool") or not isinstance(type_, Scalar | Vector):
         low.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text)
         return None
     limits = []
@@ -138,7 +137,7 @@ def _range(
             low.report.add(rules.WRONG_TYPE, expression.span, expected="a number", found=node.type)
             return None
         if declared.meaning == ANGLE:
-            node = low.as_declared(node, declared, expression)
+            node = low.as_declared(node, changed(declared, type=FLOAT, text="angle"), expression)
         limits.append(low.constants.number(node, expression.span))
     lo, hi = limits
     if lo is None or hi is None:
@@ -188,8 +187,9 @@ def _range_text(member: ast.Param, limits: tuple[float, float]) -> str:
 
 
 def _within(value: Lanes | None, lo: float, hi: float) -> bool:
-    lanes = value if isinstance(value, tuple) else (value,)
-    return all(isinstance(lane, int | float) and lo <= lane <= hi for lane in lanes)
+    if isinstance(value, tuple):
+        return all(_within(lane, lo, hi) for lane in value)
+    return value is not None and lo <= value <= hi
 
 
 def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:

@@ -9,6 +9,7 @@ from typing import Literal
 from ...frozen import changed, frozen
 from ..ir.leaves import Parameter, Resource
 from ..ir.node import Node
+from ..syntax import ast
 from .modules import Module, Symbol
 from .records import Definition, Record
 from .typenames import Variables
@@ -85,6 +86,16 @@ Application = tuple[Symbol, tuple[int, ...], Instance | None]
 """A function, the ids of its arguments, and the surface that it shades."""
 
 
+@dataclass(slots=True, eq=False)
+class Parts:
+    """The equations behind a function's ``where``, for one application of it; lowered on demand."""
+
+    declared: Mapping[str, ast.Slot]
+    scope: Scope
+    """The arguments' scope, in which the equations themselves are lowered."""
+    values: dict[str, Node | Failure] = field(default_factory=dict)
+
+
 @dataclass(frozen=True, slots=True)
 class Scope:
     """Where a name is looked up: locals, the record's own names, the file's names, the surface."""
@@ -97,6 +108,8 @@ class Scope:
     locals: Mapping[str, Value] = field(default_factory=dict)
     variables: Variables = field(default_factory=dict)
     """What the type parameters of the function stand for whose body this is."""
+    parts: Parts | None = None
+    """What that function names behind ``where``."""
 
     def binding(self, locals_: Mapping[str, Value]) -> Scope:
         """This scope with further local names."""

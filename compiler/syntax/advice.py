@@ -70,6 +70,7 @@ class Advice:
         What cannot be read starts at ``start``, and the declaration around it at ``begin``.
         """
         ways: tuple[Callable[[], str], ...] = (
+            lambda: self._of_body(index, begin),
             lambda: self._of_decimals(index),
             lambda: self._of_marks(index, expected),
             lambda: self._of_header(index, expected),
@@ -160,6 +161,12 @@ class Advice:
         if found.kind == "NUMBER" and expected == {">", "NAME"}:
             return "an array is written `float[3]`"
         return ""
+
+    def _of_body(self, index: int, begin: int) -> str:
+        """About braces around a function's body, as other languages have them."""
+        in_braces = self._text(index) == "{" and self._text(index - 1) == "="
+        word = self._text(begin)
+        return DECLARATIONS[word] if in_braces and word in ("fn", "term") else ""
 
     def _of_name(self, index: int, expected: set[str], start: int, outside: bool) -> str:
         """About what stands where a member or declaration begins."""

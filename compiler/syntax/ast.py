@@ -358,10 +358,7 @@ class TypeParameter:
 
 @frozen(eq=False)
 class Function:
-    """``fn f(a: float) -> float = e`` or ``term t(k: rgb) per light = e``.
-
-    ``let`` bindings do not exist: a function is one expression.
-    """
+    """``fn f(a: float) -> float = e`` or ``term t(k: rgb) per light = e where { p = … }``."""
 
     span: Span
     doc: str
@@ -373,6 +370,8 @@ class Function:
     per: Name | None
     """The ``light`` of ``per light``."""
     body: Expression
+    parts: tuple[Slot, ...] = ()
+    """The equations behind ``where``, which the body and they themselves can name."""
 
 
 @frozen(eq=False)

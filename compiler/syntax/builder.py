@@ -154,9 +154,12 @@ class Builder:
         formals: tuple[ast.Argument, ...],
         result: ast.TypeName | None,
         body: Expression,
+        parts: tuple[ast.Slot, ...],
     ) -> ast.Function:
         doc = self._doc(span)
-        return ast.Function(span, doc, "fn", name, type_parameters, formals, result, None, body)
+        return ast.Function(
+            span, doc, "fn", name, type_parameters, formals, result, None, body, parts
+        )
 
     def term(
         self,
@@ -167,9 +170,20 @@ class Builder:
         result: ast.TypeName | None,
         per: Name | None,
         body: Expression,
+        parts: tuple[ast.Slot, ...],
     ) -> ast.Function:
         doc = self._doc(span)
-        return ast.Function(span, doc, "term", name, type_parameters, formals, result, per, body)
+        return ast.Function(
+            span, doc, "term", name, type_parameters, formals, result, per, body, parts
+        )
+
+    def parts(self, _: Span, *parts: ast.Slot | None) -> tuple[ast.Slot, ...]:
+        return tuple(part for part in parts if part is not None)
+
+    def part(
+        self, span: Span, name: Name, kind: ast.TypeName | None, value: Expression
+    ) -> ast.Slot:
+        return ast.Slot(span, self._doc(span), name, kind, value)
 
     def type_parameters(
         self, _: Span, *parameters: ast.TypeParameter

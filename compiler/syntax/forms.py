@@ -13,8 +13,10 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
         "pass": "a pass is `pass Name : Base blend mode { … }`; base and mode may be left out",
         "abstract": "what heirs complete is `abstract material Name : Base { … }`",
         "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, or `… for pass`",
-        "fn": "a function is `fn name(x: float, y: vec3) -> float = expression`",
-        "term": "a term is `term name(k: rgb) -> rgb per light = expression`",
+        "fn": "a function is `fn name(x: float, y: vec3) -> float = expression`, or, with names "
+        "for parts of it, `fn name(x: float) -> float = part * part where { part = expression }`",
+        "term": "a term is `term name(k: rgb) -> rgb per light = expression`, or, with names for "
+        "parts of it, `term name(k: rgb) per light = k * part where { part = expression }`",
         "rig": "a rig is `rig Name { one : Kind  four : Kind[4] { slot = value } }`",
         "struct": "a structure is `struct Name { member : type, … }`",
         "extern": "a block of the host's is "

@@ -107,9 +107,9 @@ class Machine:
 
     def expected(self) -> set[str]:
         """The symbols that the grammar has a place for, now."""
-        return {symbol for symbol in self._actions[self._states[-1]] if self._accepts(symbol)}
+        return {symbol for symbol in self._actions[self._states[-1]] if self.accepts(symbol)}
 
-    def _accepts(self, symbol: str) -> bool:
+    def accepts(self, symbol: str) -> bool:
         """Whether ``symbol`` would be shifted: reductions are tried on a copy of the states."""
         states = list(self._states)
         while True:

@@ -321,6 +321,7 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
              "extension"),
             "types are made by `struct Name { member : type, … }` only",
         ),
+        "where": "functions and terms name parts behind `where`; in a record all equations do",
         "super": "the value that a base gives is `inherited.name`",
         **dict.fromkeys(("this", "self"), "a record's own slots are read by their names alone"),
         **dict.fromkeys(("null", "nil", "None"), "every slot has a value"),

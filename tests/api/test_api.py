@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.targets import registry
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PLASTIC = EXAMPLES / "plastic.burnish"
@@ -24,6 +25,17 @@ def test_a_result_holds_materials_by_name_and_in_order() -> None:
     assert result["B"] is result.materials[1]
     with pytest.raises(KeyError):
         result["C"]
+
+
+def test_all_targets_are_all_profiles() -> None:
+    everything = [
+        f"{name}:{profile.name}" for name in registry.names()
+        for profile in registry.load(name).profiles
+    ]  # fmt: skip
+    (plain,) = burnish.compile("material M { color = #808080 }", "all")
+    assert (
+        list(dict.fromkeys(f"{file.target}:{file.profile}" for file in plain.files)) == everything
+    )
 
 
 def test_targets_may_be_one_text() -> None:

@@ -32,6 +32,16 @@ def test_the_terms_of_one_light_are_one_function() -> None:
     assert names == ["safe_normalize", "lambert_phong"]
 
 
+def test_a_term_that_ends_in_a_guard_keeps_its_name() -> None:
+    past = compiled(
+        "term ours(k: rgb) per light = k * light.diffuse / dot(to_eye, light.to_light)\n"
+        "material M { color = ours(vec3(0.5)) }\n"
+        "rig R { one : Point; two : Point }"
+    )
+    names = [function.name for function in past.staged.program.fragment.functions]
+    assert names == ["safe_normalize", "ours"]
+
+
 def test_a_third_term_joins_the_other_two() -> None:
     past = compiled(THREE_TERMS + "rig R { one : Point; lamps : Point[<= 3] }")
     assert len(ops(past.roots["fuse"], "fold")) == 1

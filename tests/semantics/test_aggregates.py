@@ -97,3 +97,30 @@ def test_constant_arrays_keep_their_name() -> None:
     assert "static const float weights[3] = {1.0, 2.0, 4.0};" in shown
     assert "static const float waves_height[2] = {1.0, 3.0};" in shown
     assert "static const float waves_length[2] = {2.0, 5.0};" in shown
+
+
+RANGED = """
+material M {
+    param w : float[4] in 0.5..2 = [1, 2, 0.5, 1]
+    param v : vec2[2] in -1..1
+    param a : angle[2] in -90deg..90deg = [0, 45deg]
+    param i : int in 0..3
+    color = vec3(log(w[i]) + 1 / w[0], cos(a[0]), asin(v[1].y))
+}"""
+
+
+def test_a_range_holds_for_all_elements() -> None:
+    (compiled,) = burnish.compile(RANGED, ("wgsl",), hoist=False)
+    assert compiled.guards == ()
+    ranges = {row["name"]: row["range"] for row in compiled.reflection["parameters"]}
+    assert ranges["w"] == [0.5, 2] and ranges["v"] == [-1, 1]
+    instance = compiled.instance()
+    with pytest.raises(burnish.ParameterError, match=r"declared in 0.5..2: 3 is not"):
+        instance.set("w[1]", 3)
+
+
+def test_the_default_of_an_array_lies_in_its_range() -> None:
+    found = burnish.check(
+        "material M { param w : float[2] in 0..1 = [0.5, 2]  color = vec3(w[0]) }"
+    )
+    assert [diagnostic.rule.code for diagnostic in found] == ["B0403"]
