@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING
 
 from ..ir.node import Node
-from ..ir.verify import Form, InvalidGraphError, verify
+
+if TYPE_CHECKING:
+    from ..ir.verify import Form
 
 VARIABLE = "BURNISH_VERIFY"
 """Set to ``1`` in all tests; off for users, since verifying costs as much as a pass."""
@@ -14,6 +17,8 @@ VARIABLE = "BURNISH_VERIFY"
 def passed(name: str, form: Form, roots: list[Node]) -> list[Node]:
     """``roots`` as pass ``name`` made them, verified where that is wanted."""
     if os.environ.get(VARIABLE) == "1":
+        from ..ir.verify import InvalidGraphError, verify
+
         try:
             verify(roots, stage=form)
         except InvalidGraphError as error:

@@ -10,6 +10,7 @@ from ..diagnostics.source import Source, Span
 from .advice import STATEMENTS, Advice
 from .chunks import NESTING_LIMIT, Chunk, Outline
 from .expectations import describe_expected, describe_found
+from .forms import FOREIGN_FILES
 from .habits import types
 from .tables import END
 from .tokens import RESERVED, Token
@@ -17,10 +18,6 @@ from .tokens import RESERVED, Token
 _COMPARISONS = frozenset(("==", "!=", "<", "<=", ">", ">="))
 _FOLDS = frozenset(("sum", "product", "min", "max", "any", "all", "iterate"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
-
-
-FOREIGN_FILES = {"<": "this looks like XML", "{": "this looks like JSON"}
-"""Kinds of files by the mark that they begin with, as no declaration does."""
 
 
 class Complaints:

@@ -42,3 +42,8 @@ MEMBERS: Mapping[str, str] = MappingProxyType(
     }
 )
 """By the word that a member begins with."""
+
+FOREIGN_FILES: Mapping[str, str] = MappingProxyType(
+    {"<": "this looks like XML", "{": "this looks like JSON"}
+)
+"""Files of other kinds, by the mark that they begin with, as no declaration does."""

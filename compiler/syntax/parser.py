@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from bisect import bisect_left
+from functools import cached_property
 from itertools import chain
 from operator import attrgetter
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Diagnostic, Report
@@ -13,11 +14,14 @@ from ..diagnostics.source import Source, Span
 from . import ast
 from .builder import Builder
 from .chunks import MEMBER_WORDS, Chunk, Outline
-from .complaints import FOREIGN_FILES, Complaints
+from .forms import FOREIGN_FILES
 from .lexer import lex
 from .machine import Machine
 from .tables import END, load_tables
 from .tokens import Token
+
+if TYPE_CHECKING:
+    from .complaints import Complaints
 
 _BODY_PARTS = ("slot", "entry", "field", "extern_member")
 _FILE_PARTS = ("record",)
@@ -33,10 +37,10 @@ def parse(source: Source, report: Report) -> ast.File:
     lexed = lex(source, found)
     outline = Outline(source.text, lexed.tokens)
     if lexed.tokens and lexed.tokens[0].kind in FOREIGN_FILES:
-        Complaints(source, outline, report).foreign(lexed.tokens[0])
+        _complaints(source, outline, report).foreign(lexed.tokens[0])
         return ast.File(source, 1, "", ())
     machine = Machine(load_tables(), Builder(lexed.docs, found), source)
-    parser = _Parser(outline, machine, Complaints(source, outline, found))
+    parser = _Parser(source, outline, machine, found)
     parts = [parser.parse(chunk) for chunk in outline.chunks]
     found = _without_skipped(found, parser.skipped)
     if not found.failed:
@@ -70,14 +74,21 @@ def _place(diagnostic: Diagnostic) -> int:
     return diagnostic.span.start if diagnostic.span else 0
 
 
+def _complaints(source: Source, outline: Outline, report: Report) -> Complaints:
+    from .complaints import Complaints
+
+    return Complaints(source, outline, report)
+
+
 class _Parser:
     """Feeds the machine, and finds a place to go on where it cannot."""
 
-    def __init__(self, outline: Outline, machine: Machine, complaints: Complaints) -> None:
+    def __init__(self, source: Source, outline: Outline, machine: Machine, report: Report) -> None:
+        self._source = source
         self._tokens = outline.tokens
         self._outline = outline
         self._machine = machine
-        self._complaints = complaints
+        self._report = report
         self._words = load_tables().literals
         self.skipped: list[range] = []
         """Places in the text at which nothing was read, behind what could not be."""
@@ -106,6 +117,10 @@ class _Parser:
                     self.skipped.append(range(self._tokens[failed].end, self._place(index)))
         self._finish(chunk)
         return cast(tuple[int, tuple[ast.Declaration, ...]], self._machine.result)
+
+    @cached_property
+    def _complaints(self) -> Complaints:
+        return _complaints(self._source, self._outline, self._report)
 
     def _symbol(self, index: int) -> str:
         """The grammar's symbol for a token: a word counts as one only in its place."""
