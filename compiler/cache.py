@@ -1,20 +1,28 @@
 """Values that are costly to compute and never change: kept in files named after their content.
 
 The parse tables, the compiled standard library and the precompiled templates all start here. A
-cache is a convenience only: where it cannot be read or written, the value is computed again.
+cache is a convenience only: where it cannot be read or written, the value is computed again. What
+an older compiler has left is deleted in time.
 """
 
 from __future__ import annotations
 
 import marshal
 import os
+import re
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from typing import TypeVar
 
 T = TypeVar("T")
 
+KEPT = 256
+"""Values that stay when one is written: those of about ten versions of the compiler."""
+
 _DIGEST_SIZE = 8
+_OWN = re.compile(r"[a-z]+-[0-9a-f]{16}\.bin(\.[0-9]+\.tmp)?")
+"""Names of files that are written here: the folder may hold others."""
 
 
 def folder() -> str:
@@ -79,5 +87,21 @@ def _write(path: str, value: object) -> None:
         with open(temporary, "wb") as file:  # noqa: PTH123
             file.write(_digest(payload) + payload)
         os.replace(temporary, path)  # noqa: PTH105
+        _prune(os.path.dirname(path))  # noqa: PTH120
     except OSError:
         return
+
+
+def _prune(place: str) -> None:
+    """Delete the values that were written first, where there are too many, and halves of values.
+
+    One that is still in use is computed again, and so is new then.
+    """
+    with os.scandir(place) as entries:
+        own = [entry for entry in entries if _OWN.fullmatch(entry.name)]
+    if len(own) <= KEPT:
+        return
+    newest_first = sorted(own, key=lambda entry: entry.stat().st_mtime_ns, reverse=True)
+    for entry in newest_first[KEPT:]:
+        with suppress(OSError):
+            os.unlink(entry.path)  # noqa: PTH108

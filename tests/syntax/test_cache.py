@@ -1,11 +1,13 @@
-"""Cached values survive damage, unwritable folders and changed ingredients."""
+"""Cached values survive damage, unwritable folders and changed ingredients; old ones go."""
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 
+from burnish.compiler import cache
 from burnish.compiler.cache import cached
 
 
@@ -59,3 +61,43 @@ def test_an_unwritable_folder_only_costs_time(
     compute = Counter()
     cached("x", ("a",), compute)
     assert cached("x", ("a",), compute) == {"value": 2}
+
+
+def written(folder: Path, number: int) -> Path:
+    """The file of a value that is written ``number`` seconds after 1970."""
+    before = set(folder.glob("*"))
+    cached("x", (str(number),), Counter())
+    (path,) = set(folder.glob("*")) - before
+    os.utime(path, (number, number))
+    return path
+
+
+def test_the_oldest_values_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cache, "KEPT", 3)
+    paths = [written(folder, number) for number in range(1, 6)]
+    assert set(folder.iterdir()) == set(paths[2:])
+
+
+def test_halves_of_values_go_and_what_others_wrote_stays(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cache, "KEPT", 1)
+    half = written(folder, 1).rename(folder / f"x-{0:016x}.bin.7.tmp")
+    (folder / "tools-0.bin").mkdir()
+    (folder / "mine.bin").touch()
+    os.utime(folder / "mine.bin", (0, 0))
+    last = written(folder, 2)
+    assert not half.exists()
+    assert {path.name for path in folder.iterdir()} == {"tools-0.bin", "mine.bin", last.name}
+
+
+def test_what_cannot_be_deleted_only_takes_room(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(path: str) -> None:
+        raise PermissionError(path)
+
+    monkeypatch.setattr(cache, "KEPT", 1)
+    monkeypatch.setattr(os, "unlink", refuse)
+    assert cached("x", ("a",), Counter()) == cached("x", ("b",), Counter()) == {"value": 1}
+    assert len(list(folder.iterdir())) == 2
