@@ -103,12 +103,6 @@ FOREIGN_OPERATOR = _error(
     "Logic is spelt `and`, `or`, `not`; the remainder `mod`; a choice `if c then a else b`. There "
     "is no assignment: a name is given its value once, by an equation.",
 )
-BAD_NAME = _error(
-    "B0115",
-    "`{text}` is not a name",
-    "Names are made of the letters a to z and A to Z, digits and `_`, which every shading "
-    "language can spell.",
-)
 BAD_NUMBER = _error(
     "B0104",
     "`{text}` is not a number",
@@ -168,7 +162,12 @@ UNPARENTHESISED = _error(
     "`if`, `sum` and `product` reach as far to the right as they can, so as part of a larger "
     "expression they stand in parentheses.",
 )
-
+BAD_NAME = _error(
+    "B0115",
+    "`{text}` is not a name",
+    "Names are made of the letters a to z and A to Z, digits and `_`, which every shading "
+    "language can spell.",
+)
 MERGE_CONFLICT = _error(
     "B0116",
     "a merge conflict is left in this file",
@@ -218,7 +217,6 @@ AMBIGUOUS_NAME = _error(
     "`{name}` is imported from several files",
     "Import the one that is meant by name: `import std.lights.{Sun}` decides between two.",
 )
-
 WRONG_BASE = _error(
     "B0208",
     "`{name}` is not a {kind}",
@@ -230,29 +228,27 @@ NOT_A_VALUE = _error(
     "Functions, terms and structures are called; of `light`, `material` and `inherited` a slot is "
     "read.",
 )
-
 MISSPELT_SLOT = _warning(
     "B0210",
     "nothing reads `{name}`",
     "A name that no base declares makes a slot of the material's own; nothing outside asks for it.",
 )
-
 UNUSUAL_GROUP = _warning(
     "B0212",
     "`{name}` is a group of its own",
     "Parameters belong to frame, view, rig, material, draw, or to a group that you name.",
-)
-UNREADABLE_NAME = _error(
-    "B0214",
-    "nothing that is read can be called `{name}`",
-    "In a material, light or pass, `material` is the material that is drawn, and `inherited` what "
-    "the base says. A slot, a constant or a function of such a name would be out of reach there.",
 )
 MISPLACED_MEMBER = _error(
     "B0213",
     "`{member}` does not belong into {record}",
     "What is written to which target, how it blends and what is left out is said by a pass; what a "
     "vertex brings along by a material or a pass.",
+)
+UNREADABLE_NAME = _error(
+    "B0214",
+    "nothing that is read can be called `{name}`",
+    "In a material, light or pass, `material` is the material that is drawn, and `inherited` what "
+    "the base says. A slot, a constant or a function of such a name would be out of reach there.",
 )
 
 # --- B03: types ----------------------------------------------------------------------------------
@@ -295,7 +291,6 @@ NOT_CALLABLE = _error(
     "{found} cannot be called",
     "Functions, terms and type constructors are called with arguments, textures with a coordinate.",
 )
-
 NO_PREFIX_OPERATOR = _error(
     "B0308",
     "no `{operator}` of {left}",
@@ -321,7 +316,6 @@ NO_RANGE = _error(
     "{type} cannot have a range",
     "Numbers are bounded by `in a..b`, vectors of them lane by lane, and arrays of both.",
 )
-
 WRONG_MEANING = _error(
     "B0320",
     "expected {expected}, found {found}",
@@ -492,7 +486,6 @@ ABSTRACT_USE = _error(
     "`{name}` is abstract and cannot be used itself",
     "Declare an heir that sets what is missing: `material Mine : Base { … }`.",
 )
-
 BAD_COUNT = _error(
     "B0409",
     "{count} is no count of elements",
@@ -596,7 +589,6 @@ STRUCT_TOO_LARGE = _error(
     "A structure is taken apart into the numbers, vectors and matrices in it, those of the "
     "structures in it included.",
 )
-
 EMPTY_STRUCT = _error(
     "B0481",
     "the structure `{name}` has no members",
@@ -617,7 +609,6 @@ NOT_AT_VERTEX = _error(
     "`front_facing` are a pixel's own. Move them out of `@vertex`, and out of what "
     "`clip_position` is computed from.",
 )
-
 CANNOT_CROSS = _error(
     "B0503",
     "a {type} cannot cross from the vertex to the fragment stage",
@@ -654,7 +645,6 @@ NO_SUCH_RIG = _error(
     "which rig is meant? {known}",
     "A file with one rig uses it by itself; with several, name one: `--rig Studio`.",
 )
-
 TERM_WITHOUT_SURFACE = _error(
     "B0605",
     "`{name}` needs a surface to shade",

@@ -376,7 +376,7 @@ def _new_application(
     return result
 
 
-def called(
+def library_call(
     low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span
 ) -> Step[Node | Failure]:
     """A library function's value for arguments that it is known to take."""

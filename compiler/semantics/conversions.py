@@ -115,7 +115,7 @@ def _library(
     """A function of ``spaces.burnish``."""
     symbol = calls.best(low, list(library().find(name)), arguments)
     assert symbol is not None, f"{name} does not take {listed(arguments)}"
-    result: Node | Failure = yield calls.called(low, symbol, arguments, span)
+    result: Node | Failure = yield calls.library_call(low, symbol, arguments, span)
     return result
 
 

@@ -117,6 +117,7 @@ class Notes:
     wholes: dict[int, str] = field(default_factory=dict)
     """What the parts of a value are called after, where that is not its name."""
     _tables: tuple[dict[int, Any], ...] = field(init=False, repr=False)
+    """All of these, in the order of their declaration."""
 
     def __post_init__(self) -> None:
         self._tables = (
@@ -126,11 +127,7 @@ class Notes:
 
     def copy(self) -> Notes:
         """The notes as they are now."""
-        return Notes(
-            dict(self.names), dict(self.spans), dict(self.docs), dict(self.functions),
-            dict(self.terms), dict(self.arguments), dict(self.variables), dict(self.roles),
-            dict(self.wholes),
-        )  # fmt: skip
+        return Notes(*map(dict, self._tables))
 
     def forget_function(self, node: Node) -> None:
         """A value that a body gives where it is written out is no body itself."""

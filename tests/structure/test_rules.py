@@ -29,6 +29,11 @@ def test_every_rule_is_reported_somewhere() -> None:
     assert reported - RULES.keys() == set()
 
 
+def test_rules_stand_in_the_order_of_their_codes() -> None:
+    codes = [rule.code for rule in RULES.values()]
+    assert codes == sorted(set(codes))
+
+
 @pytest.mark.parametrize("rule", RULES.values(), ids=lambda rule: rule.code)
 def test_rule_renders(rule: Rule) -> None:
     fields = {name for _, name, _, _ in Formatter().parse(rule.message) if name}
