@@ -12,7 +12,7 @@ from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region,
 from ...compiler.ir.types import Struct
 from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged
-from ...compiler.passes.schedule import operands_of, visible
+from ...compiler.passes.walks import operands_of, visible
 from ...compiler.semantics.shader import Notes, Shader
 from ...frozen import frozen
 from .model import KINDS, Box, Cluster, Kind, Picture

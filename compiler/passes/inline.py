@@ -14,8 +14,8 @@ from ..ir.rewrite import rewrite
 from ..semantics.shader import Notes
 from .cost import cost, cost_of
 from .expanding import VARYING
-from .schedule import operands_of, visible
 from .simplify import Simplifier, substitute_through
+from .walks import operands_of, visible
 
 TRIVIAL = 4
 """Bodies of at most this cost are written out wherever they are used."""

@@ -12,7 +12,7 @@ from ..ir.node import Formal, Formals, Graph, Node, formals_of
 from ..ir.rewrite import rewrite
 from ..semantics.shader import Notes
 from .naming import Naming
-from .schedule import operands_of, visible
+from .walks import operands_of, visible
 
 GLOBALS = frozenset({"constant", "parameter", "resource"})
 

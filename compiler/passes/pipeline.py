@@ -26,11 +26,12 @@ from .naming import Naming
 from .opening import open_binders
 from .paths import Paths
 from .rates import move_to_vertices
-from .schedule import Scheduler, called_functions, visible
+from .schedule import Scheduler
 from .separate import separate
 from .simplify import Simplifier
 from .split import pack
 from .storage import lower_reads
+from .walks import called_functions, visible
 
 
 @frozen

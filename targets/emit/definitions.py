@@ -12,7 +12,8 @@ from ...compiler.passes.expand import definition
 from ...compiler.passes.guard import Guarding
 from ...compiler.passes.naming import Naming
 from ...compiler.passes.paths import Paths
-from ...compiler.passes.schedule import Scheduler, visible
+from ...compiler.passes.schedule import Scheduler
+from ...compiler.passes.walks import visible
 from ...compiler.semantics.shader import Notes
 from ...frozen import changed
 from .description import Profile

@@ -1,0 +1,54 @@
+"""What a stage computes itself, in order: not what is behind a crossing or in a function's body."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ..ir.node import AGE, Node
+
+
+def operands_of(node: Node) -> tuple[Node, ...]:
+    """The operands that a body computes itself: not a called function's body, nor what is behind a
+    crossing, which the vertex stage computed."""
+    if node.op == "apply":
+        return node.operands[1:]
+    return () if node.op == "interpolate" else node.operands
+
+
+def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
+    """All nodes that a stage computes for ``roots``, operands before users.
+
+    The bodies of functions that are called belong to it ``into_bodies``.
+    """
+    seen = set(roots)
+    found = list(seen)
+    for node in found:  # It grows on the way.
+        for operand in node.operands if into_bodies and node.op == "apply" else operands_of(node):
+            if operand not in seen:
+                seen.add(operand)
+                found.append(operand)
+    found.sort(key=AGE)
+    return found
+
+
+def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
+    """The same nodes, each as late as its first use allows: how a person would write them down."""
+    order: dict[int, Node] = {}
+    pending: list[tuple[Node, bool]] = [(root, False) for root in reversed(list(roots))]
+    while pending:
+        node, ready = pending.pop()
+        if ready:
+            order.setdefault(node.id, node)
+        elif node.id not in order:
+            pending.append((node, True))
+            pending.extend((operand, False) for operand in reversed(operands_of(node)))
+    return list(order.values())
+
+
+def called_functions(nodes: Iterable[Node]) -> list[Node]:
+    """One call of each function among the nodes of a stage, callees before callers."""
+    first: dict[Node, Node] = {}
+    for node in nodes:
+        if node.op == "apply":
+            first.setdefault(node.operands[0], node)
+    return list(first.values())
