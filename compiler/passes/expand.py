@@ -12,7 +12,7 @@ from ..diagnostics.source import Span
 from ..ir.node import Formal, Node, Op, reachable
 from ..ir.types import Scalar, Type, Vector
 from ..library import MEANING, expansions
-from ..semantics.calls import apply_body, best
+from ..semantics.applications import apply_body, best
 from ..semantics.lower import Lowering
 from ..semantics.meanings import erased
 from ..semantics.modules import Named

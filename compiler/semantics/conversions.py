@@ -16,7 +16,7 @@ from ..ir.types import VEC3, Matrix
 from ..library import conversions as library
 from ..syntax import ast
 from ..trampoline import Step
-from . import algebra, calls, lookup, mixing, ways
+from . import algebra, applications, lookup, mixing, ways
 from .modules import Module
 from .operands import listed
 from .scope import FAILURE, Failure, Scope, Value
@@ -113,9 +113,9 @@ def _library(
     low: Lowering, name: str, arguments: tuple[Node, ...], span: Span
 ) -> Step[Node | Failure]:
     """A function of ``spaces.burnish``."""
-    symbol = calls.best(low, list(library().find(name)), arguments)
+    symbol = applications.best(low, list(library().find(name)), arguments)
     assert symbol is not None, f"{name} does not take {listed(arguments)}"
-    result: Node | Failure = yield calls.library_call(low, symbol, arguments, span)
+    result: Node | Failure = yield applications.library_call(low, symbol, arguments, span)
     return result
 
 

@@ -21,8 +21,8 @@ from ..ir.node import Formal, Graph, Node, reachable
 from ..ir.rewrite import rewrite
 from ..syntax import ast
 from ..trampoline import run
+from .applications import apply_body
 from .callees import Callee
-from .calls import apply_body
 from .meanings import erased
 
 if TYPE_CHECKING:

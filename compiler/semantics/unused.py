@@ -18,7 +18,7 @@ from ..ir.types import BOOL
 from ..syntax import ast
 from ..trampoline import run
 from . import lookup
-from .calls import apply_body
+from .applications import apply_body
 from .checks import check_instance, check_rig
 from .declared import struct_of
 from .elaborate import elaborate
