@@ -14,7 +14,7 @@ from .library import FOLDER, parse_library
 from .semantics.elaborate import elaborate
 from .semantics.modules import Loader, Module, Symbol
 from .semantics.records import Records, records_of
-from .semantics.setting import Combination
+from .semantics.setting import Parts
 from .semantics.shader import Shader
 from .semantics.unused import Surroundings, check_unused
 from .syntax import ast
@@ -87,7 +87,7 @@ class Frontend:
         reached: set[Symbol] = set()
         found = [
             elaborate(
-                Combination(symbol, rig_symbol, pass_symbol, module),
+                Parts(symbol, rig_symbol, pass_symbol, module),
                 self._report, self._records, reached,
             )
             for symbol in materials

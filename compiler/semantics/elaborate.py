@@ -19,7 +19,7 @@ from .parameters import Leaves
 from .records import Record, Records
 from .rigs import Entry
 from .scope import Failure, Instance, Scope
-from .setting import Combination, is_declared_abstract, set_up
+from .setting import Parts, is_declared_abstract, set_up
 from .shader import ExternInfo, ParameterInfo, Shader, TargetInfo
 from .sharing import shared
 
@@ -38,13 +38,13 @@ CLIP_POSITION = "clip_position"
 
 
 def elaborate(
-    combination: Combination, report: Report, records: Records, reached: set[Symbol]
+    parts: Parts, report: Report, records: Records, reached: set[Symbol]
 ) -> Shader | None:
     """The shader of a material under a pass and a rig, or ``None`` after reporting why not.
 
     ``reached`` gets every declaration that was checked on the way.
     """
-    setting = set_up(combination, report, records)
+    setting = set_up(parts, report, records)
     low, surface, passing = setting.low, setting.surface, setting.passing
     material, drawn = surface.record, passing.record
     clip = _clip_position(low, passing, surface)
@@ -52,11 +52,11 @@ def elaborate(
     discard = _discard(low, drawn, passing)
     check_slots(low, surface, passing)
     check_rig(low, surface)
-    low.externs.learn(combination.module)
-    reached.update((combination.material, combination.rig, combination.pass_, *low.reached()))
+    low.externs.learn(parts.module)
+    reached.update((parts.material, parts.rig, parts.pass_, *low.reached()))
     if report.failed or isinstance(clip, Failure):
         return None
-    declaration = combination.material.declaration
+    declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     leaves, entries = setting.leaves, setting.entries
     clip, targets, discard = _numbers_only(low, clip, targets, discard)
@@ -64,7 +64,7 @@ def elaborate(
         name=material.name,
         doc=declaration.doc,
         pass_name=drawn.name,
-        rig_name=combination.rig.name,
+        rig_name=parts.rig.name,
         graph=low.graph,
         notes=low.notes,
         parameters=_all_parameters(leaves, entries, low.externs.blocks),

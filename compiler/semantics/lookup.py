@@ -26,10 +26,10 @@ from .records import Definition, NamedMember, Record
 from .scope import (
     FAILURE,
     Failure,
+    FunctionParts,
     Inherited,
     Instance,
     LightVariable,
-    Parts,
     Replacement,
     Scope,
     Value,
@@ -171,7 +171,7 @@ def body(low: Lowering, function: ast.Function, scope: Scope) -> Step[Node | Fai
     if not function.parts:
         whole: Node | Failure = yield low.node(function.body, scope)
         return whole
-    parts = Parts({part.name.text: part for part in function.parts}, scope)
+    parts = FunctionParts({part.name.text: part for part in function.parts}, scope)
     within = parts.scope = changed(scope, parts=parts)
     result: Node | Failure = yield low.node(function.body, within)
     for name, part in parts.declared.items():
@@ -179,7 +179,7 @@ def body(low: Lowering, function: ast.Function, scope: Scope) -> Step[Node | Fai
     return result
 
 
-def _part(low: Lowering, parts: Parts, name: str, span: Span) -> Step[Node | Failure]:
+def _part(low: Lowering, parts: FunctionParts, name: str, span: Span) -> Step[Node | Failure]:
     if name in parts.values:
         return parts.values[name]
     if _is_cycle(low, (parts, name), name, span):

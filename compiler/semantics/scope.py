@@ -87,7 +87,7 @@ Application = tuple[Symbol, tuple[int, ...], Instance | None]
 
 
 @dataclass(slots=True, eq=False)
-class Parts:
+class FunctionParts:
     """The equations behind a function's ``where``, for one application of it; lowered on demand."""
 
     declared: Mapping[str, ast.Slot]
@@ -108,7 +108,7 @@ class Scope:
     locals: Mapping[str, Value] = field(default_factory=dict)
     variables: Variables = field(default_factory=dict)
     """What the type parameters of the function stand for whose body this is."""
-    parts: Parts | None = None
+    parts: FunctionParts | None = None
     """What that function names behind ``where``."""
 
     def binding(self, locals_: Mapping[str, Value]) -> Scope:

@@ -22,8 +22,8 @@ from .typenames import TypeResolver
 
 
 @frozen
-class Combination:
-    """What is multiplied: a material, lights and a pass."""
+class Parts:
+    """What is multiplied."""
 
     material: Symbol
     rig: Symbol
@@ -35,7 +35,7 @@ class Combination:
 
 @frozen(eq=False)
 class Setting:
-    """Instances of what is combined, and the leaves that they read."""
+    """Instances of the parts, and the leaves that they read."""
 
     low: Lowering
     entries: list[Entry]
@@ -45,12 +45,12 @@ class Setting:
     passing: Instance
 
 
-def set_up(combination: Combination, report: Report, records: Records) -> Setting:
-    """What is combined, put together; what it lacks because it is abstract has stand-ins."""
+def set_up(parts: Parts, report: Report, records: Records) -> Setting:
+    """The parts put together; what they lack because they are abstract has stand-ins."""
     low = Lowering(report, records, TypeResolver(report))
-    entries = entries_of(low, combination.rig)
+    entries = entries_of(low, parts.rig)
     low.rig = tuple(entry for entry, _, _ in entries)
-    material, drawn = records.of(combination.material), records.of(combination.pass_)
+    material, drawn = records.of(parts.material), records.of(parts.pass_)
     material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
     pass_leaves = _apart(pass_leaves, material_leaves, drawn)
     _check_attributes(low, pass_leaves, material_leaves, material)

@@ -30,7 +30,7 @@ from .parameters import leaves_of
 from .records import Records
 from .rigs import light_entry
 from .scope import Scope
-from .setting import Combination, Setting, is_declared_abstract, set_up
+from .setting import Parts, Setting, is_declared_abstract, set_up
 from .standins import some, stand_in
 from .typenames import Variables
 
@@ -98,7 +98,7 @@ class _Unused:
         self._reached = reached
         self._report = report
         self._records = records
-        self._trials: dict[Combination, _Trial] = {}
+        self._trials: dict[Parts, _Trial] = {}
 
     def check(self, *kinds: type) -> None:
         """Check the declarations of some kinds."""
@@ -155,8 +155,8 @@ class _Unused:
 
     def _elaborated(self, material: Symbol, rig: Symbol, pass_: Symbol) -> Attempt:
         trial, reached = self._report.apart(), set[Symbol]()
-        combination = Combination(material, rig, pass_, self._module)
-        elaborate(combination, trial, self._records, reached)
+        parts = Parts(material, rig, pass_, self._module)
+        elaborate(parts, trial, self._records, reached)
         return Attempt(trial.since(0), not trial.failed, frozenset(reached))
 
     def _is_in_a_chain(self, mixin: Symbol) -> bool:
@@ -181,18 +181,18 @@ class _Unused:
             yield self._trial(material, lights).attempt(check)
 
     def _trial(self, material: Symbol, lights: Symbol) -> _Trial:
-        combination = Combination(material, lights, self._around.passes[0], self._module)
-        if combination not in self._trials:
-            self._trials[combination] = _Trial(combination, self._report.apart(), self._records)
-        return self._trials[combination]
+        parts = Parts(material, lights, self._around.passes[0], self._module)
+        if parts not in self._trials:
+            self._trials[parts] = _Trial(parts, self._report.apart(), self._records)
+        return self._trials[parts]
 
 
 class _Trial:
     """A setting with a report of its own."""
 
-    def __init__(self, combination: Combination, report: Report, records: Records) -> None:
+    def __init__(self, parts: Parts, report: Report, records: Records) -> None:
         self._report = report
-        self._setting = set_up(combination, report, records)
+        self._setting = set_up(parts, report, records)
 
     def attempt(self, check: Check, since: int | None = None) -> Attempt:
         """What a check finds that none before it has found."""
