@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from ..diagnostics.nearest import nearest
 from .chunks import Outline
-from .forms import DECLARATIONS, MEMBERS
+from .forms import DECLARATIONS, FOLDS, MEMBERS
 from .habits import Row, rewritten, types
 from .tables import END
 from .tokens import RESERVED, Token
@@ -17,7 +17,6 @@ _CHOICE = "there are no statements: `name = if condition then a else b` chooses 
 _FOLD = "`{0} i in a..b : e` repeats, or `{0} i in a..b up to 16 : e`"
 _ITERATE = "`iterate x from start up to n while condition : next` repeats"
 _VECTOR = "a vector is written `vec3(x, y, z)`, an array `[a, b]`"
-_FOLDS = ("sum", "product", "min", "max", "any", "all")
 _PLACES = (
     "places are not written: the compiler assigns them, and the reflection names them; "
     "`extern block` is for those of the host's"
@@ -284,7 +283,7 @@ class Advice:
         found, previous = self._token(index), self._token(index - 1)
         if previous.text == "iterate" or "while" in (previous.text, found.text):
             return _ITERATE
-        if found.kind == "NAME" and previous.text in _FOLDS:
+        if found.kind == "NAME" and previous.text in FOLDS:
             return _FOLD.format(previous.text)
         if ":" in expected and "from" in expected and found.kind == "{":
             return f"what is repeated stands behind a colon: {_FOLD.format('sum')}"

@@ -7,19 +7,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from .forms import DECLARATIONS, MEMBERS
 from .tokens import RESERVED, Token
 
 NESTING_LIMIT = 200
 
-_DECLARATION_WORDS = frozenset(
-    (
-        "abstract", "extern", "fn", "import", "light", "material", "mixin", "pass", "rig", "space",
-        "struct", "term",
-    )
-)  # fmt: skip
 _TWO_WORDS = frozenset(("abstract", "extern"))
 """What another word of the declaration's own follows before its name."""
-MEMBER_WORDS = frozenset(("attribute", "discard", "map", "param", "target"))
 _AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
 _HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
@@ -62,12 +56,12 @@ class Outline:
             return False
         if following in ("=", ":"):
             return token.kind == "NAME" or token.kind in RESERVED
-        return token.text in MEMBER_WORDS and (following == "NAME" or following in RESERVED)
+        return token.text in MEMBERS and (following == "NAME" or following in RESERVED)
 
     def is_member(self, index: int) -> bool:
         """Whether a line begins here as only a member does, whatever is unfinished above it."""
         word = self.tokens[index].text
-        if word not in MEMBER_WORDS or not self.begins_line(index) or self.begins_line(index + 1):
+        if word not in MEMBERS or not self.begins_line(index) or self.begins_line(index + 1):
             return False
         follows = self._text_of(index + 2) == ":" and self._kind(index + 1) == "NAME"
         return follows or (word == "discard" and self._text_of(index + 1) == "when")
@@ -120,12 +114,12 @@ class Outline:
     def _begins_constant(self, index: int) -> bool:
         """Whether an equation of the file begins here, and no further type parameter of a head."""
         before = self._text_of(index - 1) if index else ""
-        return self.begins_member(index) and before not in (",", *MEMBER_WORDS)
+        return self.begins_member(index) and before not in (",", *MEMBERS)
 
     def _header(self, index: int) -> int:
         """How many tokens a declaration's word and name take here; 0 where none begins."""
         word = self.tokens[index].text
-        if word not in _DECLARATION_WORDS or self._kind(index + 1) in ("=", ":"):
+        if word not in DECLARATIONS or self._kind(index + 1) in ("=", ":"):
             return 0
         length = 3 if word in _TWO_WORDS else 2
         if not self._open and self._may_follow(index):
@@ -141,7 +135,7 @@ class Outline:
     def _is_unfinished(self, index: int) -> bool:
         """Whether a declaration's word is followed by another declaration instead of a name."""
         return (
-            self._text_of(index + 1) in _DECLARATION_WORDS - _TWO_WORDS
+            self._text_of(index + 1) in DECLARATIONS.keys() - _TWO_WORDS
             and self._is_at_margin(index + 1)
             and self._kind(index + 2) == "NAME"
         )
@@ -159,7 +153,7 @@ class Outline:
         if self.tokens[self._open[-1]].kind == "{":
             return False
         following = self._kind(index + 1)
-        starts_member = self.tokens[index].text in MEMBER_WORDS and following == "NAME"
+        starts_member = self.tokens[index].text in MEMBERS and following == "NAME"
         if self._text_of(index - 1) in ("(", ",") and not self.begins_line(index):
             return False  # An argument that is given by its name, as elsewhere.
         if self._text_of(self._open[-1] - 1) == "for" and not self.begins_line(index):

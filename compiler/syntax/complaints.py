@@ -10,13 +10,12 @@ from ..diagnostics.source import Source, Span
 from .advice import STATEMENTS, Advice
 from .chunks import NESTING_LIMIT, Chunk, Outline
 from .expectations import describe_expected, describe_found
-from .forms import FOREIGN_FILES
+from .forms import FOLDS, FOREIGN_FILES
 from .habits import types
 from .tables import END
 from .tokens import RESERVED, Token
 
 _COMPARISONS = frozenset(("==", "!=", "<", "<=", ">", ">="))
-_FOLDS = frozenset(("sum", "product", "min", "max", "any", "all", "iterate"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 
 
@@ -174,7 +173,7 @@ class Complaints:
             return False
         word, follows = self._tokens[index - 1].text, self._token(index + 1).text
         before = self._tokens[index - 2].text if index > 1 else ""
-        is_fold = word in _FOLDS and follows == ("from" if word == "iterate" else "in")
+        is_fold = FOLDS.get(word) == follows
         return is_fold and before not in ("=", "(", ",", ":", "then", "else", "[")
 
     def _equation_interrupts(self, index: int) -> bool:

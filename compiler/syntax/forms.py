@@ -1,9 +1,12 @@
-"""How each kind of declaration and member is written: the advice where one cannot be read."""
+"""What declarations, members, folds and foreign files begin with, and how each is written."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import get_args
+
+from .ast import FoldWord
 
 _RECORD = "a {} is `{} Name : Base + Mixin {{ … }}`, where base and mixins may be left out"
 
@@ -42,6 +45,11 @@ MEMBERS: Mapping[str, str] = MappingProxyType(
     }
 )
 """By the word that a member begins with."""
+
+FOLDS: Mapping[str, str] = MappingProxyType(
+    {**dict.fromkeys(get_args(FoldWord), "in"), "iterate": "from"}
+)
+"""Words that begin a fold, and what follows the name behind them; else they are names."""
 
 FOREIGN_FILES: Mapping[str, str] = MappingProxyType(
     {"<": "this looks like XML", "{": "this looks like JSON"}

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
-from .forms import DECLARATIONS
+from .forms import DECLARATIONS, MEMBERS
 
 _DECLARATORS = frozenset(("let", "var", "const", "auto", "local", "mut", "override"))
 _QUALIFIERS = _DECLARATORS | frozenset(
@@ -17,10 +16,8 @@ _QUALIFIERS = _DECLARATORS | frozenset(
 )  # fmt: skip
 """What stands in front of a type, or in the place of one, elsewhere."""
 _SAMPLERS = frozenset(("SamplerState", "SamplerComparisonState", "sampler_comparison"))
-_IN_WORDS: Mapping[str, str] = MappingProxyType(
-    {"param": "param ", "attribute": "attribute ", "map": "map ", "target": "target "}
-)
-"""The word in front of a member that keeps it."""
+_WORDS_OF_MEMBERS = MEMBERS.keys() - {"discard"}
+"""What stands in front of a member that has a name, here and elsewhere."""
 
 
 def types() -> Mapping[str, str]:
@@ -42,7 +39,7 @@ class Row(NamedTuple):
 
 def rewritten(row: Row) -> str:
     """What to write for ``const vec3 name = …`` and its like; empty where nothing comes to mind."""
-    word = _IN_WORDS.get(row.words[0], "")
+    word = f"{row.words[0]} " if row.words[0] in _WORDS_OF_MEMBERS else ""
     words = list(row.words[1:] if word else row.words)
     qualifiers: list[str] = []
     while len(words) > 1 and words[0] in _QUALIFIERS:

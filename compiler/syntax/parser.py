@@ -13,8 +13,8 @@ from ..diagnostics.diagnostic import Diagnostic, Report
 from ..diagnostics.source import Source, Span
 from . import ast
 from .builder import Builder
-from .chunks import MEMBER_WORDS, Chunk, Outline
-from .forms import FOREIGN_FILES
+from .chunks import Chunk, Outline
+from .forms import FOLDS, FOREIGN_FILES, MEMBERS
 from .lexer import lex
 from .machine import Machine
 from .tables import END, load_tables
@@ -27,8 +27,6 @@ _BODY_PARTS = ("slot", "entry", "field", "extern_member")
 _FILE_PARTS = ("record",)
 _OF_WORDS = (rules.FOREIGN_OPERATOR, rules.BAD_NUMBER)
 """What is said of single words, of which there are many where whole statements are foreign."""
-_FOLDS = {**dict.fromkeys(("sum", "product", "min", "max", "any", "all"), "in"), "iterate": "from"}
-"""Words that begin a fold, and what follows the name behind them; else they are names."""
 
 
 def parse(source: Source, report: Report) -> ast.File:
@@ -109,7 +107,7 @@ class _Parser:
             else:
                 start = self._start(index)
                 begin = self._complaints.report(index, chunk, self._machine.expected(), start)
-                if start < index == begin and self._tokens[start].text in MEMBER_WORDS:
+                if start < index == begin and self._tokens[start].text in MEMBERS:
                     begin += not self._outline.begins_line(index)
                 failed, index = index, self._next_start(max(begin, failed + 1), chunk)
                 self._give_up(start, failed, index)
@@ -136,7 +134,7 @@ class _Parser:
     def _names_something(self, index: int) -> bool:
         """Whether the tokens after a word show it to be a name."""
         following = self._tokens[index + 1 : index + 3]
-        second = _FOLDS.get(self._tokens[index].text)
+        second = FOLDS.get(self._tokens[index].text)
         if second is not None:
             return [t.kind for t in following[:1]] != ["NAME"] or following[-1].text != second
         return bool(following) and following[0].kind in ("=", ":")
