@@ -77,7 +77,7 @@ def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
     if isinstance(e.callee, ast.Field):
         return e.callee.name.text in METHODS
     read = FUNCTIONS.get(e.callee.name) if isinstance(e.callee, ast.Reference) else None
-    return read is not None and "albedo" in read.hint and argument is not e.arguments[0]
+    return read is not None and read.is_read and argument is not e.arguments[0]
 
 
 def _named(
@@ -187,9 +187,10 @@ def _elsewhere(name: str, arguments: tuple[ast.Expression, ...]) -> str:
     from ...stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
 
     if name in FUNCTIONS:
-        hint = FUNCTIONS[name].hint
-        texture = arguments[0] if arguments else None
-        return hint.replace("albedo", texture.name) if isinstance(texture, ast.Reference) else hint
+        instead, texture = FUNCTIONS[name], arguments[0] if arguments else None
+        return (
+            instead.hint_for(texture.name) if isinstance(texture, ast.Reference) else instead.hint
+        )
     if name in KEYWORDS:
         return KEYWORDS[name]
     if advice.is_read(name):

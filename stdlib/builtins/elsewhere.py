@@ -12,6 +12,9 @@ from types import MappingProxyType
 
 from ...frozen import frozen
 
+TEXTURE = "albedo"
+"""What is read in ``Instead.written``."""
+
 
 @frozen
 class Instead:
@@ -29,13 +32,22 @@ class Instead:
         parts = [f"it is {shown} here" if shown else "", self.reason]
         return "; ".join(filter(None, parts))
 
+    @property
+    def is_read(self) -> bool:
+        """Whether it reads a texture."""
+        return any(expression.startswith(TEXTURE) for expression in self.written)
+
+    def hint_for(self, texture: str) -> str:
+        """The same to who read this texture by it."""
+        return self.hint.replace(TEXTURE, texture)
+
 
 SAMPLE: Mapping[str, str] = {
     "x": "float", "y": "float", "z": "float", "n": "int", "m": "int", "u": "uint", "k": "uint",
     "v": "vec3", "w": "vec3", "p": "vec4", "q": "vec4", "a": "mat3", "b": "mat3",
 }  # fmt: skip
 """The names in ``Instead.written``, with their types; besides ``c`` and ``d``, which are bvec3, the
-texture ``albedo`` and the surface's ``uv``."""
+``TEXTURE`` and the surface's ``uv``."""
 
 _READ = ("albedo(uv)",)
 _TEXTURES = "a texture is read by calling it: see Textures in the language reference"
