@@ -603,6 +603,13 @@ EMPTY_STRUCT = _error(
     "Give it what its values are made of: `width : float`.",
 )
 
+HOST_NAME_TAKEN = _error(
+    "B0490",
+    "a host would set {what} and {other} by one name, `{name}`",
+    "Hosts set parameters, textures, lights, passes' own parameters and members of blocks by name, "
+    "each of a shader's by another. Rename one of the two.",
+)
+
 # --- B05: stages and rates -----------------------------------------------------------------------
 
 UNKNOWN_RATE = _error(
