@@ -77,6 +77,11 @@ UNKNOWN_PROFILE = _error(
     "target `{target}` has no profile `{name}`",
     "A profile is a version of a target's language, such as `glsl:es300`.",
 )
+MISSING_FOLDER = _error(
+    "B0013",
+    "there is no folder `{path}` to look for imports in",
+    "Check the search path, which are the folders behind `--include`, or `search_path=`.",
+)
 UNKNOWN_EXPORT = _error(
     "B0012",
     "`{path}` does not declare `{name}`",

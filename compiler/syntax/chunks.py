@@ -21,6 +21,8 @@ _TWO_WORDS = frozenset(("abstract", "extern"))
 """What another word of the declaration's own follows before its name."""
 MEMBER_WORDS = frozenset(("attribute", "discard", "map", "param", "target"))
 _AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
+_AWAITS_VALUE = frozenset(("from", "to", "while"))
+"""Words of a loop's head; elsewhere they are names, and so may end an equation."""
 _HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 _CLOSERS = frozenset(_CLOSED_BY.values())
@@ -58,7 +60,7 @@ class Outline:
         token, following = self.tokens[index], self._kind(index + 1)
         if self.is_member(index):
             return True
-        if not self._may_follow(index):
+        if not self._may_follow(index) or self._is_in_head(index):
             return False
         if following in ("=", ":"):
             return token.kind == "NAME" or token.kind in RESERVED
@@ -88,6 +90,12 @@ class Outline:
         """Whether an expression or declaration can end with the token at ``index``."""
         token = self.tokens[index]
         return token.kind in _CAN_END and token.text not in _AWAITS_NAME
+
+    def _is_in_head(self, index: int) -> bool:
+        """Whether a name is the last of a loop's head: ``sum i in 0..n up to m : i``."""
+        before = self._text_of(index - 1) if index else ""
+        ends = before in _AWAITS_VALUE and self._text_of(index + 1) == ":"
+        return ends and not self.begins_line(index)
 
     def _may_follow(self, index: int) -> bool:
         return index == 0 or self.can_end(index - 1)
