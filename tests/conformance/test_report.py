@@ -66,8 +66,8 @@ lavapipe:hlsl-dxc: defaults: 1 of 24 pixels; the worst, at (2, 1), is (1.5, 1, 1
 (1, 1, 1, 1)
 lavapipe:hlsl-dxc: behind: 1 of 24 pixels; the worst, at (2, 1), is (nan, 1, 1, 1) and should be \
 (1, 1, 1, 1)
-swiftshader:glsl: defaults: in 1 of 24 pixels the value leaves what float32 holds, where nothing is \
-promised; at (2, 1) it is (1e+39, 1, 1, 1)
+swiftshader:glsl: defaults: in 1 of 24 pixels the value leaves what float32 holds, where nothing \
+is promised; at (2, 1) it is (1e+39, 1, 1, 1)
 lavapipe:wgsl-naga: defaults: 3 of 24 pixels hang on rounding, which is too many to prove anything
 llvmpipe:gl330: glslang rejects Odd.frag.glsl
 llvmpipe:gl330:   3:7: '<' : syntax error & more
