@@ -42,9 +42,10 @@ class _QuietGroup(click.Group):
         try:
             return super().resolve_command(context, args)
         except click.UsageError as error:
-            if args[0].endswith(".burnish"):
-                error.message += f" Did you mean 'burnish compile {args[0]} -o FOLDER'?"
-            raise
+            if not args[0].endswith(".burnish"):
+                raise
+            likely = f"Did you mean 'burnish compile {args[0]} -o FOLDER'?"
+            raise click.UsageError(f"{error.message} {likely}", context) from error
 
     def invoke(self, context: click.Context) -> Any:
         try:
