@@ -144,7 +144,7 @@ class Outline:
             return 0
         in_line = not self.begins_line(index)
         if word == "import" and in_line and self._text_of(self.chunks[-1].start) == "from":
-            return 0  # `from std.terms import lambert`, as elsewhere.
+            return 0  # `from file import name`, as elsewhere.
         length = 3 if word in _TWO_WORDS else 2
         if not self._open and self._may_follow(index):
             return 1 if self._is_unfinished(index) else length
