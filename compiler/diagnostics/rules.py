@@ -77,16 +77,16 @@ UNKNOWN_PROFILE = _error(
     "target `{target}` has no profile `{name}`",
     "A profile is a version of a target's language, such as `glsl:es300`.",
 )
-MISSING_FOLDER = _error(
-    "B0013",
-    "there is no folder `{path}` to look for imports in",
-    "Check the search path, which are the folders behind `--include`, or `search_path=`.",
-)
 UNKNOWN_EXPORT = _error(
     "B0012",
     "`{path}` does not declare `{name}`",
     "Only what a file declares itself can be imported from it, not what it imports in turn.",
     of_absence=True,
+)
+MISSING_FOLDER = _error(
+    "B0013",
+    "there is no folder `{path}` to look for imports in",
+    "Check the search path, which are the folders behind `--include`, or `search_path=`.",
 )
 
 # --- B01: syntax ---------------------------------------------------------------------------------
