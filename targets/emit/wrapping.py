@@ -86,9 +86,10 @@ def _layout(text: str, indent: int, column: int) -> list[str]:
 def _chain(operands: Sequence[str], indent: int, column: int) -> list[str]:
     """Each operand in a line of its own, but factors filled in like words."""
     binding = _BINDINGS[operands[1].split(" ", 1)[0]]
-    around = _around_bracket(operands, indent, column) if binding != Binding.CHOICE else []
-    if around:
-        return around
+    if binding == Binding.PRODUCT or len(operands) == 2:
+        around = _around_bracket(operands, indent, column)
+        if around:
+            return around
     if binding == Binding.PRODUCT:
         operands = list(_filled_lines(operands, WIDTH - column))
     lines = _layout(operands[0], indent, column + STEP)
