@@ -1,17 +1,19 @@
 """Closes function bodies: what they need of their caller becomes a parameter (lambda lifting).
 
 Values that do not depend on a body's own variables are computed once, by the caller. Uniforms and
-constants are global and stay where they are.
+constants are global and stay where they are; parts of a value, and what else costs nothing, are
+taken from the value again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from ..ir.node import Formal, Formals, Graph, Node, formals_of
 from ..ir.rewrite import rewrite
 from ..semantics.shader import Notes
 from .naming import Naming
+from .schedule import is_part
 from .walks import operands_of, visible
 
 GLOBALS = frozenset({"constant", "parameter", "resource"})
@@ -41,7 +43,7 @@ class _Lifting:
     def _close(
         self, graph: Graph, body: Node, formals: Formals
     ) -> tuple[Node, Formals, tuple[Node, ...]]:
-        captured = _captured(body, formals)
+        captured = self._captured(body, formals)
         extra = tuple(Formal(self._naming.name(node)) for node in captured)
         replaced = {
             node.id: graph.node("formal", node.type, (), formal)
@@ -55,38 +57,52 @@ class _Lifting:
         needed = tuple(formal for formal in formals if _reads(body, formal))
         return closed, needed + extra, captured
 
+    def _captured(self, body: Node, formals: Formals) -> tuple[Node, ...]:
+        """The largest parts of a body that depend on none of its variables and are not at hand.
 
-def _reads(body: Node, formal: Formal) -> bool:
-    """Whether a body needs an argument; passes may have found that it does not."""
-    return formal in body.variables
+        They may depend on those of a loop around the call.
+        """
+        nodes = visible((body,))
+        own = set(formals).union(*map(formals_of, nodes))
+        found: dict[int, Node] = {}
+        for part in _independent(body, nodes, own):
+            source = self._source(part)
+            if not _global(source):
+                found[source.id] = source
+        return tuple(found.values())
+
+    def _source(self, node: Node) -> Node:
+        """What a value costs nothing to be made from, unless the user named what is on the way."""
+        while node.id not in self._notes.names and _is_free(node):
+            node = node.operands[0]
+        return node
 
 
-def _captured(body: Node, formals: Formals) -> tuple[Node, ...]:
-    """The largest parts of a body that depend on none of its variables and are not at hand.
-
-    They may depend on those of a loop around the call.
-    """
-    nodes = visible((body,))
-    own = set(formals).union(*map(formals_of, nodes))
-    found: dict[int, Node] = {}
+def _independent(body: Node, nodes: Iterable[Node], own: set[Formal]) -> Iterator[Node]:
+    """The largest values among ``nodes`` that depend on none of ``own``."""
+    if body.variables.isdisjoint(own):
+        yield body
     for node in nodes:
         if node.variables.isdisjoint(own):
             continue
         for operand in operands_of(node):
             # An array is put together where it is indexed, from elements that are passed on.
             parts = operand.operands if operand.op == "array" else (operand,)
-            for part in parts:
-                if part.variables.isdisjoint(own) and not _global(part):
-                    found[part.id] = part
-    if body.variables.isdisjoint(own) and not _global(body):
-        found[body.id] = body
-    return tuple(found.values())
+            yield from (part for part in parts if part.variables.isdisjoint(own))
+
+
+def _is_free(node: Node) -> bool:
+    """Whether hardware does an operation on the way to the next."""
+    return is_part(node) or node.op == "splat" or (node.op == "native" and node.data == "neg")
+
+
+def _reads(body: Node, formal: Formal) -> bool:
+    """Whether a body needs an argument; passes may have found that it does not."""
+    return formal in body.variables
 
 
 def _global(node: Node) -> bool:
     """Whether every function can read a value where it is: uniforms, their parts, constants."""
-    while node.op in ("swizzle", "member") or (
-        node.op == "index" and node.operands[1].op == "constant"
-    ):
+    while is_part(node):
         node = node.operands[0]
     return node.op in GLOBALS

@@ -110,14 +110,24 @@ class Scheduler:
                 )
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
+            stands_for_whole = self._stands_for_whole(node)
+            if stands_for_whole and node.id in self._apart:
+                self._apart.add(node.operands[0].id)
+            uses = self._uses[node.id] if stands_for_whole else 1
             for position, operand in enumerate(operands_of(node)):
                 if operand.op in LEAVES:
                     continue
                 region = self._region_of(node, position, home)
                 homes.setdefault(operand.id, []).append(region)
-                self._uses[operand.id] = self._uses.get(operand.id, 0) + 1
+                self._uses[operand.id] = self._uses.get(operand.id, 0) + uses
                 if node.id in optional or _may_skip(node, position):
                     optional.add(operand.id)
+
+    def _stands_for_whole(self, node: Node) -> bool:
+        """Whether a use of ``node`` counts as one of the value that it is a part of: the user named
+        that, and not the part."""
+        names = self._notes.names
+        return is_part(node) and node.id not in names and node.operands[0].id in names
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
         if user.op in LOOPS and position in (inside := bodies_of(user)):
@@ -246,7 +256,7 @@ class Scheduler:
         """Whether a node gets a statement of its own."""
         access = is_access(node)
         size, depth = self._measure(node, 0 if access else 1)
-        if access:
+        if access or self._is_part_of_bound(node):
             return False
         if node.op == "array":
             return True
@@ -258,6 +268,11 @@ class Scheduler:
             return False
         named = node.id in self._notes.names and size > 1
         return named or size > INLINE_SIZE or depth > INLINE_DEPTH
+
+    def _is_part_of_bound(self, node: Node) -> bool:
+        """Whether a node that the user did not name is a part of what a statement has bound."""
+        unnamed = node.id not in self._notes.names
+        return unnamed and is_part(node) and self._size.get(node.operands[0].id) == BOUND
 
     def _measure(self, node: Node, own: int) -> tuple[int, int]:
         """Operations and nesting of a node printed in place."""
@@ -292,6 +307,13 @@ def _may_skip(user: Node, position: int) -> bool:
 def _has_to_branch(select: Node) -> bool:
     """One side is safe only behind the condition, or no language has a `?:` for the type."""
     return select.data == BRANCH or isinstance(select.type, Matrix)
+
+
+def is_part(node: Node) -> bool:
+    """Lanes, members and columns: no work where the whole is at hand."""
+    if node.op == "index":
+        return node.operands[1].op == "constant"
+    return node.op in ("swizzle", "member")
 
 
 def is_access(node: Node) -> bool:

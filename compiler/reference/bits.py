@@ -123,8 +123,9 @@ def exponent(xp: Namespace, x: Lane) -> Lane:
 
 
 def mantissa(xp: Namespace, x: Lane) -> Lane:
-    part, _ = _taken_apart(xp, x)
-    return xp.where(abs(x) < SMALLEST_NORMAL, 0.0, part)
+    """Of the float32 that ``x`` is stored as, as ``exponent`` takes it."""
+    part, _ = _taken_apart(xp, float_of_bits(xp, bits_of(xp, x)))
+    return part
 
 
 def ldexp(xp: Namespace, x: Lane, n: Lane) -> Lane:

@@ -21,6 +21,7 @@ from .origins import Marks
 from .stage import StagePrinter
 from .textures import helpers, opening_lines
 from .views import BlockView, EntryView, FileView, MemberView, StructView, TextureView
+from .wrapping import wrapped
 
 _SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
 _SINGLE_ENTRIES: Mapping[StageName, str] = {"vertex": "vs_main", "fragment": "fs_main"}
@@ -108,6 +109,9 @@ class _Emitter:
             StagePrinter(self._context, stage, marks).entry(names[stage.name]) for stage in stages
         ]
         text, origins = marks.read(self._text(stages, entries))
+        if not (self._options.line_directives and self._target.line_directive):
+            # Behind a directive a statement stays in its one line, as compilers count on from it.
+            text, origins = wrapped(text, origins)
         extension = self._target.extension
         first = stages[0].name
         return EmittedFile(

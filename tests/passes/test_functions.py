@@ -118,3 +118,33 @@ def test_names_and_comments_of_functions() -> None:
     for target, head in (("glsl", "float hash(vec2 p) {"), ("wgsl", "fn hash(p: vec2f) -> f32 {")):
         whole = burnish.compile(text, (target,)).materials[0].text(target, "fragment")
         assert re.search(re.escape(f"/// Mixes bits.\n{head}"), whole)
+
+
+LIT = """import std.lights
+rig R {{ one : Point; two : Point }}
+term lit(w: vec2, b: float) per light =
+    light.diffuse * sin(dot(light.to_light, normal)) * ({of_each})
+material M {{
+    param tint : vec2
+    wide = sin(uv) * 2
+    u    = wide.x
+    bent = cos(uv.x) * cos(uv.y)
+    color = {color}
+}}
+"""
+
+PASSED = {
+    "the whole for its parts": ("w.x * light.to_light.x + w.y", "lit(cos(uv), 0)", ["cos"]),
+    "what has its sign turned": ("-b * light.to_light.x + b", "lit(uv, bent)", ["bent"]),
+    "a part that the user named": ("b + light.to_light.x", "lit(wide, u)", ["u"]),
+    "no uniform": ("-w.x * light.to_light.x + w.y", "lit(tint, 0)", []),
+}
+
+
+@pytest.mark.parametrize(("of_each", "color", "names"), PASSED.values(), ids=PASSED)
+def test_what_a_body_needs_of_its_caller(of_each: str, color: str, names: list[str]) -> None:
+    text = LIT.format(of_each=of_each, color=color)
+    *_, lit = history(shader(text)).staged.program.fragment.functions
+    assert [formal.name for formal, _type in lit.parameters] == [
+        "diffuse", "to_light", *names, "normal"
+    ]  # fmt: skip

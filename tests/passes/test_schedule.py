@@ -9,6 +9,7 @@ import pytest
 
 from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.ir.program import Branch, Let, Loop, Region, Statement
+from burnish.compiler.ir.types import VEC2
 
 from .kit import calls, history, shader
 
@@ -123,3 +124,30 @@ def test_a_shared_value_is_bound_once() -> None:
     nodes = [statement.node for statement in everywhere(top)]
     assert len(nodes) == len(set(nodes))
     assert len([node for node in nodes if node.data == "sin"]) == 1
+
+
+def test_parts_of_what_has_a_name_have_none() -> None:
+    top = region("wide = sin(uv) * cos(uv)  color = vec3(wide.x * wide.x, wide.y * wide.y, 0)")
+    assert [s.name for s in top.statements if isinstance(s, Let)] == ["wide", "color"]
+
+
+def test_uses_of_a_part_are_uses_of_what_the_user_named() -> None:
+    top = region("bent = sin(uv)  color = vec3(bent.x * bent.x, 0, 0)")
+    assert named(top, "bent").node.type == VEC2
+
+
+def test_a_part_that_the_user_named_has_a_name() -> None:
+    top = region("wide = sin(uv) * cos(uv)  u = wide.x  color = vec3(u * u, wide.y * wide.y, 0)")
+    assert [s.name for s in top.statements if isinstance(s, Let)] == ["wide", "u", "color"]
+
+
+def test_the_only_part_of_an_unnamed_value_stands_for_it() -> None:
+    top = region("color = vec3((sin(uv) * cos(uv)).x * exp((sin(uv) * cos(uv)).x))")
+    (statement,) = top.statements
+    assert statement.node.op == "swizzle"
+
+
+def test_a_loop_takes_parts_of_what_is_computed_before_it() -> None:
+    top = region("bent = sin(uv)  color = vec3(sum i in 0..9 : sin(float(i) * uv.x) * bent.y)")
+    assert named(top, "bent").node in bound(top)
+    assert not only(top, Loop).body.statements

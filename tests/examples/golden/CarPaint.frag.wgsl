@@ -38,8 +38,16 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
     let sun_to_light = -rig.sun_direction;
     let normal_dot_sun_to_light = dot(normal, sun_to_light);
     let to_eye = safe_normalize(input.position_shifted);
-    let lambert_phong = material.paint * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color + material.paint * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), 12.0), normal_dot_sun_to_light > 0.0) * rig.sun_specular_color;
-    let lambert_phong_phong = lambert_phong + 0.8 * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, inherited_normal), to_eye)), 180.0), dot(inherited_normal, sun_to_light) > 0.0) * rig.sun_specular_color;
+    let lambert_phong = material.paint * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color
+        + material.paint * select(
+            0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), 12.0),
+            normal_dot_sun_to_light > 0.0
+        ) * rig.sun_specular_color;
+    let lambert_phong_phong = lambert_phong
+        + 0.8 * select(
+            0.0, pow(saturate(dot(reflect(rig.sun_direction, inherited_normal), to_eye)), 180.0),
+            dot(inherited_normal, sun_to_light) > 0.0
+        ) * rig.sun_specular_color;
     let color = material.paint * rig.ambient_light + lambert_phong_phong;
     return vec4f(color, 1.0);
 }

@@ -44,6 +44,10 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
     let normal = safe_normalize(input.normal);
     let mirrored = reflect(-to_eye, normal);
     let rim = pow(1.0 - saturate(dot(normal, to_eye)), 5.0);
-    let color = textureSampleLevel(surroundings, surroundings_sampler, mirrored, material_derived.color_product).xyz * mix(material.tint, vec3f(1.0), rim) + material_derived.color_product_2 * saturate(dot(normal, -rig.sun_direction)) * rig.sun_diffuse_color;
+    let color = textureSampleLevel(
+            surroundings, surroundings_sampler, mirrored, material_derived.color_product
+        ).xyz * mix(material.tint, vec3f(1.0), rim)
+        + material_derived.color_product_2 * saturate(dot(normal, -rig.sun_direction))
+            * rig.sun_diffuse_color;
     return vec4f(color, 1.0);
 }

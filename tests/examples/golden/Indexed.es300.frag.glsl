@@ -22,8 +22,15 @@ void main() {
     ivec2 place = ivec2(floor(fract(v_uv) * vec2(number_texture_size)));
     int number = int(texelFetch(sprite, clamp(place, ivec2(0), number_texture_size - 1), 0).x) + shift;
     ivec2 found_texture_size = textureSize(palette, 0);
-    int found_harmless = found_texture_size.x;
-    int found_cut_remainder = number - found_harmless * (number / found_harmless);
-    ivec2 found_kept_inside = clamp(ivec2(found_cut_remainder != 0 && (found_cut_remainder < 0) != false ? found_cut_remainder + found_harmless : found_cut_remainder, 0), ivec2(0), found_texture_size - 1);
+    int found_cut_remainder = number - found_texture_size.x * (number / found_texture_size.x);
+    ivec2 found_kept_inside = clamp(
+        ivec2(
+            found_cut_remainder != 0 && (found_cut_remainder < 0) != false
+                ? found_cut_remainder + found_texture_size.x
+                : found_cut_remainder,
+            0
+        ),
+        ivec2(0), found_texture_size - 1
+    );
     out_color = texelFetch(palette, found_kept_inside, 0);
 }

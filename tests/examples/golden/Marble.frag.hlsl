@@ -40,16 +40,21 @@ float4 main(FragmentInput input) : SV_Target0 {
     for (int i = 0; i < 4; i++) {
         float vein_octave = exp2(float(i));
         float3 vein_product_ = vein_product * vein_octave;
-        float vein_lanes = vein_product_.x;
-        float vein_waves = 0.5 + 0.5 * sin(vein_lanes + 2.0 * sin(vein_product_.y)) * sin(vein_product_.z + 2.0 * sin(vein_lanes));
-        vein_turbulence += vein_waves / (2.0 * vein_octave);
+        float vein_product_2 = 0.5 * sin(vein_product_.x + 2.0 * sin(vein_product_.y))
+            * sin(vein_product_.z + 2.0 * sin(vein_product_.x));
+        vein_turbulence += (0.5 + vein_product_2) / (2.0 * vein_octave);
     }
     float vein = vein_turbulence >= 1.1754944e-38 ? pow(vein_turbulence, 3.0) : 0.0;
     float3 kd = stone + kd_difference * vein;
     float3 normal = safe_normalize(input.normal);
     float normal_dot_sun_to_light = dot(normal, -sun_direction);
     float3 to_eye = safe_normalize(eye - input.position);
-    float3 lambert_phong = kd * saturate(normal_dot_sun_to_light) * sun_diffuse_color + 0.5 * (normal_dot_sun_to_light > 0.0 ? pow(saturate(dot(reflect(sun_direction, normal), to_eye)), 80.0) : 0.0) * sun_specular_color;
+    float3 lambert_phong = kd * saturate(normal_dot_sun_to_light) * sun_diffuse_color
+        + 0.5 * (
+            normal_dot_sun_to_light > 0.0
+            ? pow(saturate(dot(reflect(sun_direction, normal), to_eye)), 80.0)
+            : 0.0
+        ) * sun_specular_color;
     float3 color = kd * ambient_light + lambert_phong;
     return float4(color, 1.0);
 }

@@ -45,7 +45,12 @@ void main() {
     vec3 normal = safe_normalize((normal_matrix * vertex_normal).xyz);
     float normal_dot_sun_to_light = dot(normal, -sun_direction);
     vec3 to_eye = safe_normalize(eye - position);
-    vec3 lambert_phong = kd * clamp(normal_dot_sun_to_light, 0.0, 1.0) * sun_diffuse_color + 0.6 * (normal_dot_sun_to_light > 0.0 ? pow(clamp(dot(reflect(sun_direction, normal), to_eye), 0.0, 1.0), p) : 0.0) * sun_specular_color;
+    vec3 lambert_phong = kd * clamp(normal_dot_sun_to_light, 0.0, 1.0) * sun_diffuse_color
+        + 0.6 * (
+            normal_dot_sun_to_light > 0.0
+            ? pow(clamp(dot(reflect(sun_direction, normal), to_eye), 0.0, 1.0), p)
+            : 0.0
+        ) * sun_specular_color;
     v_color = kd * ambient_light + lambert_phong;
     gl_Position = view_projection * vec4(position, 1.0);
     gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;

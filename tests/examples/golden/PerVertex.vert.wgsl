@@ -53,7 +53,11 @@ fn main(input: VertexInput) -> VertexOutput {
     let normal = safe_normalize((draw_derived.normal_matrix * input.vertex_normal).xyz);
     let normal_dot_sun_to_light = dot(normal, -rig.sun_direction);
     let to_eye = safe_normalize(view.eye - position);
-    let lambert_phong = material.kd * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color + 0.6 * select(0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p), normal_dot_sun_to_light > 0.0) * rig.sun_specular_color;
+    let lambert_phong = material.kd * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color
+        + 0.6 * select(
+            0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p),
+            normal_dot_sun_to_light > 0.0
+        ) * rig.sun_specular_color;
     var output: VertexOutput;
     output.color = material.kd * rig.ambient_light + lambert_phong;
     output.clip_position = view.view_projection * vec4f(position, 1.0);

@@ -63,7 +63,9 @@ vec3 safe_normalize(vec3 v) {
 
 vec3 lambert_phong(vec3 to_light, vec3 diffuse, vec3 specular, vec3 normal, vec3 tint, vec3 to_eye) {
     float normal_dot_to_light = dot(normal, to_light);
-    vec3 phong = shine * (normal_dot_to_light > 0.0 ? pow(clamp(dot(reflect(-to_light, normal), to_eye), 0.0, 1.0), power) : 0.0) * specular;
+    vec3 phong = shine * (
+        normal_dot_to_light > 0.0 ? pow(clamp(dot(reflect(-to_light, normal), to_eye), 0.0, 1.0), power) : 0.0
+    ) * specular;
     return tint * clamp(normal_dot_to_light, 0.0, 1.0) * diffuse + phong;
 }
 
@@ -74,12 +76,24 @@ void main() {
     vec3 color_total = vec3(0.0);
     for (int i = 0; i < min(lamps_count, 8); i++) {
         vec3 lamps_to_light = safe_normalize(lamps[i].place - v_position);
-        color_total += lambert_phong(lamps_to_light, lamps[i].diffuse_color, lamps[i].specular_color, normal, tint, to_eye);
+        color_total += lambert_phong(
+            lamps_to_light, lamps[i].diffuse_color, lamps[i].specular_color, normal, tint, to_eye
+        );
     }
     vec3 torch_to_light = safe_normalize(torch_place - v_position);
     float torch_falloff_cosine = dot(torch_axis, -torch_to_light);
-    float torch_falloff_along = clamp((torch_falloff_cosine - torch_falloff_cos) * torch_falloff_inverse_width, 0.0, 1.0);
-    float torch_falloff = torch_falloff_edges_meet != 0u ? step(torch_falloff_cos, torch_falloff_cosine) : torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along);
-    vec3 color = tint * ambient_light + lambert_phong(-sun_direction, sun_diffuse_color, sun_specular_color, normal, tint, to_eye) + color_total + lambert_phong(torch_to_light, torch_diffuse_color * torch_falloff, torch_specular_color * torch_falloff, normal, tint, to_eye);
+    float torch_falloff_along = clamp(
+        (torch_falloff_cosine - torch_falloff_cos) * torch_falloff_inverse_width, 0.0, 1.0
+    );
+    float torch_falloff = torch_falloff_edges_meet != 0u
+        ? step(torch_falloff_cos, torch_falloff_cosine)
+        : torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along);
+    vec3 color = tint * ambient_light
+        + lambert_phong(-sun_direction, sun_diffuse_color, sun_specular_color, normal, tint, to_eye)
+        + color_total
+        + lambert_phong(
+            torch_to_light, torch_diffuse_color * torch_falloff, torch_specular_color * torch_falloff, normal,
+            tint, to_eye
+        );
     out_color = vec4(color, 1.0);
 }

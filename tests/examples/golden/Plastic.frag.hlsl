@@ -60,9 +60,13 @@ float3 safe_normalize(float3 v) {
     return v * rsqrt(max(dot(v, v), 1.1754944e-38));
 }
 
-float3 lambert_phong(float3 to_light, float3 diffuse, float3 specular, float3 normal, float3 tint, float3 to_eye) {
+float3 lambert_phong(
+    float3 to_light, float3 diffuse, float3 specular, float3 normal, float3 tint, float3 to_eye
+) {
     float normal_dot_to_light = dot(normal, to_light);
-    float3 phong = shine * (normal_dot_to_light > 0.0 ? pow(saturate(dot(reflect(-to_light, normal), to_eye)), power) : 0.0) * specular;
+    float3 phong = shine
+        * (normal_dot_to_light > 0.0 ? pow(saturate(dot(reflect(-to_light, normal), to_eye)), power) : 0.0)
+        * specular;
     return tint * saturate(normal_dot_to_light) * diffuse + phong;
 }
 
@@ -73,12 +77,24 @@ float4 main(FragmentInput input) : SV_Target0 {
     float3 color_total = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < min(lamps_count, 8); i++) {
         float3 lamps_to_light = safe_normalize(lamps[i].place - input.position);
-        color_total += lambert_phong(lamps_to_light, lamps[i].diffuse_color, lamps[i].specular_color, normal, tint, to_eye);
+        color_total += lambert_phong(
+            lamps_to_light, lamps[i].diffuse_color, lamps[i].specular_color, normal, tint, to_eye
+        );
     }
     float3 torch_to_light = safe_normalize(torch_place - input.position);
     float torch_falloff_cosine = dot(torch_axis, -torch_to_light);
-    float torch_falloff_along = saturate((torch_falloff_cosine - torch_falloff_cos) * torch_falloff_inverse_width);
-    float torch_falloff = torch_falloff_edges_meet != 0u ? step(torch_falloff_cos, torch_falloff_cosine) : torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along);
-    float3 color = tint * ambient_light + lambert_phong(-sun_direction, sun_diffuse_color, sun_specular_color, normal, tint, to_eye) + color_total + lambert_phong(torch_to_light, torch_diffuse_color * torch_falloff, torch_specular_color * torch_falloff, normal, tint, to_eye);
+    float torch_falloff_along = saturate(
+        (torch_falloff_cosine - torch_falloff_cos) * torch_falloff_inverse_width
+    );
+    float torch_falloff = torch_falloff_edges_meet != 0u
+        ? step(torch_falloff_cos, torch_falloff_cosine)
+        : torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along);
+    float3 color = tint * ambient_light
+        + lambert_phong(-sun_direction, sun_diffuse_color, sun_specular_color, normal, tint, to_eye)
+        + color_total
+        + lambert_phong(
+            torch_to_light, torch_diffuse_color * torch_falloff, torch_specular_color * torch_falloff, normal,
+            tint, to_eye
+        );
     return float4(color, 1.0);
 }

@@ -64,9 +64,13 @@ fn safe_normalize(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
 }
 
-fn lambert_phong(to_light: vec3f, diffuse: vec3f, specular: vec3f, normal: vec3f, tint: vec3f, to_eye: vec3f) -> vec3f {
+fn lambert_phong(
+    to_light: vec3f, diffuse: vec3f, specular: vec3f, normal: vec3f, tint: vec3f, to_eye: vec3f
+) -> vec3f {
     let normal_dot_to_light = dot(normal, to_light);
-    let phong = material.shine * select(0.0, pow(saturate(dot(reflect(-to_light, normal), to_eye)), material.power), normal_dot_to_light > 0.0) * specular;
+    let phong = material.shine * select(
+        0.0, pow(saturate(dot(reflect(-to_light, normal), to_eye)), material.power), normal_dot_to_light > 0.0
+    ) * specular;
     return tint * saturate(normal_dot_to_light) * diffuse + phong;
 }
 
@@ -78,12 +82,27 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
     var color_total: vec3f = vec3f(0.0);
     for (var i: i32 = 0; i < min(rig.lamps_count, 8); i++) {
         let lamps_to_light = safe_normalize(rig.lamps[i].place - input.position);
-        color_total += lambert_phong(lamps_to_light, rig.lamps[i].diffuse_color, rig.lamps[i].specular_color, normal, tint, to_eye);
+        color_total += lambert_phong(
+            lamps_to_light, rig.lamps[i].diffuse_color, rig.lamps[i].specular_color, normal, tint, to_eye
+        );
     }
     let torch_to_light = safe_normalize(rig.torch_place - input.position);
     let torch_falloff_cosine = dot(rig.torch_axis, -torch_to_light);
-    let torch_falloff_along = saturate((torch_falloff_cosine - rig_derived.torch_falloff_cos) * rig_derived.torch_falloff_inverse_width);
-    let torch_falloff = select(torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along), step(rig_derived.torch_falloff_cos, torch_falloff_cosine), rig_derived.torch_falloff_edges_meet != 0u);
-    let color = tint * rig.ambient_light + lambert_phong(-rig.sun_direction, rig.sun_diffuse_color, rig.sun_specular_color, normal, tint, to_eye) + color_total + lambert_phong(torch_to_light, rig.torch_diffuse_color * torch_falloff, rig.torch_specular_color * torch_falloff, normal, tint, to_eye);
+    let torch_falloff_along = saturate(
+        (torch_falloff_cosine - rig_derived.torch_falloff_cos) * rig_derived.torch_falloff_inverse_width
+    );
+    let torch_falloff = select(
+        torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along),
+        step(rig_derived.torch_falloff_cos, torch_falloff_cosine), rig_derived.torch_falloff_edges_meet != 0u
+    );
+    let color = tint * rig.ambient_light
+        + lambert_phong(
+            -rig.sun_direction, rig.sun_diffuse_color, rig.sun_specular_color, normal, tint, to_eye
+        )
+        + color_total
+        + lambert_phong(
+            torch_to_light, rig.torch_diffuse_color * torch_falloff, rig.torch_specular_color * torch_falloff,
+            normal, tint, to_eye
+        );
     return vec4f(color, 1.0);
 }

@@ -57,21 +57,32 @@ float4 main(FragmentInput input) : SV_Target0 {
     float3 color_negated = -key_to_light;
     float key_falloff_cosine = dot(key_axis, color_negated);
     float key_falloff_along = saturate((key_falloff_cosine - key_falloff_cos) * key_falloff_inverse_width);
-    float inherited_key_falloff = key_falloff_edges_meet != 0u ? step(key_falloff_cos, key_falloff_cosine) : key_falloff_along * key_falloff_along * (3.0 - 2.0 * key_falloff_along);
+    float inherited_key_falloff = key_falloff_edges_meet != 0u
+        ? step(key_falloff_cos, key_falloff_cosine)
+        : key_falloff_along * key_falloff_along * (3.0 - 2.0 * key_falloff_along);
     float4 key_projected = mul(key_to_map, float4(input.position, 1.0));
-    float key_projected_ = key_projected.w;
     // Zero over zero, and anything else over zero, is zero: in all lanes, or in none.
-    float3 key_seen = abs(key_projected_) >= 1.1754944e-38 ? key_projected.xyz / key_projected_ : float3(0.0, 0.0, 0.0);
+    float3 key_seen = abs(key_projected.w) >= 1.1754944e-38
+        ? key_projected.xyz / key_projected.w
+        : float3(0.0, 0.0, 0.0);
     float2 key_centre = float2(0.5 + 0.5 * key_seen.x, 0.5 - 0.5 * key_seen.y);
     float2 key_texel = key_spread / float2(texture_size(key_shadow, 0));
     float key_lit_clamped = saturate(key_seen.z - key_bias);
     float key_lit_total = 0.0;
     for (int i = 0; i < 9; i++) {
-        key_lit_total += key_shadow.SampleCmpLevelZero(key_shadow_sampler, key_centre + key_texel * float2(float(i % 3 - 1), float(i / 3 - 1)), key_lit_clamped);
+        key_lit_total += key_shadow.SampleCmpLevelZero(
+            key_shadow_sampler, key_centre + key_texel * float2(float(i % 3 - 1), float(i / 3 - 1)),
+            key_lit_clamped
+        );
     }
     float key_falloff = inherited_key_falloff * (key_lit_total / 9.0);
     float3 to_eye = safe_normalize(eye - input.position);
-    float3 lambert_phong = base * saturate(normal_dot_key_to_light) * (key_diffuse_color * key_falloff) + 0.2 * (normal_dot_key_to_light > 0.0 ? pow(saturate(dot(reflect(color_negated, normal), to_eye)), 24.0) : 0.0) * (key_specular_color * key_falloff);
+    float3 lambert_phong = base * saturate(normal_dot_key_to_light) * (key_diffuse_color * key_falloff)
+        + 0.2 * (
+            normal_dot_key_to_light > 0.0
+            ? pow(saturate(dot(reflect(color_negated, normal), to_eye)), 24.0)
+            : 0.0
+        ) * (key_specular_color * key_falloff);
     float3 color = base * ambient_light + lambert_phong;
     return float4(color, 1.0);
 }

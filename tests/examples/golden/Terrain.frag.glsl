@@ -26,7 +26,11 @@ void main() {
     // Zero stays zero.
     vec3 normal = v_normal * inversesqrt(max(dot(v_normal, v_normal), 1.1754944e-38));
     float flatness = smoothstep(0.5, 0.8, normal.y);
-    vec3 tint = mix(texture(sampler2DArray(ground, ground_sampler), vec3(v_uv, steep)).xyz, texture(sampler2DArray(ground, ground_sampler), vec3(v_uv, flat_)).xyz, flatness);
-    vec3 color = tint * ambient_light + tint * clamp(dot(normal, -sun_direction), 0.0, 1.0) * sun_diffuse_color;
+    vec3 tint = mix(
+        texture(sampler2DArray(ground, ground_sampler), vec3(v_uv, steep)).xyz,
+        texture(sampler2DArray(ground, ground_sampler), vec3(v_uv, flat_)).xyz, flatness
+    );
+    vec3 color = tint * ambient_light
+        + tint * clamp(dot(normal, -sun_direction), 0.0, 1.0) * sun_diffuse_color;
     out_color = vec4(color, 1.0);
 }

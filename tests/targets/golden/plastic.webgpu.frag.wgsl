@@ -64,6 +64,7 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
         let to_light = normalize(rig.lamps[i].place - input.position);
         from_lamps += shade(to_light, normal, to_eye, tint) * rig.lamps[i].diffuse;
     }
-    let color = (tint * 0.1 + shade(-rig.sun_direction, normal, to_eye, tint) + from_lamps) * rig_derived.sun_cos_outer;
+    let color = (tint * 0.1 + shade(-rig.sun_direction, normal, to_eye, tint) + from_lamps)
+        * rig_derived.sun_cos_outer;
     return vec4f(color, 1.0);
 }

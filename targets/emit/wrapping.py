@@ -1,0 +1,190 @@
+"""Breaks lines that are too long where a person would, in all C-like languages alike.
+
+Outside of brackets the loosest operators are broken at, each opening a line. Where there is none,
+the widest bracket is: what it encloses stands indented between its two lines, arguments filled in
+like words. Comments break at words, and one that follows a declaration moves above it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import TypeVar
+
+from .precedence import INFIX, Binding
+
+WIDTH = 110
+STEP = 4
+"""By how much each level is indented further."""
+
+_BINDINGS = {
+    **{symbol: rule.result for symbol, rule in INFIX.items()},
+    "?": Binding.CHOICE,
+    ":": Binding.CHOICE,
+}
+_TOKEN = re.compile(
+    r"""(?=[](){}<>[,;|&=!+*/%^?:-])  # Many times faster than to try all of them everywhere.
+      (?: (?P<open>[(\[]|\{(?!$)|(?<=\w)<)
+        | (?P<close>[)\]}]|(?<![ -])>)
+        | (?P<separator>[,;])
+        | (?<=\ )(?P<operator>\|\||&&|[=!<>]=|<<|>>|[-+*/%<>&|^?:])(?=\ )
+      )""",
+    re.VERBOSE,
+)
+"""Operators have blanks around them; ``<`` of a type has not, nor has a sign or ``->``. A brace at
+the end opens a block."""
+_COMMENT = re.compile(r"(?P<mark>///?) (?P<text>.*)")
+_WORD_END = re.compile(r"(?<![\\\s]) +")
+"""Not behind a backslash, which would swallow the next line."""
+
+Place = TypeVar("Place")
+
+
+def wrapped(text: str, places: Mapping[int, Place]) -> tuple[str, dict[int, Place]]:
+    """``text`` with its long lines broken, and ``places`` by the 1-based lines that it has then."""
+    lines: list[str] = []
+    moved: dict[int, Place] = {}
+    for number, line in enumerate(text.split("\n"), start=1):
+        before = len(lines)
+        lines += broken(line) if len(line) > WIDTH else (line,)
+        if number in places:
+            place = places[number]
+            moved.update((after, place) for after in range(before + 1, len(lines) + 1))
+    return "\n".join(lines), moved
+
+
+def broken(line: str) -> list[str]:
+    """A line as several, none too long if it can be helped."""
+    if line.startswith("#"):
+        return [line]
+    text = line.lstrip(" ")
+    indent = len(line) - len(text)
+    comment = _COMMENT.search(text)
+    if comment is None:
+        return _layout(text, indent, indent + STEP)
+    opening = f"{' ' * indent}{comment['mark']} "
+    words = _filled_lines(_WORD_END.split(comment["text"]), WIDTH - len(opening))
+    lines = [opening + line for line in words]
+    code = text[: comment.start()].rstrip()
+    return [*lines, *_layout(code, indent, indent + STEP)] if code else lines
+
+
+def _layout(text: str, indent: int, column: int) -> list[str]:
+    """``text`` from ``indent`` on, what it continues with in ``column``.
+
+    It calls itself for parts, which the scheduler does not let nest deeply.
+    """
+    if indent + len(text) <= WIDTH:
+        return [" " * indent + text]
+    operands = _operands(text)
+    if len(operands) > 1:
+        return _chain(operands, indent, column)
+    return _enclosed(text, 0, indent, column)
+
+
+def _chain(operands: Sequence[str], indent: int, column: int) -> list[str]:
+    """Each operand in a line of its own, but factors filled in like words."""
+    binding = _BINDINGS[operands[1].split(" ", 1)[0]]
+    if binding == Binding.PRODUCT or len(operands) == 2:
+        around = _around_bracket(operands, indent, column)
+        if around:
+            return around
+    if binding == Binding.PRODUCT:
+        operands = list(_filled_lines(operands, WIDTH - column))
+    lines = _layout(operands[0], indent, column + STEP)
+    for operand in operands[1:]:
+        lines += _layout(operand, column, column + STEP)
+    return lines
+
+
+def _around_bracket(operands: Sequence[str], indent: int, column: int) -> list[str]:
+    """What stands around the only operand that has to be broken anyway, in the lines of its
+    brackets; nothing where that is no way."""
+    starts = [indent, *(column for _ in operands[1:])]
+    wide = [k for k, start in enumerate(starts) if start + len(operands[k]) > WIDTH]
+    if len(wide) != 1 or len(_operands(operands[wide[0]])) > 1:
+        return []
+    start = sum(len(operand) + 1 for operand in operands[: wide[0]])
+    lines = _enclosed(" ".join(operands), start, indent, max(column, indent + STEP))
+    return lines if max(len(lines[0]), len(lines[-1])) <= WIDTH else []
+
+
+def _enclosed(text: str, start: int, indent: int, column: int) -> list[str]:
+    """``text`` broken in the widest bracket from ``start`` on."""
+    bracket = _widest_bracket(text[start:])
+    if bracket is None:
+        return [" " * indent + text]
+    opened, closed = start + bracket[0] + 1, start + bracket[1]
+    head, inside, tail = text[:opened], text[opened:closed].strip(), text[closed:]
+    items, operands = _items(inside), _operands(inside)
+    if len(items) > 1:
+        lines = _arguments(items, column)
+    elif len(operands) > 1 and column + len(inside) > WIDTH:
+        lines = _chain(operands, column, column)
+    else:
+        lines = _layout(inside, column, column + STEP)
+    return [" " * indent + head, *lines, " " * (column - STEP) + tail]
+
+
+def _arguments(items: Iterable[str], column: int) -> list[str]:
+    """As many to a line as there is room for; one that is broken has its lines for itself."""
+    lines: list[str] = []
+    for line in _filled_lines(items, WIDTH - column):
+        lines += _layout(line, column, column + STEP)
+    return lines
+
+
+def _filled_lines(words: Iterable[str], room: int) -> Iterator[str]:
+    """Words in lines of at most ``room``, unless a single word is longer."""
+    line = ""
+    for word in words:
+        if line and len(line) + 1 + len(word) > room:
+            yield line
+            line = word
+        else:
+            line = f"{line} {word}" if line else word
+    yield line
+
+
+def _operands(text: str) -> list[str]:
+    """``text`` before each of its loosest operators; one that it begins with is part of it."""
+    found = [token for token in _outermost(text) if token.lastgroup == "operator"]
+    if all(token[0] != "?" for token in found):
+        found = [token for token in found if token[0] != ":"]
+    loosest = min((_BINDINGS[token[0]] for token in found), default=Binding.NAME)
+    starts = [token.start() for token in found if _BINDINGS[token[0]] == loosest]
+    bounds = zip([0, *starts], [*starts, len(text)], strict=True)
+    return [text[first:last].strip() for first, last in bounds]
+
+
+def _items(text: str) -> list[str]:
+    """What separators part, each with the one behind it."""
+    ends = [token.end() for token in _outermost(text) if token.lastgroup == "separator"]
+    bounds = zip([0, *ends], [*ends, len(text)], strict=True)
+    return [text[first:last].strip() for first, last in bounds]
+
+
+def _widest_bracket(text: str) -> tuple[int, int] | None:
+    """Where the outermost bracket that encloses most opens and closes."""
+    brackets: list[tuple[int, int]] = []
+    opened = 0
+    for token in _outermost(text):
+        if token.lastgroup == "open":
+            opened = token.start()
+        elif token.lastgroup == "close" and text[opened] != "<":
+            brackets.append((opened, token.start()))
+    return max(brackets, key=lambda bracket: bracket[1] - bracket[0], default=None)
+
+
+@lru_cache(maxsize=64)
+def _outermost(text: str) -> Sequence[re.Match[str]]:
+    """The tokens that no bracket encloses, with those brackets themselves."""
+    found: list[re.Match[str]] = []
+    depth = 0
+    for token in _TOKEN.finditer(text):
+        depth -= token.lastgroup == "close"
+        if depth == 0:
+            found.append(token)
+        depth += token.lastgroup == "open"
+    return found
