@@ -118,3 +118,23 @@ def test_names_and_comments_of_functions() -> None:
     for target, head in (("glsl", "float hash(vec2 p) {"), ("wgsl", "fn hash(p: vec2f) -> f32 {")):
         whole = burnish.compile(text, (target,)).materials[0].text(target, "fragment")
         assert re.search(re.escape(f"/// Mixes bits.\n{head}"), whole)
+
+
+CIRCLES = {
+    "by a condition": (
+        "fn f(x: float, y: float) -> float ="
+        " if x < sqrt(y) then sqrt(x) * sin(x + y) else sin(y) / x\n"
+    ),
+    "by a state": (
+        "struct Pair { a : float, b : float }\n"
+        "fn f(x: float, y: float) -> float = (iterate s from Pair(x, y) for i in 0..12"
+        " while s.a < 2 : Pair(s.a + s.b, s.b * 0.5 + s.a)).a\n"
+    ),
+}
+
+
+@pytest.mark.parametrize("given", CIRCLES.values(), ids=CIRCLES)
+def test_what_a_function_gives_may_be_what_it_gets(given: str) -> None:
+    text = f"{given}material M {{ color = vec3(f(f(f(uv.x, uv.y), f(uv.y, uv.x)), uv.x)) }}"
+    assert "f" in functions(text)
+    assert not disagreements(shader(text), WORLDS)
