@@ -247,12 +247,11 @@ class Writer:
     def _two_states(self, type_: Type, scope: Scope, fuel: int) -> str:
         """A structure as the state, of which a member is what is wanted or makes it."""
         state, index = self._fresh("x", scope), self._fresh("i", scope)
-        number, vector = Variable(f"{state}.number", FLOAT), Variable(f"{state}.vector", VEC3)
-        turning = (replace(number, turning=True), replace(vector, turning=True))
-        inner = scope.within(
-            Variable(state, BOOL, turning=True), *turning, Variable(index, INT, turning=True)
+        turning = (
+            Variable(f"{state}.number", FLOAT, turning=True),
+            Variable(f"{state}.vector", VEC3, turning=True),
         )
-        inner = replace(inner, variables=tuple(v for v in inner.variables if v.text != state))
+        inner = scope.within(*turning, Variable(index, INT, turning=True))
         first, following = (
             f"Pair({self.expression(FLOAT, s, share)}, {self.expression(VEC3, s, share)})"
             for s, share in ((scope, fuel // 6), (inner, fuel // 4))
@@ -264,7 +263,8 @@ class Writer:
         member = {FLOAT: ".number", VEC3: ".vector"}.get(type_)
         if member is not None:
             return loop + member
-        return f"(if {loop}.number > 0.5 then {self._leaf(type_, scope)} else {self._leaf(type_, scope)})"
+        then, otherwise = self._leaf(type_, scope), self._leaf(type_, scope)
+        return f"(if {loop}.number > 0.5 then {then} else {otherwise})"
 
     def _indexed(self, type_: Type, scope: Scope, fuel: int) -> str:
         """An element of a parameter, mostly that of the turn."""
