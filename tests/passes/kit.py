@@ -156,8 +156,8 @@ class World:
         if fact.lo > hi or fact.hi < lo:
             lo, hi = fact.lo, fact.hi
         if kind == "float":
-            ends = (end for end in (fact.lo, fact.hi) if math.isfinite(end))
-            allowed = [*(trap for trap in TRAPS if fact.lo <= trap <= fact.hi), *ends]
+            allowed = [trap for trap in TRAPS if fact.lo <= trap <= fact.hi]
+            allowed += [end for end in (fact.lo, fact.hi) if math.isfinite(end)]
             if self.traps and allowed and chance.random() < 0.6:
                 return chance.choice(allowed)
             return float(chance.uniform(lo, hi))

@@ -398,7 +398,7 @@ def _written(writer: Writer, type_: Type, scope: Scope) -> str:
     return f"{type_}({text})" if type_ in (FLOAT, INT, UINT) else text
 
 
-ELEMENTS = (FLOAT, INT, VEC3, VECTORS[0], Matrix(3))
+ELEMENTS: tuple[Type, ...] = (FLOAT, INT, VEC3, VECTORS[0], Matrix(3))
 """What parameters that are arrays consist of."""
 
 

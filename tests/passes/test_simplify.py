@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import pytest
 
 from burnish.compiler.ir import build
@@ -176,7 +178,9 @@ def test_folds_of_nothing_are_their_start(kit: Kit) -> None:
 
 
 @pytest.mark.parametrize("operator", ["add", "mul", "min", "max"])
-def test_folds_of_unequal_lanes_do_something(kit: Kit, operator: str) -> None:
+def test_folds_of_unequal_lanes_do_something(
+    kit: Kit, operator: Literal["add", "mul", "min", "max"]
+) -> None:
     count, start = build.constant(kit.graph, INT, 9), kit.leaf("start", VEC3)
     body = build.constant(kit.graph, VEC3, (2.0, 1.0, 0.25))
     operands = count, start, body
