@@ -12,6 +12,7 @@ from ..syntax import ast
 from ..trampoline import run
 from . import lookup
 from .checks import check_rig, check_slots
+from .hostnames import check_host_names
 from .lower import Lowering
 from .modules import Symbol
 from .parameters import Leaves
@@ -54,6 +55,8 @@ def results_of(setting: Setting) -> Results:
         _discard(low, passing.record, passing),
     )
     check_slots(low, surface, passing)
+    low.externs.learn(setting.parts.module)
+    check_host_names(low.report, setting.leaves, setting.entries, low.externs.blocks)
     return found
 
 
@@ -66,7 +69,6 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     low, parts = setting.low, setting.parts
     results = results_of(setting)
     check_rig(low, setting.surface)
-    low.externs.learn(parts.module)
     reached.update((parts.material, parts.rig, parts.pass_, *low.reached()))
     if low.report.failed or isinstance(results.clip, Failure):
         return None
