@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from .library import FOLDER, parse_library
 from .semantics.elaborate import elaborate
 from .semantics.modules import Loader, Module, Symbol
 from .semantics.records import Records, records_of
-from .semantics.setting import Parts
+from .semantics.setting import Parts, Setting, set_up
 from .semantics.shader import Shader
 from .semantics.unused import Surroundings, check_unused
 from .syntax import ast
@@ -78,7 +78,7 @@ class Frontend:
         pass_symbol = self._pass(module, pass_)
         drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
         if drawn:
-            self._check_unused(module, drawn, set())
+            self._check_unused(module, drawn, (), set())
 
     def _elaborate(
         self, module: Module, materials: list[Symbol], rig: str | None, pass_: str | None
@@ -88,20 +88,22 @@ class Frontend:
         if rig_symbol is None or pass_symbol is None:
             return []
         reached: set[Symbol] = set()
-        found = [
-            elaborate(
-                Parts(symbol, rig_symbol, pass_symbol, module),
-                self._report, self._records, reached,
-            )
-            for symbol in materials
-        ]  # fmt: skip
+        parts = [Parts(symbol, rig_symbol, pass_symbol, module) for symbol in materials]
+        settings = [set_up(part, self._report.apart(), self._records) for part in parts]
+        found = [elaborate(setting, reached) for setting in settings]
+        for setting in settings:
+            self._report.extend(setting.low.report.since(0))
         rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
         drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
-        self._check_unused(module, drawn, reached)
+        self._check_unused(module, drawn, settings, reached)
         return [shader for shader in found if shader is not None]
 
     def _check_unused(
-        self, module: Module, drawn: list[tuple[Symbol, Symbol]], reached: set[Symbol]
+        self,
+        module: Module,
+        drawn: list[tuple[Symbol, Symbol]],
+        settings: Iterable[Setting],
+        reached: set[Symbol],
     ) -> None:
         """Check what has not been reached, if possible with the rigs and passes in ``drawn``."""
         prelude = self._loader.prelude()
@@ -115,7 +117,7 @@ class Frontend:
             passes=tuple(dict.fromkeys([*(pass_ for _, pass_ in drawn), self._forward()])),
             drawn=tuple(drawn),
         )
-        check_unused(module, around, reached, self._report, self._records)
+        check_unused(module, around, settings, reached, self._report, self._records)
 
     def _materials(self, module: Module, wanted: str | None) -> list[Symbol]:
         concrete = records_of(module, "material", abstract=False)

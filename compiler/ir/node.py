@@ -158,6 +158,12 @@ class Graph:
     def __len__(self) -> int:
         return len(self._interned)
 
+    def copy(self) -> Graph:
+        """A graph with the same nodes, to which others can be added."""
+        graph = Graph()
+        graph._interned = dict(self._interned)
+        return graph
+
     def node(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
     ) -> Node:

@@ -94,10 +94,11 @@ class Ranges:
             begun.add(top)
             if pending[-1] is top:
                 pending.pop()
-                facts[top] = self.derived(top, tuple(map(self._so_far, needs)))
+                facts[top] = self.derived(top, tuple(map(self.so_far, needs)))
         return facts[node]
 
-    def _so_far(self, node: Node) -> Fact:
+    def so_far(self, node: Node) -> Fact:
+        """What is known of a value while another is derived that needs it, maybe in a circle."""
         known = self._facts.get(node)
         return UNKNOWN.as_kind(_kind(node)) if known is None else known
 
@@ -117,6 +118,8 @@ class Ranges:
             if node.data in self._states:
                 return () if self._assuming else self._needs_of_state(self._states[node.data])
             return self._sources.get(node.data, ())
+        if node.op == "member" and node.operands[0].op == "iterate":
+            return _start_and_next(node.operands[0], str(node.data))
         return node.operands
 
     def _needs_of_state(self, loop: Node) -> Sequence[Node]:
@@ -263,11 +266,11 @@ def _index(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
 
 
-def _member(ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
+def _member(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     """A member of a light of many, whose parameter carries a fact for each, or a loop's state."""
     source = node.operands[0]
     if source.op == "iterate":
-        return _state(ranges, source, str(node.data))
+        return _union(known)
     while source.op in ("index", "as"):
         source = source.operands[0]
     if isinstance(source.data, Parameter) and isinstance(node.operands[0].type, Struct):
@@ -295,7 +298,7 @@ def _select(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     if rulebook.OWN_CONDITION not in ranges.without:
         for i, (side, holds) in enumerate(((then, True), (otherwise, False))):
             if side.op != "constant":
-                for told in learnt(ranges.of, condition, holds, ranges.without):
+                for told in learnt(ranges.so_far, condition, holds, ranges.without):
                     if told.about is side:
                         sides[i] = sides[i].meet(told.fact)
     return sides[0].union(sides[1])
@@ -346,12 +349,11 @@ def _iterate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     return known[1].union(known[-1]) if node.data.states == 1 else UNKNOWN
 
 
-def _state(ranges: Ranges, loop: Node, name: str) -> Fact:
-    """The same of one of several states."""
+def _start_and_next(loop: Node, name: str) -> tuple[Node, Node]:
+    """What one of a loop's states is at first, and what a turn makes of it."""
     assert isinstance(loop.data, Iterating) and isinstance(loop.type, Struct)
     position = [member for member, _ in loop.type.members].index(name)
-    start, following = loop.operands[1 + position], loop.operands[position - loop.data.states]
-    return ranges.of(start).union(ranges.of(following))
+    return loop.operands[1 + position], loop.operands[position - loop.data.states]
 
 
 def _in_turn(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:

@@ -10,6 +10,7 @@ of structures stands beside the array, one for each element, and is read at the 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 
 from ...frozen import frozen
@@ -29,6 +30,13 @@ COMMON_GROUP = "frame"
 
 _NOT_HOISTED = frozenset({"interpolate", "fold", "iterate", "apply", "struct", "array"})
 """Loops stay in the shader, and so do arrays that are put together."""
+
+ROW = 16
+"""Bytes of what a block holds in a row: a vector, a column of a matrix."""
+
+ROOM = 12 * 1024
+"""Bytes of the tables of a group: blocks hold 16 KiB on some devices, and single values need some
+of them, too. What has no room stays in the shader."""
 
 CHEAP = frozenset({"neg", "not"})
 """Operand modifiers: free in hardware, so a stored value would only cost memory."""
@@ -121,6 +129,8 @@ class _Hoisting:
         """Likewise, where it stands in a table, and the position of the element."""
         self._tables: dict[tuple[int, str], Table] = {}
         """By the array's id and the group that owns the values."""
+        self._filled: Counter[str] = Counter()
+        """How many bytes the tables of each group have at most."""
 
     def choose(self, roots: list[Node], nodes: list[Node]) -> None:
         """Find the hoistable nodes that some user which is not hoistable needs."""
@@ -194,10 +204,20 @@ class _Hoisting:
         if reads.position is None:
             own = Parameter(self._free(name), node.type, reads.owner, fact, derived=True)
             self._single[node.id] = Derived(own, node)
-        else:
+        elif self._has_room(reads, node):
             table = self._table(reads, reads.owner)
             member = table.add(self._graph, node, reads.position, name, fact)
             self._members[node.id] = table, member, reads.position
+
+    def _has_room(self, reads: _Reads, node: Node) -> bool:
+        """Whether the tables of a group can hold one more value for each element, and then do."""
+        assert reads.array is not None and reads.owner is not None
+        columns = node.type.size if isinstance(node.type, Matrix) else 1
+        size = ROW * columns * _length(reads.array)
+        if self._filled[reads.owner] + size > ROOM:
+            return False
+        self._filled[reads.owner] += size
+        return True
 
     def _table(self, reads: _Reads, group: str) -> Table:
         assert reads.array is not None

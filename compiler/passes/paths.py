@@ -93,7 +93,8 @@ class Paths:
         for node in cone:
             fact = self._ranges.of(node)
             if any(need.id in facts for need in node.operands):
-                inner = [facts.get(o.id, self._ranges.of(o)) for o in node.operands]
+                needs = self._ranges.needs(node)
+                inner = [facts.get(need.id, self._ranges.of(need)) for need in needs]
                 fact = fact.meet(self._ranges.derived(node, inner))
             for one in told.get(node.id, ()):
                 fact = fact.meet(one.learnt.fact)

@@ -252,7 +252,7 @@ def _fold(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable
     count, start, body = operands
     assert isinstance(data, Folding) and data.index is not None
     turns = _turns(count, data.bound)
-    if turns == 0 or (body.op == "constant" and uniform_lane(body) == NEUTRAL.get(data.operator)):
+    if turns == 0 or _is_neutral(body, data.operator):
         return start
     if turns is None:
         return None
@@ -265,6 +265,11 @@ def _fold(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable
         turn = substitute_through(s, body, {data.index: build.constant(s.graph, INT, i)})
         result = s.call(data.operator, type_, result, turn)
     return result
+
+
+def _is_neutral(body: Node, operator: str) -> bool:
+    """Whether no turn changes anything; of the least and the greatest no constant says so."""
+    return operator in NEUTRAL and uniform_lane(body) == NEUTRAL[operator]
 
 
 def _iterate(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:

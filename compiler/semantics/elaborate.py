@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from ...frozen import changed
+from ...frozen import changed, frozen
 from ..diagnostics import rules
-from ..diagnostics.diagnostic import Report
 from ..ir.node import Node
 from ..ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ..syntax import ast
@@ -17,10 +16,10 @@ from .hostnames import check_host_names
 from .lower import Lowering
 from .modules import Symbol
 from .parameters import Leaves
-from .records import Record, Records
+from .records import Record
 from .rigs import Entry
 from .scope import Failure, Instance, Scope
-from .setting import Parts, is_declared_abstract, set_up
+from .setting import Setting, is_declared_abstract
 from .shader import ExternInfo, ParameterInfo, Shader, TargetInfo
 from .sharing import shared
 
@@ -38,37 +37,52 @@ CLIP_POSITION = "clip_position"
 """The slot that every pass (or its material) has to define: a vec4 in the vertex domain."""
 
 
-def elaborate(
-    parts: Parts, report: Report, records: Records, reached: set[Symbol]
-) -> Shader | None:
+@frozen
+class Results:
+    """What a pass delivers of a material."""
+
+    clip: Node | Failure
+    targets: tuple[TargetInfo, ...]
+    discard: Node | None
+
+
+def results_of(setting: Setting) -> Results:
+    """Lower what the pass delivers, and everything else that the parts say."""
+    low, surface, passing = setting.low, setting.surface, setting.passing
+    found = Results(
+        _clip_position(low, passing, surface),
+        _targets(low, passing.record, passing),
+        _discard(low, passing.record, passing),
+    )
+    check_slots(low, surface, passing)
+    low.externs.learn(setting.parts.module)
+    check_host_names(low.report, setting.leaves, setting.entries, low.externs.blocks)
+    return found
+
+
+def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     """The shader of a material under a pass and a rig, or ``None`` after reporting why not.
 
-    ``reached`` gets every declaration that was checked on the way.
+    ``reached`` gets every declaration that was checked on the way. The setting can be used on:
+    what is lowered in it later is no part of the shader's graph.
     """
-    setting = set_up(parts, report, records)
-    low, surface, passing = setting.low, setting.surface, setting.passing
-    material, drawn = surface.record, passing.record
-    clip = _clip_position(low, passing, surface)
-    targets = _targets(low, drawn, passing)
-    discard = _discard(low, drawn, passing)
-    check_slots(low, surface, passing)
-    check_rig(low, surface)
-    low.externs.learn(parts.module)
-    check_host_names(report, setting.leaves, setting.entries, low.externs.blocks)
+    low, parts = setting.low, setting.parts
+    results = results_of(setting)
+    check_rig(low, setting.surface)
     reached.update((parts.material, parts.rig, parts.pass_, *low.reached()))
-    if report.failed or isinstance(clip, Failure):
+    if low.report.failed or isinstance(results.clip, Failure):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     leaves, entries = setting.leaves, setting.entries
-    clip, targets, discard = _numbers_only(low, clip, targets, discard)
+    clip, targets, discard = _numbers_only(low, results.clip, results.targets, results.discard)
     return Shader(
-        name=material.name,
+        name=setting.surface.record.name,
         doc=declaration.doc,
-        pass_name=drawn.name,
+        pass_name=setting.passing.record.name,
         rig_name=parts.rig.name,
-        graph=low.graph,
-        notes=low.notes,
+        graph=low.graph.copy(),
+        notes=low.notes.copy(),
         parameters=_all_parameters(leaves, entries, low.externs.blocks),
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),

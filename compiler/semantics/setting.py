@@ -37,6 +37,7 @@ class Setting:
     """Instances of the parts, and the leaves that they read."""
 
     low: Lowering
+    parts: Parts
     entries: list[Entry]
     leaves: tuple[Leaves, Leaves]
     """Of the pass and of the material."""
@@ -49,19 +50,36 @@ def set_up(parts: Parts, report: Report, records: Records) -> Setting:
     low = Lowering(report, records, TypeResolver(report))
     entries = entries_of(low, parts.rig)
     low.rig = tuple(entry for entry, _, _ in entries)
-    material, drawn = records.of(parts.material), records.of(parts.pass_)
+    return _put_together(low, parts, entries, None)
+
+
+def set_up_beside(setting: Setting, parts: Parts) -> Setting:
+    """Other parts under the same lights, which share all that has been lowered already."""
+    if parts == setting.parts:
+        return setting
+    same = parts.material == setting.parts.material and not setting.surface.replaced
+    return _put_together(setting.low, parts, setting.entries, setting.surface if same else None)
+
+
+def _put_together(
+    low: Lowering, parts: Parts, entries: list[Entry], known: Instance | None
+) -> Setting:
+    """``known`` is an instance of the material as it is under a pass that overrides nothing."""
+    material, drawn = low.records.of(parts.material), low.records.of(parts.pass_)
     material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
     pass_leaves = _apart(pass_leaves, material_leaves, drawn)
     _check_attributes(low, pass_leaves, material_leaves, material)
-    surface = instance_of(low, material, material_leaves)
     passing = instance_of(low, drawn, pass_leaves)
+    overrides = _overrides(material, drawn, passing)
+    reused = known is not None and not overrides
+    surface = known if known is not None and reused else instance_of(low, material, material_leaves)
+    surface.replaced.update(overrides)
     passing.surface = surface
     low.passing = passing
-    surface.replaced.update(_overrides(material, drawn, passing))
-    for instance in (surface, passing):
+    for instance in (passing,) if reused else (surface, passing):
         if is_declared_abstract(instance.record):
             stand_in(low, instance)
-    return Setting(low, entries, (pass_leaves, material_leaves), surface, passing)
+    return Setting(low, parts, entries, (pass_leaves, material_leaves), surface, passing)
 
 
 def is_declared_abstract(record: Record) -> bool:

@@ -21,7 +21,7 @@ from . import lookup
 from .applications import apply_body
 from .checks import check_instance, check_rig
 from .declared import struct_of
-from .elaborate import elaborate
+from .elaborate import results_of
 from .generics import examples, unfounded, untold
 from .instances import instance_of
 from .lights import light_instance, per_light
@@ -30,7 +30,7 @@ from .parameters import leaves_of
 from .records import Records
 from .rigs import light_entry
 from .scope import Scope
-from .setting import Parts, Setting, is_declared_abstract, set_up
+from .setting import Parts, Setting, is_declared_abstract, set_up, set_up_beside
 from .standins import some, stand_in
 from .typenames import Variables
 
@@ -72,12 +72,16 @@ class Surroundings:
 def check_unused(
     module: Module,
     around: Surroundings,
+    settings: Iterable[Setting],
     reached: set[Symbol],
     report: Report,
     records: Records,
 ) -> None:
-    """Report what is wrong with the declarations of a file that were not ``reached``."""
-    unused = _Unused(module, around, reached, report, records)
+    """Report what is wrong with the declarations of a file that were not ``reached``.
+
+    What has been lowered in ``settings`` already is not lowered once more.
+    """
+    unused = _Unused(module, around, settings, reached, report, records)
     # Materials come first: what they use has been checked by that.
     unused.check(ast.Record)
     unused.check(ast.Rig, ast.Mixin)
@@ -89,6 +93,7 @@ class _Unused:
         self,
         module: Module,
         around: Surroundings,
+        settings: Iterable[Setting],
         reached: set[Symbol],
         report: Report,
         records: Records,
@@ -98,7 +103,7 @@ class _Unused:
         self._reached = reached
         self._report = report
         self._records = records
-        self._trials: dict[Parts, _Trial] = {}
+        self._trials = {setting.parts: _Trial(setting) for setting in settings}
 
     def check(self, *kinds: type) -> None:
         """Check the declarations of some kinds."""
@@ -132,16 +137,16 @@ class _Unused:
             case ast.Record(kind="material", abstract=abstract):
                 offered = product(around.rigs, around.passes)
                 for rig, pass_ in offered if abstract else around.drawn:
-                    yield self._elaborated(symbol, rig, pass_)
+                    yield self._drawn(symbol, rig, pass_)
             case ast.Record(kind="pass"):
                 for material, rig in product(around.materials, around.rigs):
-                    yield self._elaborated(material, rig, symbol)
+                    yield self._drawn(material, rig, symbol)
             case ast.Record(kind="light"):
                 yield from self._tried(partial(_check_light, symbol))
             case ast.Rig():
                 for material in around.materials:
                     trial = self._trial(material, symbol)
-                    yield trial.attempt(_check_rig, since=0)
+                    yield trial.attempt(_check_rig, whole=True)
             case ast.Mixin() as mixin if not self._is_in_a_chain(symbol):
                 yield from self._tried(partial(_check_mixin, symbol, mixin))
             case ast.Function() as function if not (unfounded(function) or untold(function)):
@@ -153,11 +158,9 @@ class _Unused:
             case ast.ExternBlock():
                 yield from islice(self._tried(partial(_check_block, symbol)), 1)
 
-    def _elaborated(self, material: Symbol, rig: Symbol, pass_: Symbol) -> Attempt:
-        trial, reached = self._report.apart(), set[Symbol]()
-        parts = Parts(material, rig, pass_, self._module)
-        elaborate(parts, trial, self._records, reached)
-        return Attempt(trial.since(0), not trial.failed, frozenset(reached))
+    def _drawn(self, material: Symbol, rig: Symbol, pass_: Symbol) -> Attempt:
+        trial = self._trial(self._around.materials[0], rig)
+        return trial.beside(Parts(material, rig, pass_, self._module))
 
     def _is_in_a_chain(self, mixin: Symbol) -> bool:
         """Whether some record of the file has a mixin, and has been checked with it."""
@@ -183,23 +186,46 @@ class _Unused:
     def _trial(self, material: Symbol, lights: Symbol) -> _Trial:
         parts = Parts(material, lights, self._around.passes[0], self._module)
         if parts not in self._trials:
-            self._trials[parts] = _Trial(parts, self._report.apart(), self._records)
+            setting = set_up(parts, self._report.apart(), self._records)
+            self._trials[parts] = _Trial(setting)
         return self._trials[parts]
 
 
 class _Trial:
     """A setting with a report of its own."""
 
-    def __init__(self, parts: Parts, report: Report, records: Records) -> None:
-        self._report = report
-        self._setting = set_up(parts, report, records)
+    def __init__(self, setting: Setting) -> None:
+        self._setting = setting
+        self._report = setting.low.report
+        self._from_start = self._report.since(0)
 
-    def attempt(self, check: Check, since: int | None = None) -> Attempt:
-        """What a check finds that none before it has found."""
-        before = self._report.count if since is None else since
+    def attempt(self, check: Check, whole: bool = False) -> Attempt:
+        """What a check finds that none before it has found.
+
+        As a ``whole``, what was wrong with the setting from the start belongs to it.
+        """
+        before = self._report.count
+        self._setting.low.passing = self._setting.passing
         came_to_values = check(self._setting)
-        attempt = Attempt(self._report.since(before), came_to_values)
+        found = self._report.since(before)
+        if whole:
+            found = (*self._from_start, *found)
+        attempt = Attempt(found, came_to_values)
         return attempt if came_to_values and not attempt.errors else changed(attempt, right=False)
+
+    def beside(self, parts: Parts) -> Attempt:
+        """What is wrong with other parts under the same lights."""
+        known = set(self._setting.low.reached())
+        check = partial(_check_parts, parts)
+        attempt = self.attempt(check, whole=parts == self._setting.parts)
+        found = (parts.material, parts.pass_, *self._setting.low.reached())
+        return changed(attempt, reached=frozenset(found) - known)
+
+
+def _check_parts(parts: Parts, setting: Setting) -> bool:
+    other = set_up_beside(setting, parts)
+    delivered = isinstance(results_of(other).clip, Node)
+    return delivered or is_declared_abstract(other.passing.record)
 
 
 def _check_constant(symbol: Symbol, setting: Setting) -> bool:

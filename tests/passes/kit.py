@@ -37,6 +37,8 @@ from burnish.compiler.semantics.shader import Shader
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
 
 TRAPS = (0.0, -0.0, 1.0, -1.0, 1e-40, -1e-30, 2.0, 0.5)
+COARSE = 1e6
+"""How much further than other noise that of operations may go which see the bits of a float."""
 INT_TRAPS = (0, 1, -1, 2, 31, -(2**31), 2**31 - 1)
 
 
@@ -113,7 +115,8 @@ class World:
             if value.parameter == leaf:
                 return derived_value(value, Evaluator(self))
         if leaf.name.startswith("noise."):
-            return (1.0 + self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
+            far = COARSE if leaf.name.startswith("noise.coarse.") else 1.0
+            return (1.0 + far * self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
         return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))
 
     def _random(self, name: str) -> random.Random:
@@ -137,7 +140,7 @@ class World:
                 column = Vector("float", size)
                 return tuple(self._of(chance, column, UNKNOWN, {}) for _ in range(size))
             case Array(element, count):
-                return tuple(self._of(chance, element, UNKNOWN, members) for _ in range(count))
+                return tuple(self._of(chance, element, fact, members) for _ in range(count))
             case Struct():
                 return tuple(
                     self._of(chance, inner, members.get(name, UNKNOWN), {})
@@ -154,10 +157,13 @@ class World:
             lo, hi = fact.lo, fact.hi
         if kind == "float":
             allowed = [trap for trap in TRAPS if fact.lo <= trap <= fact.hi]
+            allowed += [end for end in (fact.lo, fact.hi) if math.isfinite(end)]
             if self.traps and allowed and chance.random() < 0.6:
                 return chance.choice(allowed)
             return float(chance.uniform(lo, hi))
-        integers = [n for n in INT_TRAPS if fact.lo <= n <= fact.hi and (kind == "int" or n >= 0)]
+        ends = [int(end) for end in (fact.lo, fact.hi) if abs(end) < 2.0**31]
+        traps = (*INT_TRAPS, *ends)
+        integers = [n for n in traps if fact.lo <= n <= fact.hi and (kind == "int" or n >= 0)]
         if self.traps and integers and chance.random() < 0.6:
             return chance.choice(integers)
         return chance.randint(max(math.ceil(lo), 0 if kind == "uint" else -4), math.floor(hi))

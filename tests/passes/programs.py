@@ -47,6 +47,8 @@ class Scope:
     variables: tuple[Variable, ...] = ()
     functions: tuple[tuple[str, tuple[Type, ...], Type], ...] = ()
     terms: tuple[str, ...] = ()
+    arrays: tuple[Variable, ...] = ()
+    """Parameters that are arrays; the types are those of their elements."""
     maps: tuple[str, ...] = ()
     surface: bool = False
     """Whether there are stages to cross."""
@@ -58,7 +60,7 @@ class Scope:
     def at_vertex(self) -> Scope:
         """What may stand under ``@vertex``."""
         plain = tuple(v for v in self.variables if not (v.textured or v.turning))
-        return Scope(plain, self.functions)
+        return Scope(plain, self.functions, arrays=self.arrays)
 
 
 @cache
@@ -100,14 +102,16 @@ class Writer:
         ways: list[Callable[[Type, Scope, int], str]] = [self._plain_leaf, self._builtin]
         ways += [self._builtin, self._builtin, self._conditional, self._constructed]
         if any(result == type_ for _, _, result in scope.functions):
-            ways.append(self._function)
+            ways += [self._function, self._function]
+        if any(array.type == type_ for array in scope.arrays):
+            ways += [self._indexed, self._indexed]
         if type_ in (FLOAT, INT, *VECTORS):
             ways += [self._fold, self._open_fold]
         if type_ == BOOL:
             ways.append(self._any)
         if type_ in (FLOAT, VEC3):
             ways.append(self._member)
-        ways += [self._element, self._iterate]
+        ways += [self._element, self._iterate, self._two_states]
         if type_ in (FLOAT, *VECTORS):
             ways.append(self._swizzled)
         if type_ == VEC3 and scope.terms:
@@ -240,6 +244,38 @@ class Writer:
         body = self.expression(type_, inner, fuel // 2)
         return f"(iterate {state} from {first} {turns}{going} : {body})"
 
+    def _two_states(self, type_: Type, scope: Scope, fuel: int) -> str:
+        """A structure as the state, of which a member is what is wanted or makes it."""
+        state, index = self._fresh("x", scope), self._fresh("i", scope)
+        turning = (
+            Variable(f"{state}.number", FLOAT, turning=True),
+            Variable(f"{state}.vector", VEC3, turning=True),
+        )
+        inner = scope.within(*turning, Variable(index, INT, turning=True))
+        first, following = (
+            f"Pair({self.expression(FLOAT, s, share)}, {self.expression(VEC3, s, share)})"
+            for s, share in ((scope, fuel // 6), (inner, fuel // 4))
+        )
+        condition = self.expression(BOOL, inner, fuel // 4)
+        going = f" while {condition}" if self.draw(st.booleans()) else ""
+        turns = f"for {index} in 0..{self.draw(st.integers(0, 12))}"
+        loop = f"(iterate {state} from {first} {turns}{going} : {following})"
+        member = {FLOAT: ".number", VEC3: ".vector"}.get(type_)
+        if member is not None:
+            return loop + member
+        then, otherwise = self._leaf(type_, scope), self._leaf(type_, scope)
+        return f"(if {loop}.number > 0.5 then {then} else {otherwise})"
+
+    def _indexed(self, type_: Type, scope: Scope, fuel: int) -> str:
+        """An element of a parameter, mostly that of the turn."""
+        array = self.draw(st.sampled_from([a for a in scope.arrays if a.type == type_]))
+        indices = [v.text for v in scope.variables if v.text[0] == "i" and v.type == INT]
+        if indices and self.draw(st.sampled_from([True, True, False])):
+            at = self.draw(st.sampled_from(indices))
+        else:
+            at = self.expression(INT, scope, fuel // 3)
+        return array.text.format(at)
+
     def _element(self, type_: Type, scope: Scope, fuel: int) -> str:
         count = self.draw(st.integers(1, 3))
         elements = [self.expression(type_, scope, fuel // count) for _ in range(count)]
@@ -307,7 +343,12 @@ def programs(draw: st.DrawFn) -> str:
     functions = tuple(_functions(writer))
     scope = Scope(functions=tuple(row for row, _ in functions))
     parameters = tuple(_parameters(draw))
-    shaded = replace(scope, variables=(*SURFACE, *(variable for variable, _ in parameters)))
+    arrays = tuple(_arrays(draw))
+    shaded = replace(
+        scope,
+        variables=(*SURFACE, *(variable for variable, _ in parameters)),
+        arrays=tuple(variable for variables, _ in arrays for variable in variables),
+    )
     lines = [
         "import std.lights",
         "import std.terms",
@@ -318,7 +359,7 @@ def programs(draw: st.DrawFn) -> str:
     lines.append(_term(writer, scope))
     lines += ["material Random {", "    param p_power : float in 1..64 = 8.0"]
     lines.append("    map m : texture2d")
-    lines += [f"    {text}" for _, text in parameters]
+    lines += [f"    {text}" for _, text in (*parameters, *arrays)]
     terms = ("ambient", "lambert", "phong", "blinn_phong", "own")
     shaded = replace(shaded, terms=terms, maps=("m",), surface=True)
     lines += [f"    {text}" for text in _slots(writer, shaded)]
@@ -332,14 +373,45 @@ Row = tuple[str, tuple[Type, ...], Type]
 
 
 def _functions(writer: Writer) -> Iterator[tuple[Row, str]]:
-    for number in range(writer.draw(st.integers(0, 2))):
+    """Functions that call those before them, in parts of their bodies too."""
+    known: tuple[Row, ...] = ()
+    for number in range(writer.draw(st.integers(0, 3))):
         types = writer.draw(st.lists(st.sampled_from(TYPES), min_size=1, max_size=3))
         result = writer.draw(st.sampled_from(RESULTS))
         formals = tuple(Variable(f"x{i}", type_) for i, type_ in enumerate(types))
-        body = writer.expression(result, Scope(formals), FUEL // 2)
+        scope, parts = Scope(formals, known), []
+        for i in range(writer.draw(st.integers(0, 2))):
+            part = Variable(f"part{i}", writer.draw(st.sampled_from(TYPES)))
+            parts.append(f"{part.text} = {_written(writer, part.type, scope)}")
+            scope = replace(scope, variables=(*scope.variables, part))
+        body = writer.expression(result, scope, FUEL // 2)
         shown = ", ".join(f"{formal.text}: {formal.type}" for formal in formals)
+        where = f" where {{ {'; '.join(reversed(parts))} }}" if parts else ""
         row = f"f{number}", tuple(types), result
-        yield row, f"fn f{number}({shown}) -> {result} = {body}"
+        known = (*known, row)
+        yield row, f"fn f{number}({shown}) -> {result} = {body}{where}"
+
+
+def _written(writer: Writer, type_: Type, scope: Scope) -> str:
+    """An expression that has its type by itself, as literals alone may not."""
+    text = writer.expression(type_, scope, FUEL // 3)
+    return f"{type_}({text})" if type_ in (FLOAT, INT, UINT) else text
+
+
+ELEMENTS: tuple[Type, ...] = (FLOAT, INT, VEC3, VECTORS[0], Matrix(3))
+"""What parameters that are arrays consist of."""
+
+
+def _arrays(draw: st.DrawFn) -> Iterator[tuple[tuple[Variable, ...], str]]:
+    """Arrays of numbers, and of structures."""
+    for number, type_ in enumerate(draw(st.lists(st.sampled_from(ELEMENTS), max_size=2))):
+        limits = draw(st.sampled_from(RANGES.get(type_, ("",))))
+        group, name = draw(st.sampled_from(GROUPS)), f"a{number}"
+        text = f"param {name} : {type_}[{draw(st.integers(1, 4))}] {limits}{group}"
+        yield (Variable(f"{name}[{{}}]", type_),), text
+    if draw(st.booleans()):
+        members = (Variable("pairs[{}].number", FLOAT), Variable("pairs[{}].vector", VEC3))
+        yield members, f"param pairs : Pair[{draw(st.integers(1, 4))}]"
 
 
 def _parameters(draw: st.DrawFn) -> Iterator[tuple[Variable, str]]:

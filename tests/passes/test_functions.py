@@ -148,3 +148,23 @@ def test_what_a_body_needs_of_its_caller(of_each: str, color: str, names: list[s
     assert [formal.name for formal, _type in lit.parameters] == [
         "diffuse", "to_light", *names, "normal"
     ]  # fmt: skip
+
+
+CIRCLES = {
+    "by a condition": (
+        "fn f(x: float, y: float) -> float ="
+        " if x < sqrt(y) then sqrt(x) * sin(x + y) else sin(y) / x\n"
+    ),
+    "by a state": (
+        "struct Pair { a : float, b : float }\n"
+        "fn f(x: float, y: float) -> float = (iterate s from Pair(x, y) for i in 0..12"
+        " while s.a < 2 : Pair(s.a + s.b, s.b * 0.5 + s.a)).a\n"
+    ),
+}
+
+
+@pytest.mark.parametrize("given", CIRCLES.values(), ids=CIRCLES)
+def test_what_a_function_gives_may_be_what_it_gets(given: str) -> None:
+    text = f"{given}material M {{ color = vec3(f(f(f(uv.x, uv.y), f(uv.y, uv.x)), uv.x)) }}"
+    assert "f" in functions(text)
+    assert not disagreements(shader(text), WORLDS)

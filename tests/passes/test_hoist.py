@@ -5,9 +5,11 @@ from __future__ import annotations
 import pytest
 
 from burnish.compiler.ir.types import Array, Struct
+from burnish.compiler.passes.hoist import ROOM
 from burnish.compiler.passes.pipeline import Options
 
-from .kit import calls, history, ops, shader
+from .agreement import disagreements
+from .kit import World, calls, history, ops, shader
 
 
 def derived(text: str) -> dict[str, str]:
@@ -185,3 +187,15 @@ def test_arrays_that_are_members_have_tables_too() -> None:
         "material M { param c : Curve  color = vec3(sum i in 0..4 : uv.x * exp(c.weights[i])) }"
     )
     assert list(tables(text)) == ["c_weights_derived"]
+
+
+def test_tables_leave_room_in_a_block_of_any_device() -> None:
+    terms = " + ".join(f"(inverse(m[i] * {n}.0) * vec4(uv, uv)).xyz" for n in range(2, 8))
+    text = f"material M {{ param m : mat4[64]  color = (sum i in 0..64 : ({terms}) * uv.x) }}"
+    given = shader(text)
+    (table,) = history(given).staged.derived
+    table_type = table.parameter.type
+    assert isinstance(table_type, Array) and isinstance(table_type.element, Struct)
+    matrices = len(table_type.element.members)
+    assert 0 < matrices < 6 and matrices * 64 * table_type.count <= ROOM
+    assert not disagreements(given, [World(1)])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import pytest
 
 from burnish.compiler.ir import build
@@ -173,3 +175,14 @@ def test_folds_of_nothing_are_their_start(kit: Kit) -> None:
     index = Formal("i")
     assert kit.simplified(fold(kit, 9, kit.number(0.0), index)) is kit.number(0.0)
     assert kit.simplified(fold(kit, 0, kit.leaf("x"), index)) is kit.number(0.0)
+
+
+@pytest.mark.parametrize("operator", ["add", "mul", "min", "max"])
+def test_folds_of_unequal_lanes_do_something(
+    kit: Kit, operator: Literal["add", "mul", "min", "max"]
+) -> None:
+    count, start = build.constant(kit.graph, INT, 9), kit.leaf("start", VEC3)
+    body = build.constant(kit.graph, VEC3, (2.0, 1.0, 0.25))
+    operands = count, start, body
+    folding = Folding(operator, 9, Formal("i"))
+    assert kit.simplified(kit.graph.node("fold", VEC3, operands, folding)) is not start
