@@ -7,9 +7,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
 from itertools import chain
+from os import PathLike
 from pathlib import Path
+from types import NoneType
 from typing import TYPE_CHECKING, Any, Literal
 
+from .arguments import expect, expect_all
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.diagnostics.nearest import suggestion
@@ -18,6 +21,7 @@ from .compiler.frontend import Frontend
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.places import located
+from .compiler.semantics.modules import Module
 from .compiler.semantics.shader import Shader
 from .frozen import frozen
 from .targets import registry
@@ -81,6 +85,8 @@ class CompiledMaterial:
 
     name: str
     files: tuple[OutputFile, ...]
+    lacking: Mapping[str, str]
+    """By profile for which there are no texts, what it lacks that the material needs."""
     guards: tuple[Guard, ...]
     """Operations whose operands could not be proven safe, so that a guard stays in the shader."""
     shader: Shader = field(repr=False)
@@ -105,7 +111,7 @@ class CompiledMaterial:
         from .compiler.reflection import reflect
 
         tables = {
-            f"{target.name}:{profile.name}": backend_table(
+            _name(target, profile): backend_table(
                 self._staged.program, target, profile, emission, self._files(target, profile),
                 flip_y=self._flip_y, source_maps=self._source_maps(target, profile),
             )
@@ -183,6 +189,7 @@ def compile(
     flip_y: bool = False,
     single_file: bool = False,
     line_directives: bool = False,
+    partial: bool = False,
 ) -> CompileResult:
     """Compile a file, or a text, for some targets.
 
@@ -191,28 +198,37 @@ def compile(
     ``"all"`` for every profile there is. All concrete materials are compiled unless ``material``
     names one; ``rig`` and ``pass_`` are only needed where a file has several. With ``hoist=False``
     the shaders compute everything themselves. With ``line_directives``, texts say by ``#line``
-    which line of the material each statement is for, where the language has that.
+    which line of the material each statement is for, where the language has that. A profile that
+    lacks something that a material needs is an error; with ``partial`` that material goes without,
+    and its ``lacking`` says what.
 
-    Raises ``CompileError``, whose ``diagnostics`` are all the errors found.
+    Raises ``CompileError``, whose ``diagnostics`` are all the errors found, and ``TypeError`` for
+    arguments of other types.
     """
     report = Report()
-    wanted = targets.split(",") if isinstance(targets, str) else targets
-    chosen = select_targets(wanted, report, single_file=single_file)
-    frontend = Frontend(report, [Path(folder) for folder in search_path])
-    path, text = _path_or_text(source)
-    module = frontend.open_text(text, "<text>") if path is None else frontend.open_file(path)
+    _check_names(material=material, rig=rig, pass_=pass_)
+    _check_flags(
+        hoist=hoist, flip_y=flip_y, single_file=single_file,
+        line_directives=line_directives, partial=partial,
+    )  # fmt: skip
+    chosen = select_targets(_names_of_targets(targets), report, single_file=single_file)
+    frontend, module = _opened(source, search_path, report)
     shaders = [] if module is None else frontend.shaders(module, material, rig, pass_)
     if report.failed:
         raise CompileError(report.diagnostics)
     options = EmitOptions(flip_y, single_file, line_directives)
     if line_directives:
         _warn_of_targets_without_lines(chosen, report)
-    compiled = tuple(_compiled(shader, chosen, Options(hoist), options) for shader in shaders)
-    for material_ in compiled:
-        _check_limits(material_, report)
+    compiled = []
+    for shader in shaders:
+        staged = stage(shader, Options(hoist))
+        lacking = _lacking(shader, staged, chosen)
+        if not partial:
+            report.extend(chain.from_iterable(lacking.values()))
+        compiled.append(_compiled(shader, staged, lacking, chosen, options))
     if report.failed:
         raise CompileError(report.diagnostics)
-    return CompileResult(compiled, report.diagnostics)
+    return CompileResult(tuple(compiled), report.diagnostics)
 
 
 def check(
@@ -222,11 +238,13 @@ def check(
     pass_: str | None = None,
     search_path: Sequence[str | Path] = (),
 ) -> tuple[Diagnostic, ...]:
-    """All diagnostics of a file or text; nothing is emitted and nothing raised."""
+    """All diagnostics of a file or text; nothing is emitted.
+
+    Raises ``TypeError`` for arguments of other types, and nothing else.
+    """
     report = Report()
-    frontend = Frontend(report, [Path(folder) for folder in search_path])
-    path, text = _path_or_text(source)
-    module = frontend.open_text(text, "<text>") if path is None else frontend.open_file(path)
+    _check_names(rig=rig, pass_=pass_)
+    frontend, module = _opened(source, search_path, report)
     if module is not None:
         frontend.check(module, rig, pass_)
     return report.diagnostics
@@ -241,9 +259,7 @@ def variants(
     file cannot be read.
     """
     report = Report()
-    frontend = Frontend(report, [Path(folder) for folder in search_path])
-    path, text = _path_or_text(source)
-    module = frontend.open_text(text, "<text>") if path is None else frontend.open_file(path)
+    frontend, module = _opened(source, search_path, report)
     if module is None or report.failed:
         raise CompileError(report.diagnostics)
     return tuple(frontend.variants(module))
@@ -271,7 +287,7 @@ def select_targets(
             continue
         if single_file and not profile.single_file:
             feature = "text that holds both stages"
-            report.add(rules.UNSUPPORTED, None, target=f"{name}:{profile.name}", feature=feature)
+            report.add(rules.UNSUPPORTED, None, target=_name(target, profile), feature=feature)
         chosen[name, profile.name] = target, profile
     return list(chosen.values())
 
@@ -283,45 +299,81 @@ def _meant(name: str, known: Iterable[str]) -> Iterable[str]:
     return [f"{each}:{profile.name}" for each in known for profile in registry.load(each).profiles]
 
 
-def _path_or_text(source: str | Path) -> tuple[Path | None, str]:
+def _names_of_targets(targets: str | Iterable[str]) -> list[str]:
+    if isinstance(targets, str):
+        return targets.split(",")
+    return expect_all("targets", targets, str, "names of targets")
+
+
+def _check_names(**names: str | None) -> None:
+    for argument, name in names.items():
+        expect(argument, name, (str, NoneType), "a name")
+
+
+def _check_flags(**flags: bool) -> None:
+    for argument, flag in flags.items():
+        expect(argument, flag, bool, "True or False")
+
+
+def _opened(
+    source: str | Path, search_path: Sequence[str | Path], report: Report
+) -> tuple[Frontend, Module | None]:
+    """The module of a path or a text, and what reads it; ``None`` where it cannot be read."""
+    expect("source", source, (str, PathLike), "a path or a text")
+    folders = expect_all("search_path", search_path, (str, PathLike), "a sequence of folders")
+    frontend = Frontend(report, [Path(folder) for folder in folders])
     if isinstance(source, str) and ("\n" in source or "{" in source):
-        return None, source
-    return Path(source), ""
+        return frontend, frontend.open_text(source, "<text>")
+    return frontend, frontend.open_file(Path(source))
 
 
 def _compiled(
     shader: Shader,
+    staged: Staged,
+    lacking: Mapping[str, Sequence[Diagnostic]],
     chosen: list[tuple[Target, Profile]],
-    options: Options,
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
-    staged = stage(shader, options)
     emissions = tuple(
         (target, profile, emit(staged.program, target, profile, emit_options))
         for target, profile in chosen
+        if _name(target, profile) not in lacking
     )
     files = tuple(
         _output(shader, target, profile, file, emit_options)
         for target, profile, emission in emissions
         for file in emission.files
     )
+    reasons = {name: "; ".join(each.message for each in found) for name, found in lacking.items()}
     return CompiledMaterial(
-        shader.name, files, staged.guards, shader, staged, emissions, emit_options.flip_y
+        shader.name, files, reasons, staged.guards, shader, staged, emissions, emit_options.flip_y
     )
 
 
-def _check_limits(material: CompiledMaterial, report: Report) -> None:
-    for target, profile, _ in material._emissions:
-        for excess in excesses(material._staged.program, profile):
+def _lacking(
+    shader: Shader, staged: Staged, chosen: list[tuple[Target, Profile]]
+) -> dict[str, tuple[Diagnostic, ...]]:
+    """By profile, what it lacks that a shader needs."""
+    found = {}
+    for target, profile in chosen:
+        name, report = _name(target, profile), Report()
+        for excess in excesses(staged.program, profile):
             report.add(
-                rules.TOO_MANY, None, count=excess.count, what=f"{excess.what} of {material.name}",
-                target=f"{target.name}:{profile.name}", limit=excess.limit,
+                rules.TOO_MANY, None, count=excess.count, what=f"{excess.what} of {shader.name}",
+                target=name, limit=excess.limit,
             )  # fmt: skip
-        for lack, node in lacks(material._staged.program, profile):
+        for lack, node in lacks(staged.program, profile):
             report.add(
-                rules.UNSUPPORTED, material.shader.notes.spans.get(node),
-                target=f"{target.name}:{profile.name}", feature=lack.feature, hint=lack.instead,
+                rules.UNSUPPORTED, shader.notes.spans.get(node),
+                target=name, feature=lack.feature, hint=lack.instead,
             )  # fmt: skip
+        if report.diagnostics:
+            found[name] = report.diagnostics
+    return found
+
+
+def _name(target: Target, profile: Profile) -> str:
+    return f"{target.name}:{profile.name}"
 
 
 def _warn_of_targets_without_lines(chosen: list[tuple[Target, Profile]], report: Report) -> None:

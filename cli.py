@@ -37,6 +37,16 @@ class _QuietGroup(click.Group):
                 stream.reconfigure(errors="backslashreplace")
         return super().main(*arguments, **options)
 
+    def resolve_command(self, context: click.Context, args: list[str]) -> Any:
+        """The command that is named; a material alone is likely to be compiled."""
+        try:
+            return super().resolve_command(context, args)
+        except click.UsageError as error:
+            if not args[0].endswith(".burnish"):
+                raise
+            likely = f"Did you mean 'burnish compile {args[0]} -o FOLDER'?"
+            raise click.UsageError(f"{error.message} {likely}", context) from error
+
     def invoke(self, context: click.Context) -> Any:
         try:
             return super().invoke(context)

@@ -19,9 +19,10 @@ if TYPE_CHECKING:
     from ..targets.runner.routes import Route
 
 COLORS = {
-    "agrees": "green", "differs": "red", "undecided": "red", "failed": "red", "not run": "yellow"
+    "agrees": "green", "differs": "red", "overflows": "red", "undecided": "red", "failed": "red",
+    "not run": "yellow",
 }  # fmt: skip
-DISAGREEMENT = {"differs", "undecided", "failed"}
+DISAGREEMENT = {"differs", "overflows", "undecided", "failed"}
 
 
 class Request(NamedTuple):
@@ -62,9 +63,10 @@ def conform(**chosen: Any) -> None:
     drawn in several scenes, with default and drawn values, in every rig and by every pass that its
     file declares, unless --rig and --pass name one.
 
-    The exit code is 1 if any route differs from the reference or fails, or if so much hangs on
-    rounding that agreement would prove nothing. A route that lacks its tools is `not run`, which is
-    no pass: the exit code is 1, too, if such a route was asked for by name, or nothing was run.
+    The exit code is 1 if any route differs from the reference or fails, if a value overflows, or if
+    so much hangs on rounding that agreement would prove nothing. A route that lacks its tools, or
+    something that the material needs, is `not run`, which is no pass: the exit code is 1, too, if
+    such a route was asked for by name, or nothing was run.
 
     \b
     Example:
@@ -115,7 +117,7 @@ def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, Comp
     results = [
         (path, variant, api.compile(
             path, profiles, rig=variant[0], pass_=variant[1],
-            search_path=request.search_path, hoist=request.hoist,
+            search_path=request.search_path, hoist=request.hoist, partial=True,
         ))
         for path in request.files
         for variant in _variants(path, request)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ..targets.toolchain import Toolchain
 
 NOT_RUN = "not run"
-"""What a panel says of a route that lacks its tools."""
+"""What a panel says of a route that lacks its tools, or something that the material needs."""
 BROKEN = "failed"
 """What it says where a compiler or a driver refused."""
 
@@ -49,7 +49,7 @@ def panels(
                 progress.tell((done + share) / len(pairs))
 
             titles = (*subject.titles, route.name if route else "reference")
-            problem = runner.problem(route) if route else None
+            problem = _problem(subject, route, runner) if route else None
             if problem:
                 yield Panel(titles, problem, None, NOT_RUN)
                 continue
@@ -62,6 +62,11 @@ def panels(
             else:
                 yield Panel(titles, note, _image(subject, targets, target))
             tell(1)
+
+
+def _problem(subject: Subject, route: Route, runner: Runner) -> str | None:
+    """Why a route cannot draw a material."""
+    return runner.problem(route) or subject.material.lacking.get(route.profile)
 
 
 def _drawn(

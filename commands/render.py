@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
     from ..targets.runner.sheet import Panel
+    from .subjects import Subject
 
 REFERENCE = "reference"
 EVERYTHING = "all"
@@ -50,6 +52,11 @@ class Request(NamedTuple):
     pass_: str | None
     search_path: tuple[Path, ...]
     hoist: bool
+
+    @property
+    def draws_everything(self) -> bool:
+        """Whether routes are to draw that can, and not those that are named."""
+        return EVERYTHING in self.on
 
 
 def _names(_context: click.Context, _option: click.Parameter, given: str) -> tuple[str, ...]:
@@ -166,8 +173,9 @@ def _render(request: Request) -> None:
     routes = _routes(request.on)
     drivers = [route for route in routes if route is not None]
     with Progress("drawing") as progress, Runner(drivers) as runner:
-        _tell_lacking_tools(drivers, runner, fatal=EVERYTHING not in request.on)
+        _tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
         found = subjects(request, drivers)
+        _tell_lacking_features(found, drivers)
         _check_total(len(found) * len(routes), request.size)
         drawn = list(panels(found, routes, request.target, runner, progress))
     _save(drawn, len(routes), request)
@@ -206,6 +214,13 @@ def _tell_lacking_tools(routes: Sequence[Route], runner: Runner, *, fatal: bool)
         remark("error" if fatal else "note", f"nothing is drawn by {', '.join(names)}: {problem}")
     if lacking and fatal:
         click.get_current_context().exit(FAILED)
+
+
+def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route]) -> None:
+    """Says which routes cannot draw a material, and why."""
+    for subject, route in product(subjects, routes):
+        if problem := subject.material.lacking.get(route.profile):
+            remark("note", f"{subject.label} is not drawn by {route.name}: {problem}")
 
 
 def _check_total(count: int, size: tuple[int, int]) -> None:

@@ -72,7 +72,7 @@ def _compiled(
     results = {
         rig: api.compile(
             request.file, profiles, material=request.material, rig=rig, pass_=request.pass_,
-            search_path=request.search_path, hoist=request.hoist,
+            search_path=request.search_path, hoist=request.hoist, partial=request.draws_everything,
         )
         for rig in rigs
     }  # fmt: skip

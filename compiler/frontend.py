@@ -31,6 +31,9 @@ class Frontend:
     """Reads one file with its imports and elaborates its materials."""
 
     def __init__(self, report: Report, search_path: Sequence[Path] = ()) -> None:
+        for folder in search_path:
+            if not folder.is_dir():
+                report.add(rules.MISSING_FOLDER, None, path=folder)
         self._report = report
         self._records = Records(report)
         self._loader = Loader(report, FOLDER, search_path, parse, parse_library, load_source)

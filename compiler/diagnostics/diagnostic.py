@@ -60,6 +60,7 @@ class Report:
         self._found: dict[tuple[str, str, Span | None], Diagnostic] = {}
         self.unread_names: set[str] = set()
         """Names that stand where the text makes no sense, and may have been declared there."""
+        self._unreadable: set[Span | None] = set()
 
     def unread(self, names: Iterable[str]) -> None:
         """These stand where the text makes no sense, and may have been declared there.
@@ -67,6 +68,13 @@ class Report:
         That has been reported, so nothing more is said about nobody's declaring them.
         """
         self.unread_names.update(names)
+
+    def unreadable(self, found: Iterable[Diagnostic]) -> None:
+        """Where these are, nothing more is said, and nothing that contradicts what stands there.
+
+        It would follow from them.
+        """
+        self._unreadable.update(each.span for each in found if each.severity == "error")
 
     def add(
         self,
@@ -81,8 +89,13 @@ class Report:
         """Record a finding; ``arguments`` fill the rule's message."""
         if rule.of_absence and arguments.get("name") in self.unread_names:
             return
+        labels = tuple(labels)
+        if span is not None and not self._unreadable.isdisjoint(
+            (span, *(label.span for label in labels))
+        ):
+            return
         message = rule.message.format(**arguments)
-        found = Diagnostic(rule, message, span, caption, tuple(labels), hint)
+        found = Diagnostic(rule, message, span, caption, labels, hint)
         self._found.setdefault((rule.code, message, span), found)
 
     def extend(self, others: Iterable[Diagnostic]) -> None:
@@ -94,6 +107,7 @@ class Report:
         """An empty report about the same files, for what is only tried."""
         trial = Report()
         trial.unread_names = self.unread_names
+        trial._unreadable = self._unreadable
         return trial
 
     def since(self, count: int) -> tuple[Diagnostic, ...]:

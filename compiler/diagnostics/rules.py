@@ -77,6 +77,11 @@ UNKNOWN_PROFILE = _error(
     "target `{target}` has no profile `{name}`",
     "A profile is a version of a target's language, such as `glsl:es300`.",
 )
+MISSING_FOLDER = _error(
+    "B0013",
+    "there is no folder `{path}` to look for imports in",
+    "Check the search path, which are the folders behind `--include`, or `search_path=`.",
+)
 UNKNOWN_EXPORT = _error(
     "B0012",
     "`{path}` does not declare `{name}`",
@@ -601,6 +606,13 @@ EMPTY_STRUCT = _error(
     "B0481",
     "the structure `{name}` has no members",
     "Give it what its values are made of: `width : float`.",
+)
+
+HOST_NAME_TAKEN = _error(
+    "B0490",
+    "a host would set {what} and {other} by one name, `{name}`",
+    "Hosts set parameters, textures, lights, passes' own parameters and members of blocks by name, "
+    "each of a shader's by another. Rename one of the two.",
 )
 
 # --- B05: stages and rates -----------------------------------------------------------------------

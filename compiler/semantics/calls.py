@@ -13,7 +13,7 @@ from ..ir.node import Node, bare
 from ..ir.types import TEXTURES, Texture
 from ..syntax import ast
 from ..trampoline import Reply, Step
-from . import advice, fitting, lights, lookup, textures
+from . import advice, fitting, lights, lookup, overriding, textures
 from .aggregates import structure
 from .callees import marked
 from .coerce import coerce
@@ -417,11 +417,9 @@ def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
             lookup.unknown(low, f"slot of `{surface.record.name}`", name.text, name.span, known)
             return FAILURE
         node = yield low.node(expression, scope)
-        typing = surface.record.typing(name.text)
-        if typing is not None and typing.member.type is not None and isinstance(node, Node):
-            wanted = declared_type(low, typing.member.type, typing.owner.module)
-            if wanted is not None:
-                node = low.as_declared(node, wanted, expression, scope)
+        node = overriding.given(
+            low, surface.record, name.text, node, expression, scope, lookup.OUTERMOST
+        )
         given[name.text] = Replacement(value=node)
     term = e.operand.callee if isinstance(e.operand, ast.Call) else None
     if not isinstance(e.operand, ast.Call) or not _names_term(term, scope):

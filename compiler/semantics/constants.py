@@ -66,6 +66,10 @@ class ConstantValues:
             return None
         return _nested(node.type, lanes)
 
+    def known(self, node: Node) -> Value | None:
+        """The value of a node where it is plainly a constant, and nothing is reported if not."""
+        return _nested(node.type, evaluate(node)) if self._small_constant(node) else None
+
     def known_integer(self, node: Node) -> int | None:
         """The value of an ``int`` where it is one, and nothing is reported if not."""
         return int(evaluate(node)[0]) if self._small_constant(node) else None

@@ -13,6 +13,7 @@ from ..syntax import ast
 from ..trampoline import run
 from . import lookup
 from .checks import check_rig, check_slots
+from .hostnames import check_host_names
 from .lower import Lowering
 from .modules import Symbol
 from .parameters import Leaves
@@ -53,6 +54,7 @@ def elaborate(
     check_slots(low, surface, passing)
     check_rig(low, surface)
     low.externs.learn(parts.module)
+    check_host_names(report, setting.leaves, setting.entries, low.externs.blocks)
     reached.update((parts.material, parts.rig, parts.pass_, *low.reached()))
     if report.failed or isinstance(clip, Failure):
         return None

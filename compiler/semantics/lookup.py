@@ -19,7 +19,7 @@ from ..ir.node import Formal, Node, bare
 from ..ir.types import Array, Texture, Type
 from ..syntax import ast
 from ..trampoline import Reply, Step
-from . import advice, fitting
+from . import advice, fitting, overriding
 from .declared import declared_type
 from .modules import Module, Symbol
 from .records import Definition, NamedMember, Record
@@ -341,13 +341,9 @@ def _defined(
     locals_ = {"material": scope.surface} if scope.surface is not None else {}
     result: Node | Failure = yield low.node(expression, scope.binding(locals_))
     record = _typing(instance, name)
-    typing = record.typing(name)
-    if typing is None or typing.member.type is None:
-        return result
-    wanted = declared_type(low, typing.member.type, typing.owner.module)
-    if wanted is None:
-        return FAILURE
-    return low.as_declared(result, wanted, expression, scope)
+    assert scope.instance is not None
+    level = scope.level if record is scope.instance.record else OUTERMOST
+    return overriding.given(low, record, name, result, expression, scope, level)
 
 
 def _typing(instance: Instance, name: str) -> Record:

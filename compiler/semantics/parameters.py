@@ -121,6 +121,16 @@ def _members(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
     )  # fmt: skip
 
 
+def limits_of(low: Lowering, definition: Definition) -> tuple[float, float] | None:
+    """The range that a ``param`` declares, if it does."""
+    member = definition.member
+    assert isinstance(member, ast.Param)
+    if member.range is None:
+        return None
+    declared = declared_type(low, member.type, definition.owner.module)
+    return None if declared is None else _range(low, member, definition, declared)
+
+
 def _range(
     low: Lowering, member: ast.Param, definition: Definition, declared: Declared
 ) -> tuple[float, float] | None:
@@ -173,22 +183,23 @@ def _default(
         return None
     if needs_unit(declared):
         value = _unit(low, value, member.default)
-    if limits is not None and not _within(value, *limits):
-        shown = _range_text(member, limits)
+    if limits is not None and not is_within(value, *limits):
+        shown = range_text(member, limits)
         low.report.add(rules.OUT_OF_RANGE, member.default.span, value="this default", range=shown)
     return value
 
 
-def _range_text(member: ast.Param, limits: tuple[float, float]) -> str:
+def range_text(member: ast.Param, limits: tuple[float, float]) -> str:
     """A parameter's range as it is written."""
     assert member.range is not None
     low, high = (quoted(bound) for bound in member.range)
     return f"{low}..{high}" if "…" not in low + high else f"{limits[0]:g}..{limits[1]:g}"
 
 
-def _within(value: Lanes | None, lo: float, hi: float) -> bool:
+def is_within(value: Lanes | None, lo: float, hi: float) -> bool:
+    """Whether all lanes of a value are in a range."""
     if isinstance(value, tuple):
-        return all(_within(lane, lo, hi) for lane in value)
+        return all(is_within(lane, lo, hi) for lane in value)
     return value is not None and lo <= value <= hi
 
 

@@ -94,7 +94,9 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
     resources = tuple(info.resource for info in leaves.resources)
     if written.count is None:
         parameters = tuple(info.parameter for info in leaves.parameters)
-        entry = RigEntry(name, record, "single", parameters, resources, replaced=replaced)
+        entry = RigEntry(
+            name, written.name.span, record, "single", parameters, resources, replaced=replaced
+        )
         return entry, infos, leaves.resources
     bound = count_of(low, written.count, rig.module)
     if bound is None:
@@ -107,7 +109,7 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
     array = changed(array, span=written.name.span, light=name)
     count = count_parameter(name, bound, group, array) if written.at_most else None
     entry = RigEntry(
-        name, record, "array", (array.parameter,), (), bound,
+        name, written.name.span, record, "array", (array.parameter,), (), bound,
         count.parameter if count is not None else None, replaced,
     )  # fmt: skip
     return entry, (array,) if count is None else (array, count), ()

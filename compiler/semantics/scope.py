@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from ...frozen import changed, frozen
+from ..diagnostics.source import Span
 from ..ir.leaves import Parameter, Resource
 from ..ir.node import Node
 from ..syntax import ast
@@ -121,6 +122,8 @@ class RigEntry:
     """One line of a rig: its light and where its parameters are kept."""
 
     name: str
+    span: Span
+    """Of the name."""
     record: Record
     kind: Literal["single", "array"]
     parameters: tuple[Parameter, ...]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TypeVar
 
 from ...frozen import changed, frozen
@@ -54,7 +53,6 @@ def set_up(parts: Parts, report: Report, records: Records) -> Setting:
     material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
     pass_leaves = _apart(pass_leaves, material_leaves, drawn)
     _check_attributes(low, pass_leaves, material_leaves, material)
-    _check_names_of_lights(low, (material_leaves, pass_leaves), entries)
     surface = instance_of(low, material, material_leaves)
     passing = instance_of(low, drawn, pass_leaves)
     passing.surface = surface
@@ -70,19 +68,6 @@ def is_declared_abstract(record: Record) -> bool:
     """Whether a record is there for its heirs only."""
     declaration = record.symbol.declaration
     return isinstance(declaration, ast.Record) and declaration.abstract
-
-
-def _check_names_of_lights(
-    low: Lowering, leaves: Iterable[Leaves], entries: Iterable[Entry]
-) -> None:
-    """A host sets parameters by name, so many lights cannot share theirs with a parameter."""
-    own = {info.parameter.name: info for group in leaves for info in group.parameters}
-    for _, infos, _ in entries:
-        for info in infos:
-            name = info.parameter.name
-            if name in own:
-                labels = [Label(own[name].span, "also a parameter here")]
-                low.report.add(rules.DUPLICATE_NAME, info.span, name=name, labels=labels)
 
 
 def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:

@@ -21,6 +21,8 @@ _TWO_WORDS = frozenset(("abstract", "extern"))
 """What another word of the declaration's own follows before its name."""
 MEMBER_WORDS = frozenset(("attribute", "discard", "map", "param", "target"))
 _AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
+_AWAITS_VALUE = frozenset(("from", "to", "while"))
+"""Words of a loop's head; elsewhere they are names, and so may end an equation."""
 _HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 _CLOSERS = frozenset(_CLOSED_BY.values())
@@ -58,7 +60,7 @@ class Outline:
         token, following = self.tokens[index], self._kind(index + 1)
         if self.is_member(index):
             return True
-        if not self._may_follow(index):
+        if not self._may_follow(index) or self._is_in_head(index):
             return False
         if following in ("=", ":"):
             return token.kind == "NAME" or token.kind in RESERVED
@@ -77,6 +79,11 @@ class Outline:
         names = self.tokens[index].kind == "NAME" and self._kind(index + 1) in ("=", ":")
         return names and self.begins_line(index)
 
+    def begins_property(self, index: int) -> bool:
+        """Whether a line begins with a property as other languages have it: ``_Gloss ("Gloss"``."""
+        kinds = [self._kind(index + step) for step in range(3)]
+        return kinds == ["NAME", "(", "STRING"] and self.begins_line(index)
+
     def begins_line(self, index: int) -> bool:
         """Whether a token is the first of its line."""
         if index == 0 or index >= len(self.tokens):
@@ -88,6 +95,12 @@ class Outline:
         """Whether an expression or declaration can end with the token at ``index``."""
         token = self.tokens[index]
         return token.kind in _CAN_END and token.text not in _AWAITS_NAME
+
+    def _is_in_head(self, index: int) -> bool:
+        """Whether a name is the last of a loop's head: ``sum i in 0..n up to m : i``."""
+        before = self._text_of(index - 1) if index else ""
+        ends = before in _AWAITS_VALUE and self._text_of(index + 1) == ":"
+        return ends and not self.begins_line(index)
 
     def _may_follow(self, index: int) -> bool:
         return index == 0 or self.can_end(index - 1)
@@ -120,13 +133,18 @@ class Outline:
     def _begins_constant(self, index: int) -> bool:
         """Whether an equation of the file begins here, and no further type parameter of a head."""
         before = self._text_of(index - 1) if index else ""
-        return self.begins_member(index) and before not in (",", *MEMBER_WORDS)
+        is_placed = self._text_of(index + 1) == ":" and self._text_of(index + 3) == "("
+        begins = self.begins_member(index) and before not in (",", *MEMBER_WORDS)
+        return begins and not is_placed  # `cbuffer Name : register(b0)`, as elsewhere.
 
     def _header(self, index: int) -> int:
         """How many tokens a declaration's word and name take here; 0 where none begins."""
         word = self.tokens[index].text
         if word not in _DECLARATION_WORDS or self._kind(index + 1) in ("=", ":"):
             return 0
+        in_line = not self.begins_line(index)
+        if word == "import" and in_line and self._text_of(self.chunks[-1].start) == "from":
+            return 0  # `from file import name`, as elsewhere.
         length = 3 if word in _TWO_WORDS else 2
         if not self._open and self._may_follow(index):
             return 1 if self._is_unfinished(index) else length

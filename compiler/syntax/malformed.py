@@ -51,7 +51,6 @@ _HINTS = {
     ":=": "an equation is written `name = expression`",
     "..=": "write `..`; the upper bound of a fold is not among its numbers",
     "**": "a power is written `pow(x, y)`",
-    "++": "nothing changes its value: an equation gives a new name to `x + 1`",
     **dict.fromkeys(
         ("+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="),
         "nothing changes its value: an equation `name = expression` gives a new name to it",
@@ -159,8 +158,20 @@ def _is_defined(span: Span) -> bool:
 def _foreign(word: str, span: Span, report: Report) -> Token:
     instead = _INSTEAD.get(word, "")
     hint = _HINTS.get(word) or (f"write `{instead}`" if instead else "")
+    if word == "++":
+        hint = _joined_or_counted(span)
     report.add(rules.FOREIGN_OPERATOR, span, operator=word, hint=hint)
     return Token(instead or "FOREIGN", instead or word, span.start, span.end)
+
+
+def _joined_or_counted(span: Span) -> str:
+    """What ``a ++ b`` joins elsewhere, or what ``a++`` counts."""
+    text = span.source.text
+    before, behind = re.search(r"\w+(?= *$)", text[: span.start]), text[span.end :]
+    if before and re.match(r" *[\w(\[#.]", behind):
+        return "numbers are added by `+`; arrays are not joined"
+    name = before[0] if before else "x"
+    return f"nothing changes its value: an equation gives a new name to `{name} + 1`"
 
 
 def _character(character: str) -> str:

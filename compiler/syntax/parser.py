@@ -43,6 +43,7 @@ def parse(source: Source, report: Report) -> ast.File:
         for line in lexed.docs.unclaimed():
             found.add(rules.STRAY_DOC, Span(source, line.start, line.end))
     report.extend(sorted(found.diagnostics, key=_place))
+    report.unreadable(found.diagnostics)
     report.unread(found.unread_names | parser.unread)
     edition = max((part[0] for part in parts), default=1)
     declarations = tuple(chain.from_iterable(part[1] for part in parts))
@@ -95,6 +96,10 @@ class _Parser:
         while index < chunk.end:
             if self._machine.feed(self._symbol(index), self._tokens[index]):
                 index += 1
+            elif self._is_second_word(index):
+                self._complaints.report(index, chunk, self._machine.expected(), chunk.start)
+                self.unread.update(self._words_of_name(index))
+                index += 1
             else:
                 start = self._start(index)
                 begin = self._complaints.report(index, chunk, self._machine.expected(), start)
@@ -106,6 +111,17 @@ class _Parser:
                     self.skipped.append(range(self._tokens[failed].end, self._place(index)))
         self._finish(chunk)
         return cast(tuple[int, tuple[ast.Declaration, ...]], self._machine.result)
+
+    def _is_second_word(self, index: int) -> bool:
+        """Whether a header that can be read on otherwise has a name of two words."""
+        is_name = self._tokens[index].kind == "NAME" == self._tokens[index - 1].kind
+        follows = index + 1 < len(self._tokens) and self._tokens[index + 1].kind in ("{", ":")
+        return is_name and follows and "blend" in self._machine.expected()
+
+    def _words_of_name(self, index: int) -> tuple[str, ...]:
+        """What a name of two words may be called elsewhere."""
+        first, second = self._tokens[index - 1].text, self._tokens[index].text
+        return second, first + second, f"{first}_{second}"
 
     def _symbol(self, index: int) -> str:
         """The grammar's symbol for a token: a word counts as one only in its place."""
@@ -163,6 +179,7 @@ class _Parser:
             depth = self._outline.depths[index]
             begins = self._outline.begins_member(index)
             begins = begins or (index == begin and self._outline.begins_equation(index))
+            begins = begins or self._outline.begins_property(index)
             if depth == 0 or (depth == 1 and begins):
                 return index
         return chunk.end

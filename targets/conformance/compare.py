@@ -14,9 +14,12 @@ from .tolerances import TOGETHER, UNDECIDED_FEW, UNDECIDED_SHARE, Tolerance
 Floats = NDArray[np.float64]
 
 
+LARGEST = float(np.finfo(np.float32).max)
+
+
 @dataclass(frozen=True, slots=True)
-class Worst:
-    """The decided pixel that lies furthest from the reference, measured in tolerances."""
+class Sample:
+    """What a picture and the reference have in a pixel."""
 
     x: int
     y: int
@@ -34,17 +37,21 @@ class Comparison:
     covered: int
     """Pixels that the reference covers."""
     proven: int
-    """Covered pixels that are decided."""
+    """Covered pixels that are decided, and do not overflow."""
     undecided: int
     """Pixels whose value hangs on rounding, which are not compared."""
+    overflowing: int
+    """Other pixels where the reference leaves what float32 holds, so that no value is right."""
     wrong: int
     """Decided pixels that lie outside of the tolerance, or are covered by one of the two only."""
     max_difference: float
     """The largest distance of any lane of a decided pixel from the reference; NaN is infinite."""
     excess: float
     """The largest distance of a decided lane in units of its tolerance; up to 1 is agreement."""
-    worst: Worst | None
-    """``None`` where no pixel is decided."""
+    worst: Sample | None
+    """The decided pixel that lies furthest from the reference, measured in tolerances."""
+    overflow: Sample | None
+    """The first pixel that overflows."""
 
     @property
     def too_undecided(self) -> bool:
@@ -55,7 +62,7 @@ class Comparison:
     @property
     def agrees(self) -> bool:
         """Whether this is a pass."""
-        return not self.wrong and not self.too_undecided
+        return not (self.wrong or self.overflowing or self.too_undecided)
 
 
 def compare(
@@ -69,7 +76,9 @@ def compare(
     Uncovered pixels of ``expected`` hold the clear colour, which ``got`` has to show exactly there.
     ``steps`` are what rounding to each target's format may add.
     """
-    decided = ~expected.undecided
+    beyond = np.stack([~(np.abs(e) <= LARGEST) for e in expected.targets])
+    overflows = beyond.any(axis=(0, 3)) & ~expected.undecided
+    decided = ~expected.undecided & ~overflows
     allowed = np.stack(
         [
             tolerance.absolute + tolerance.relative * np.abs(e) + TOGETHER * r + step
@@ -86,10 +95,12 @@ def compare(
         covered=int(expected.covered.sum()),
         proven=int((expected.covered & decided).sum()),
         undecided=int(expected.undecided.sum()),
+        overflowing=int(overflows.sum()),
         wrong=int(wrong.sum()),
         max_difference=float(measured.max(initial=0)),
         excess=float(np.where(decided, per_pixel, 0).max(initial=0)),
-        worst=_worst(np.where(decided, per_pixel, -1), excess, got, expected.targets),
+        worst=_sample(np.where(decided, per_pixel, -1), excess, got, expected.targets),
+        overflow=_sample(np.where(overflows, 0.0, -1.0), beyond, got, expected.targets),
     )
 
 
@@ -101,19 +112,23 @@ def _distance(got: Floats, expected: Floats) -> Floats:
 
 
 def _in_tolerances(distance: Floats, allowed: Floats) -> Floats:
-    """Where the reference itself is not finite, nothing is within its tolerance."""
+    """Where the reference's radius is not finite, nothing is within its tolerance."""
     with np.errstate(invalid="ignore"):
         return np.where(np.isfinite(allowed), distance / allowed, np.inf)
 
 
-def _worst(
-    per_pixel: Floats, excess: Floats, got: tuple[Floats, ...], expected: tuple[Floats, ...]
-) -> Worst | None:
+def _sample(
+    per_pixel: Floats,
+    per_lane: Floats | NDArray[np.bool_],
+    got: tuple[Floats, ...],
+    expected: tuple[Floats, ...],
+) -> Sample | None:
+    """The pixel, and in it the target, with the most; pixels with less than zero do not count."""
     if not per_pixel.size or per_pixel.max() < 0:
         return None
     y, x = np.unravel_index(int(per_pixel.argmax()), per_pixel.shape)
-    target = int(excess[:, y, x].max(axis=1).argmax())
-    return Worst(
+    target = int(per_lane[:, y, x].max(axis=1).argmax())
+    return Sample(
         int(x), int(y), target, tuple(got[target][y, x].tolist()),
         tuple(expected[target][y, x].tolist()),
     )  # fmt: skip

@@ -66,7 +66,7 @@ def _row(plan: Plan | tuple[str, str], route: Route, runner: Runner, toolchain: 
     if isinstance(plan, tuple):
         label, reason = plan
         return Row(label, route, "failed", reason)
-    problem = runner.problem(route)
+    problem = runner.problem(route) or plan.subject.lacking.get(route.profile)
     if problem is not None:
         return Row(plan.label, route, "not run", problem)
     made = partial(Row, plan.label, route, versions=runner.versions(route))
@@ -87,5 +87,7 @@ def _status(results: Sequence[Result]) -> Status:
     comparisons = [result.comparison for result in results]
     if any(comparison.wrong for comparison in comparisons):
         return "differs"
+    if any(comparison.overflowing for comparison in comparisons):
+        return "overflows"
     seen = any(c.proven > PROVEN_SHARE * c.pixels for c in comparisons)
     return "agrees" if seen and all(c.agrees for c in comparisons) else "undecided"

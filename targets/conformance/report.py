@@ -69,6 +69,7 @@ def _comparison_json(comparison: Comparison) -> dict[str, Any]:
         "pixels": comparison.pixels,
         "covered": comparison.covered,
         "undecided": comparison.undecided,
+        "overflowing": comparison.overflowing,
         "wrong": comparison.wrong,
         "max_difference": _finite(comparison.max_difference),
         "max_difference_in_tolerances": _finite(comparison.excess),

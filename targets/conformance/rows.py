@@ -16,10 +16,14 @@ from .compare import Comparison
 
 Floats = NDArray[np.float64]
 
-Status = Literal["agrees", "differs", "undecided", "failed", "not run"]
-STATUSES: tuple[Status, ...] = ("agrees", "differs", "undecided", "failed", "not run")
+Status = Literal["agrees", "differs", "overflows", "undecided", "failed", "not run"]
+STATUSES: tuple[Status, ...] = (
+    "agrees", "differs", "overflows", "undecided", "failed", "not run"
+)  # fmt: skip
 """``undecided``: so many pixels hang on rounding that agreement of the others proves too little.
-``failed``: a compiler or driver on the route refused. ``not run``: the route lacks its tools."""
+``overflows``: a value leaves what float32 holds, where Burnish promises nothing. ``failed``: a
+compiler or driver on the route refused. ``not run``: the route lacks its tools, or its profile what
+the material needs."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)

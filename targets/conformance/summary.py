@@ -36,7 +36,7 @@ def by_material(rows: Iterable[Row]) -> dict[str, list[Row]]:
 def counted(rows: Iterable[Row]) -> str:
     """``12 agree, 1 differs``: how many rows there are of each status."""
     counts = Counter(row.status for row in rows)
-    words = {"agrees": "agree", "differs": "differ"}
+    words = {"agrees": "agree", "differs": "differ", "overflows": "overflow"}
     shown = (
         f"{counts[status]} {words.get(status, status) if counts[status] != 1 else status}"
         for status in STATUSES
@@ -84,6 +84,13 @@ def details(row: Row) -> Iterator[str]:
             yield (
                 f"{result.case}: {comparison.wrong} of {comparison.covered} pixels; the worst, "
                 f"{place}, is {_lanes(worst.got)} and should be {_lanes(worst.expected)}"
+            )
+        elif comparison.overflow:
+            overflow = comparison.overflow
+            yield (
+                f"{result.case}: in {comparison.overflowing} of {comparison.covered} pixels the "
+                "value leaves what float32 holds, where nothing is promised; at "
+                f"({overflow.x}, {overflow.y}) it is {_lanes(overflow.expected)}"
             )
         elif comparison.too_undecided:
             yield (

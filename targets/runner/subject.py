@@ -21,6 +21,10 @@ class Subject(Protocol):
         """The emitted texts."""
 
     @property
+    def lacking(self) -> Mapping[str, str]:
+        """Why there are no texts for some profiles."""
+
+    @property
     def reflection(self) -> Mapping[str, Any]:
         """What a host binds by."""
 

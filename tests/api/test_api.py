@@ -75,7 +75,7 @@ def test_lights_and_parameters_do_not_share_a_name() -> None:
         "material A { param lamps : float = 1  color = lambert(vec3(lamps)) }\n"
         "rig R { lamps : Point[2] }\n"
     )
-    with pytest.raises(burnish.CompileError, match="`lamps` is declared twice"):
+    with pytest.raises(burnish.CompileError, match="a light and a parameter by one name, `lamps`"):
         burnish.compile(source)
 
 
@@ -83,6 +83,75 @@ def test_a_block_too_large_for_a_profile_is_told() -> None:
     source = "material A { param m : mat4[1025]  color = m[int(uv.x)][0].xyz }"
     with pytest.raises(burnish.CompileError, match="65600 bytes in a uniform block"):
         burnish.compile(source, ("hlsl",))
+
+
+FOUR = "material Four { map t : texture2d  color = t.gather(uv, 0).rgb }"
+
+
+def test_a_profile_that_lacks_something_is_an_error_or_goes_without() -> None:
+    with pytest.raises(burnish.CompileError, match="glsl:es300 has no gathering"):
+        burnish.compile(FOUR, ("wgsl", "glsl:es300"))
+    (material,) = burnish.compile(FOUR, ("wgsl", "glsl:es300"), partial=True)
+    assert material.lacking == {"glsl:es300": "glsl:es300 has no gathering of texels"}
+    assert {file.target for file in material.files} == {"wgsl"}
+    assert list(material.reflection["backends"]) == ["wgsl:webgpu"]
+
+
+@pytest.mark.parametrize(
+    ("argument", "value"),
+    [
+        ("source", None), ("source", [PLASTIC]), ("source", b"plastic.burnish"),
+        ("targets", None), ("targets", 3), ("targets", (3,)), ("targets", b"wgsl"),
+        ("material", 3), ("rig", ["R"]), ("pass_", b"P"),
+        ("search_path", "folder"), ("search_path", [3]), ("search_path", None),
+        ("hoist", "no"), ("flip_y", 1), ("single_file", None), ("partial", "yes"),
+    ],
+)  # fmt: skip
+def test_arguments_of_wrong_types(argument: str, value: object) -> None:
+    """They are told by the argument's name, and not by what breaks further in."""
+    given: dict[str, object] = {"source": TWO, argument: value}
+    with pytest.raises(TypeError, match=f"^`{argument}` takes "):
+        burnish.compile(**given)  # type: ignore[arg-type]
+    if argument in ("source", "rig", "pass_", "search_path"):
+        with pytest.raises(TypeError, match=f"^`{argument}` takes "):
+            burnish.check(**given)  # type: ignore[arg-type]
+
+
+def test_a_folder_of_the_search_path_that_there_is_not(tmp_path: Path) -> None:
+    folder = tmp_path / "nowhere"
+    with pytest.raises(burnish.CompileError, match=r"there is no folder `.*nowhere`"):
+        burnish.compile(TWO, search_path=[folder])
+    assert [found.rule.code for found in burnish.check(TWO, search_path=[folder])] == ["B0013"]
+
+
+def test_instances_of_what_is_no_reflection() -> None:
+    with pytest.raises(TypeError, match="`reflection` takes a mapping"):
+        burnish.Instance(None)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="this reflection has no `material`"):
+        burnish.Instance({"format": 1})
+    instance = burnish.compile(FOUR, "wgsl")["Four"].instance()
+    for call in (instance.set, instance.set_text):
+        with pytest.raises(TypeError, match="`name` takes a text"):
+            call(3, "1")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="`name` takes a text"):
+        instance.get(None)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="`text` takes a text"):
+        instance.set_text("t", 3)  # type: ignore[arg-type]
+
+
+def test_textures_of_what_is_none() -> None:
+    texture = burnish.Texture
+    with pytest.raises(TypeError, match="`path` takes the path of a picture"):
+        texture.load(3)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="`text` takes a text"):
+        texture.parse(3)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"`dimension` is one of 2d, .*, and not '4d'"):
+        texture.of_array([[0.5]], dimension="4d")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"`sample` is one of float, .*, and not 3"):
+        texture.parse("x.png", sample=3)  # type: ignore[arg-type]
+    for color in ("abc", [[1], 2], {"red": 1}):
+        with pytest.raises(burnish.PictureError, match="colour"):
+            texture.solid(color)  # type: ignore[arg-type]
 
 
 def test_sums_that_share_sums_take_no_longer_than_their_graph() -> None:

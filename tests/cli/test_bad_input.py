@@ -211,6 +211,21 @@ def test_unknown_choice(option: str, kind: str, tmp_path: Path) -> None:
     assert result.exit_code == 1
 
 
+def test_a_material_without_a_command() -> None:
+    result = invoke("m.burnish")
+    assert result.exit_code == 2
+    assert "Did you mean 'burnish compile m.burnish -o FOLDER'?" in result.stderr
+
+
+def test_an_included_folder_that_there_is_not(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text(PLAIN)
+    for command in (("check",), ("compile", "-o", tmp_path / "out")):
+        result = invoke(*command, file, "--include", tmp_path / "nowhere")
+        assert result.exit_code == 1
+        assert result.stderr.startswith("error[B0013]: there is no folder")
+
+
 def test_text_without_single_file_form(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text(PLAIN)

@@ -79,6 +79,30 @@ def test_rigs_and_passes() -> None:
     assert result.stdout.endswith("\n1 agrees\n")
 
 
+def test_routes_whose_profile_lacks_something() -> None:
+    """They are not run; the others are."""
+    Path("m.burnish").write_text(
+        "material Four { map t : texture2d  color = t.gather(uv, 0).rgb }\n"
+    )
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe,lavapipe:glsl")
+    assert (result.exit_code, result.stderr) == (1, "")
+    assert re.search(r"^  lavapipe:glsl   agrees ", result.stdout, re.MULTILINE)
+    assert re.search(r"^  llvmpipe:gl330  not run$", result.stdout, re.MULTILINE)
+    told = "not run by llvmpipe:gl330: glsl:gl330 has no gathering of texels\n"
+    assert result.stdout.endswith(f"{told}1 agrees, 1 not run\n")
+
+
+def test_values_that_overflow() -> None:
+    """Where a value leaves float32 nothing is promised: no agreement, and no driver's fault."""
+    Path("m.burnish").write_text(
+        "material Hot { param heat : float = 1e30  color = vec3(heat * heat) }\n"
+    )
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    assert result.exit_code == 1
+    assert result.stdout.endswith("\n1 overflows\n")
+    assert "the value leaves what float32 holds, where nothing is promised" in result.stderr
+
+
 def test_values_that_nobody_has_set() -> None:
     """Parameters without a default, of all shapes, and vertex inputs that no mesh has."""
     Path("m.burnish").write_text(

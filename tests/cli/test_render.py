@@ -236,6 +236,18 @@ def test_routes_side_by_side(tmp_path: Path) -> None:
     assert reference[20, 64, 1] > reference[108, 64, 1], "the normal points up at the top"
 
 
+def test_routes_whose_profile_lacks_something(tmp_path: Path) -> None:
+    """Of all routes those draw that can; one that is named has to."""
+    file = tmp_path / "m.burnish"
+    file.write_text("material Four { map t : texture2d  color = t.gather(uv, 0).rgb }")
+    result = invoke("render", file, "-o", tmp_path / "m.png", "--size", 8, "--on", "all")
+    assert result.exit_code == 0
+    told = "note: Four is not drawn by llvmpipe:gl330: glsl:gl330 has no gathering of texels\n"
+    assert told in result.stderr and (tmp_path / "m.png").exists()
+    result = invoke("render", file, "-o", tmp_path / "n.png", "--on", "llvmpipe")
+    assert result.exit_code == 1 and result.stderr.startswith("error[B0701]: glsl:gl330 has no")
+
+
 @pytest.mark.parametrize("route", ["lavapipe:glsl", "llvmpipe", "chromium:webgl2"])
 def test_one_route(route: str, tmp_path: Path) -> None:
     reference = draw(UP, tmp_path, size=32).astype(int)

@@ -89,16 +89,33 @@ def test_the_worst_is_measured_in_tolerances_and_in_any_target() -> None:
 
 
 @pytest.mark.parametrize("got", [math.nan, math.inf, -math.inf])
-@pytest.mark.parametrize("wanted", [1.0, math.nan, math.inf, -math.inf])
-def test_what_is_not_finite_never_agrees(got: float, wanted: float) -> None:
-    found = compared(changed(got), expected(changed(wanted)))
+def test_what_is_not_finite_never_agrees(got: float) -> None:
+    found = compared(changed(got))
     assert not found.agrees and found.wrong == 1
     assert found.max_difference == found.excess == math.inf
 
 
-@pytest.mark.parametrize("wanted", [math.nan, math.inf, -math.inf])
-def test_nothing_agrees_with_a_reference_that_is_not_finite(wanted: float) -> None:
-    assert compared(picture(), expected(changed(wanted))).wrong == 1
+@pytest.mark.parametrize("got", [1.0, math.nan, math.inf, -math.inf])
+@pytest.mark.parametrize("wanted", [1e39, -1e39, math.nan, math.inf, -math.inf])
+def test_nothing_is_promised_where_the_reference_leaves_float32(got: float, wanted: float) -> None:
+    """It is no agreement, and no fault of the driver's."""
+    found = compared(changed(got), expected(changed(wanted)))
+    assert not found.agrees and (found.wrong, found.overflowing) == (0, 1)
+    assert found.proven == found.covered - 1
+    assert found.max_difference == found.excess == 0
+    assert found.overflow is not None
+    assert (found.overflow.x, found.overflow.y, found.overflow.target) == (7, 2, 0)
+
+
+def test_the_largest_float_is_one() -> None:
+    largest = float(np.finfo(np.float32).max)
+    assert compared(changed(largest), expected(changed(largest))).agrees
+
+
+def test_an_undecided_pixel_does_not_overflow() -> None:
+    undecided = NOWHERE.copy()
+    undecided[2, 7] = True
+    assert compared(picture(), expected(changed(math.inf), undecided=undecided)).agrees
 
 
 def test_an_infinite_radius_allows_nothing() -> None:

@@ -24,10 +24,11 @@ VERSIONS = {"glslang": "12 <beta>"}
 PROBLEM = "glslang rejects Odd.frag.glsl\n  3:7: '<' : syntax error & more"
 
 
-def _result(case: str, value: float = 1.0, undecided: int = 0) -> Result:
+def _result(case: str, value: float = 1.0, undecided: int = 0, wanted_: float = 1.0) -> Result:
     """A picture of ones against one with another value in one lane."""
     wanted, got = np.ones((*SIZE, 4)), np.ones((*SIZE, 4))
     got[1, 2, 0] = value
+    wanted[1, 2, 0] = wanted_
     unsure = np.zeros(SIZE, dtype=np.bool_)
     unsure.flat[:undecided] = True
     covered = np.ones(SIZE, dtype=np.bool_)
@@ -37,7 +38,7 @@ def _result(case: str, value: float = 1.0, undecided: int = 0) -> Result:
 
 
 def _row(route: str, status: str, *results: Result, problem: str = "") -> Row:
-    assert status in ("agrees", "differs", "undecided", "failed", "not run")
+    assert status in ("agrees", "differs", "overflows", "undecided", "failed", "not run")
     device = DEVICE if results else None
     return Row(NAME, ROUTES[route], status, problem, device, VERSIONS, results)  # type: ignore[arg-type]
 
@@ -45,6 +46,7 @@ def _row(route: str, status: str, *results: Result, problem: str = "") -> Row:
 ROWS = [
     _row("lavapipe:glsl", "agrees", _result("defaults", 1.005), _result("behind")),
     _row("lavapipe:hlsl-dxc", "differs", _result("defaults", 1.5), _result("behind", math.nan)),
+    _row("swiftshader:glsl", "overflows", _result("defaults", math.inf, wanted_=1e39)),
     _row("lavapipe:wgsl-naga", "undecided", _result("defaults", undecided=3)),
     _row("llvmpipe:gl330", "failed", problem=PROBLEM),
     _row("chromium:webgpu", "not run", problem="chromium is not installed"),
@@ -53,6 +55,7 @@ ROWS = [
 TABLE = """\
 lavapipe:glsl       agrees     5.0e-03  50%       0 of 48
 lavapipe:hlsl-dxc   differs    inf      infinite  0 of 48
+swiftshader:glsl    overflows  0.0e+00  0%        0 of 24
 lavapipe:wgsl-naga  undecided  0.0e+00  0%        3 of 24
 llvmpipe:gl330      failed
 chromium:webgpu     not run
@@ -63,6 +66,8 @@ lavapipe:hlsl-dxc: defaults: 1 of 24 pixels; the worst, at (2, 1), is (1.5, 1, 1
 (1, 1, 1, 1)
 lavapipe:hlsl-dxc: behind: 1 of 24 pixels; the worst, at (2, 1), is (nan, 1, 1, 1) and should be \
 (1, 1, 1, 1)
+swiftshader:glsl: defaults: in 1 of 24 pixels the value leaves what float32 holds, where nothing \
+is promised; at (2, 1) it is (1e+39, 1, 1, 1)
 lavapipe:wgsl-naga: defaults: 3 of 24 pixels hang on rounding, which is too many to prove anything
 llvmpipe:gl330: glslang rejects Odd.frag.glsl
 llvmpipe:gl330:   3:7: '<' : syntax error & more
@@ -75,7 +80,8 @@ def test_the_table() -> None:
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     shown = ("  ".join(map(str.ljust, line, widths)).rstrip() + "\n" for line in lines)
     assert "".join(shown) == TABLE
-    assert counted(ROWS) == "1 agrees, 1 differs, 1 undecided, 1 failed, 1 not run"
+    every = "1 agrees, 1 differs, 1 overflows, 1 undecided, 1 failed, 1 not run"
+    assert counted(ROWS) == every
     assert counted(ROWS[:1] * 3 + ROWS[1:2] * 2) == "3 agree, 2 differ"
 
 
@@ -88,7 +94,7 @@ def test_json_is_whole_and_plain() -> None:
     data = json.loads(json.dumps(as_json(ROWS), allow_nan=False))
     assert [row["status"] for row in data["rows"]] == [row.status for row in ROWS]
     assert all(row["material"] == NAME for row in data["rows"])
-    agreed, differed, _, failed, missing = data["rows"]
+    agreed, differed, overflowing, _, failed, missing = data["rows"]
     assert agreed["versions"] == VERSIONS and agreed["device"] == "<llvm> 1 & 2"
     share = agreed["cases"]["defaults"]["max_difference_in_tolerances"]
     assert math.isclose(share, 0.5, rel_tol=1e-6)
@@ -96,6 +102,7 @@ def test_json_is_whole_and_plain() -> None:
     broken = differed["cases"]["behind"]
     assert broken["wrong"] == 1
     assert broken["max_difference"] is None and broken["worst"]["got"][0] is None
+    assert overflowing["cases"]["defaults"]["overflowing"] == 1
     assert failed["problem"] == PROBLEM and failed["cases"] == {} and failed["device"] is None
     assert missing["problem"] == "chromium is not installed"
 
@@ -138,14 +145,14 @@ def test_the_page_is_whole_and_escaped() -> None:
         assert all(line.strip() in text for line in details(row))
     assert counted(ROWS) in text
     assert all(source.startswith("data:image/png;base64,") for source in reader.pictures)
-    # The reference's two, and of each of three cases that do not agree what was drawn, what
+    # The reference's two, and of each of four cases that do not agree what was drawn, what
     # should have been, and the difference.
-    assert len(reader.pictures) == 2 + 3 * 3
+    assert len(reader.pictures) == 2 + 4 * 3
 
 
 def test_the_page_of_a_run_without_pictures() -> None:
     reader = Reader()
-    reader.feed(page(ROWS[3:]))
+    reader.feed(page(ROWS[4:]))
     reader.close()
     assert reader.open == [] and reader.pictures == []
     assert "chromium is not installed" in "".join(reader.text)

@@ -12,7 +12,7 @@ from .kit import Given, Painted, color, shader
 BASE = """
 abstract material Base {
     /// How much
-    param k : float in 0..1 per draw = 0.25
+    param k : float in 0..16 per draw = 0.25
     color = vec3(k, 0, 0)
 }
 """
@@ -47,7 +47,7 @@ def test_an_override_builds_on_a_parameter(heirs: str, expected: float) -> None:
 
 def test_the_parameter_stays_one_as_it_was_declared() -> None:
     k = parameters(BASE + "material M : Base { /// Tenfold\nk = 10 * inherited.k }")["k"]
-    assert (k.range, k.default, k.doc, k.parameter.group) == ((0, 1), 0.25, "How much", "draw")
+    assert (k.range, k.default, k.doc, k.parameter.group) == ((0, 16), 0.25, "How much", "draw")
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+import burnish
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax.forms import DECLARATIONS, MEMBERS
@@ -33,3 +34,17 @@ def test_forms_of_members_can_be_read(word: str) -> None:
         report = Report()
         parse(Source("form", f"pass P {{ {form} }}"), report)
         assert not report.diagnostics, form
+
+
+@pytest.mark.parametrize(
+    "equation",
+    [
+        "total = sum i in 0..n up to m : i",
+        "total = min i in 0..n from m : i",
+        "total = iterate x from 1 up to 8 while go : 2 * x",
+    ],
+)
+def test_a_name_may_end_the_head_of_a_loop_of_a_file(equation: str) -> None:
+    """It is not taken for the beginning of the next constant, unless that has a line of its own."""
+    around = "m = 4\nn = 3\ngo = true\nto = 2\nlast = to\nother : int = 3\n"
+    assert burnish.check(f"{around}{equation}\nmaterial M {{}}") == ()

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sized
 from typing import TYPE_CHECKING, Any
 
+from ....arguments import expect
 from . import derived
 from .blocks import write
 from .names import Names
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 FORMAT = 1
 """The reflection's format that is read here."""
+_PARTS = ("material", "blocks", "parameters", "derived", "lights", "textures")
+"""What is read of it."""
 
 
 class MissingValuesError(ValueError):
@@ -48,9 +51,12 @@ class Instance:
     """
 
     def __init__(self, reflection: Mapping[str, Any]) -> None:
-        """Raises ``ValueError`` for a reflection of another format."""
+        """Raises ``ValueError`` for a reflection of another format, or one that is not whole."""
+        expect("reflection", reflection, Mapping, "a mapping")
         if reflection.get("format") != FORMAT:
             raise ValueError(f"this is no reflection of format {FORMAT}")
+        if missing := [part for part in _PARTS if part not in reflection]:
+            raise ValueError(f"this reflection has no `{missing[0]}`")
         self._reflection = reflection
         self._names = Names(reflection)
         self._values = {name: initial(shape) for name, shape in self._names.shapes.items()}
@@ -76,6 +82,7 @@ class Instance:
         Raises ``ParameterError`` if there is no such parameter, or it cannot have the value; then
         nothing has changed.
         """
+        _check_name(name)
         if name in self._names.textures:
             self._textures[name] = _texture(self._texture_row(name), value)
         else:
@@ -91,6 +98,8 @@ class Instance:
         Raises ``ParameterError`` as ``set`` does, and ``PictureError`` for a picture that cannot be
         read.
         """
+        _check_name(name)
+        expect("text", text, str, "a text")
         if name in self._names.textures:
             from ..textures.texture import Texture
 
@@ -107,6 +116,7 @@ class Instance:
         Vectors, matrices (columns) and arrays are tuples; structures and lights are mappings.
         Raises ``ParameterError`` if there is no such parameter.
         """
+        _check_name(name)
         if name in self._names.textures:
             return self._textures.get(name)
         if members := self._names.light(name):
@@ -231,6 +241,10 @@ class Instance:
                 value = value[: self._values[shape.counter][0]]
             found.update(unset(shape, value, name))
         return found
+
+
+def _check_name(name: str) -> None:
+    expect("name", name, str, "a text")
 
 
 def _texture(row: Mapping[str, Any], value: object) -> Texture:

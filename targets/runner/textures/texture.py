@@ -13,9 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
+from ....arguments import expect, expect_all
 from ..drivers.draw import TEXELS, Dimension, Image, TextureFormat
 from ..instances.literals import color_channels
 
@@ -80,7 +82,9 @@ class Texture:
         """
         from .files import read_pictures
 
-        paths = [path] if isinstance(path, str | Path) else path
+        _check_kind(dimension, sample)
+        given = [path] if isinstance(path, str | PathLike) else path
+        paths = expect_all("path", given, (str, PathLike), "the path of a picture, or several")
         array = read_pictures([Path(each) for each in paths], dimension, sample)
         return cls.of_array(array, srgb=srgb, dimension=dimension, sample=sample)
 
@@ -107,6 +111,8 @@ class Texture:
         from .arrays import check_level, texel_array
         from .mipmaps import smaller
 
+        _check_kind(dimension, sample)
+        expect("levels", levels, Sequence, "a sequence of arrays")
         texels, format_ = texel_array(array, srgb, dimension, sample)
         whole = [texels]
         for number, level in enumerate(levels, start=1):
@@ -130,7 +136,10 @@ class Texture:
             if channels is None:
                 raise PictureError(f"{color!r} is no colour, which would be '#b5651d'")
             return _texel(np.array(channels, np.uint8), dimension, "float", srgb=True)
-        lanes = np.array(color, np.float64)
+        try:
+            lanes = np.array(color, np.float64)
+        except (TypeError, ValueError):
+            lanes = np.array(())
         if lanes.shape not in ((3,), (4,)) or not ((lanes >= 0) & (lanes <= 1)).all():
             raise PictureError(f"a colour has 3 or 4 lanes in 0..1, and {color!r} has not")
         return _texel(np.rint(lanes * 255).astype(np.uint8), dimension, "float")
@@ -142,6 +151,8 @@ class Texture:
         Of other dimensions than ``2d``, pictures for each layer, slice or face, with commas
         between them: ``srgb:px.png,nx.png,py.png,ny.png,pz.png,nz.png``. Raises ``PictureError``.
         """
+        expect("text", text, str, "a text")
+        _check_kind(dimension, sample)
         if text.startswith("#"):
             if sample != "float":
                 raise PictureError(f"{text} is a colour, and the texture holds {_HELD[sample]}")
@@ -182,6 +193,15 @@ class Texture:
 _HELD: dict[Kind, str] = {
     "float": "colours", "depth": "depths", "int": "integers", "uint": "unsigned integers",
 }  # fmt: skip
+
+
+def _check_kind(dimension: Dimension, sample: Kind) -> None:
+    """Raises ``ValueError`` for what types rule out."""
+    for argument, value, known in (
+        ("dimension", dimension, get_args(Dimension)), ("sample", sample, get_args(Kind))
+    ):  # fmt: skip
+        if value not in known:
+            raise ValueError(f"`{argument}` is one of {', '.join(known)}, and not {value!r}")
 
 
 def described(dimension: Dimension, sample: Kind) -> str:
