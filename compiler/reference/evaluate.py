@@ -28,7 +28,11 @@ It is asked about crossings (``interpolate``) too: one without a value has that 
 
 Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 """Sees every operation that is computed, with the values of its operands and its own; the answer is
-the value to go on with."""
+the value to go on with.
+
+Of a fold or an iteration it sees every turn, with other operands: whether it goes on, then the
+total and the term, or the states after and before.
+"""
 
 _LEAVES = frozenset({"parameter", "resource", "attribute", "input", "interpolate"})
 
@@ -123,11 +127,13 @@ class Evaluator:
             last: Lanes = yield self._iterated(node, operands, frame)
             return last
         if node.op != "apply":
-            value = apply(node, operands, self._xp)
-            return value if self._observer is None else self._observer(node, operands, value)
+            return self._seen(node, operands, apply(node, operands, self._xp))
         body = node.operands[0]
         result: Lanes = yield self._value(body, _inner(node, frame, tuple(operands)))
         return result
+
+    def _seen(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+        return value if self._observer is None else self._observer(node, operands, value)
 
     def _folded(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
         """One turn after the other; where counts differ, in an array, some take no part."""
@@ -140,7 +146,8 @@ class Evaluator:
                 break
             term = yield self._value(node.operands[2], _inner(node, frame, ((turn,),)))
             combined = builtin(node.data.operator, (total, term), self._xp, kind)
-            total = chosen(self._xp, goes_on, combined, total)
+            after = chosen(self._xp, goes_on, combined, total)
+            total = self._seen(node, [(goes_on,), total, term], after)
         return total
 
     def _iterated(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
@@ -158,7 +165,8 @@ class Evaluator:
             following = []
             for state, next_ in zip(states, nexts, strict=True):
                 new = yield self._value(next_, inner)
-                following.append(chosen(self._xp, goes_on, new, state))
+                after = chosen(self._xp, goes_on, new, state)
+                following.append(self._seen(node, [(goes_on,), new, state], after))
             states = following
         return states[0] if len(states) == 1 else tuple(states)
 
