@@ -162,8 +162,9 @@ def _text(
             [f"param {line}" for line in _fields(probe)] + ["to_light = vec3(0, 0, 1)"],
         ),
         _braced("rig Lit", ["alone : Probe", f"several : Probe[{'<= ' * counted}{SEVERAL}]"]),
-        f"term probed(wanted: int, number: int) per light ="
-        f" if light.id == wanted then {light} else vec4(0)",
+        # A product, since lavapipe 22.3.6 makes constants of the uniforms that loops branch on, and
+        # with some layouts that kills it.
+        f"term probed(wanted: int, number: int) per light = float(light.id == wanted) * {light}",
         _braced(
             "material Shown",
             [
