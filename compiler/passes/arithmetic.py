@@ -254,6 +254,19 @@ def _negated(decide: Callable[[Simplifier, Node, Node], bool | None]) -> Builtin
     return _comparison(opposite)
 
 
+def _equality(decide: BuiltinRule, same: bool) -> BuiltinRule:
+    """``==`` (``same``) and ``!=``: a truth beside a constant is itself, or its opposite."""
+
+    def rule(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
+        for one, other in (operands, operands[::-1]):
+            truth = uniform_lane(one)
+            if isinstance(truth, bool) and other.type == type_:
+                return other if truth is same else s.make(op, type_, (other,), "not")
+        return decide(s, op, type_, operands)
+
+    return rule
+
+
 def _not(s: Simplifier, op: Op, type_: Type, operands: tuple[Node, ...]) -> Node | None:
     (operand,) = operands
     if _is_call(operand, "not"):
@@ -295,8 +308,8 @@ BUILTIN_RULES: Mapping[str, BuiltinRule] = {
     "ge": _negated(_below),
     "le": _comparison(_at_most),
     "gt": _negated(_at_most),
-    "eq": _comparison(_equal),
-    "ne": _negated(_equal),
+    "eq": _equality(_comparison(_equal), True),
+    "ne": _equality(_negated(_equal), False),
     "not": _not,
     "and": _connective(False),
     "or": _connective(True),

@@ -131,6 +131,17 @@ def test_ranges_decide_comparisons(kit: Kit) -> None:
     assert kit.simplified(kit.graph.node("select", FLOAT, (below, x, y))) is y
 
 
+def test_truths_compared_with_constants_are_truths(kit: Kit) -> None:
+    x, zero = kit.leaf("x"), kit.number(0.0)
+    below = kit.call("lt", x, zero, type_=BOOL)
+    for truth in (False, True):
+        constant = build.constant(kit.graph, BOOL, truth)
+        same = kit.simplified(kit.call("eq", below, constant))
+        other = kit.simplified(kit.call("ne", constant, below))
+        pair = [below, kit.call("ge", x, zero, type_=BOOL)]
+        assert [same, other] == (pair if truth else pair[::-1])
+
+
 def test_lanes_are_found_where_they_came_from(kit: Kit) -> None:
     x, v = kit.leaf("x"), kit.leaf("v", VEC2)
     joined = build.vector(kit.graph, (x, v))

@@ -25,7 +25,7 @@ void main() {
     int found_cut_remainder = number - found_texture_size.x * (number / found_texture_size.x);
     ivec2 found_kept_inside = clamp(
         ivec2(
-            found_cut_remainder != 0 && (found_cut_remainder < 0) != false
+            found_cut_remainder != 0 && found_cut_remainder < 0
                 ? found_cut_remainder + found_texture_size.x
                 : found_cut_remainder,
             0
