@@ -133,7 +133,7 @@ def test_warnings_are_told_once() -> None:
 
 def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where nothing at all is tolerated, some pixel is wrong; the report shows which."""
-    strict = Tolerance(1e-12, 0.0, "to see what happens")
+    strict = Tolerance(1e-12, 0.0, "to see what happens", rounding_bits=52, varying_bits=52)
     monkeypatch.setattr(plan, "DRIVERS", {"llvmpipe": strict})
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--report", "out")
     assert result.exit_code == 1
