@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import pickle
-from functools import lru_cache
+from collections.abc import Callable
+from functools import lru_cache, wraps
 from pathlib import Path
+from threading import RLock
+from typing import TypeVar
 
 from .cache import cached
 from .diagnostics.diagnostic import Diagnostic, Report
@@ -16,6 +19,25 @@ from .syntax.parser import parse
 FOLDER = Path(__file__).parent.parent / "stdlib"
 MEANING = "meaning.burnish"
 CONVERSIONS = "spaces.burnish"
+
+T = TypeVar("T")
+
+_MAKING = RLock()
+
+
+def once(make: Callable[[], T]) -> Callable[[], T]:
+    """What ``make`` gives, made by the first thread that asks for it, while others wait.
+
+    Modules and their symbols are told apart by identity, so no compile may see two of one kind.
+    """
+    kept = lru_cache(maxsize=1)(make)
+
+    @wraps(make)
+    def made() -> T:
+        with _MAKING:
+            return kept()
+
+    return made
 
 
 def parse_library(source: Source, report: Report) -> ast.File:
@@ -45,7 +67,7 @@ def _tree_shape() -> str:
     return "".join(path.read_text(encoding="utf-8") for path in (here, *syntax))
 
 
-@lru_cache(maxsize=1)
+@once
 def conversions() -> Module:
     """The module of what leads from one space to another."""
     file, path = _internal(CONVERSIONS)
@@ -67,7 +89,7 @@ def _internal(name: str) -> tuple[ast.File, Path]:
     return file, path
 
 
-@lru_cache(maxsize=1)
+@once
 def expansions() -> tuple[Module, dict[str, tuple[Symbol, ...]]]:
     """The module of the builtins' expansions, and its functions by the builtin they stand for.
 

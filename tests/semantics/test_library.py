@@ -1,0 +1,26 @@
+"""What is read of the standard library once, for all compiles."""
+
+from __future__ import annotations
+
+import time
+from concurrent.futures import ThreadPoolExecutor
+from threading import Barrier
+
+from burnish.compiler.library import once
+
+
+def test_threads_that_ask_at_the_same_time_get_the_same() -> None:
+    together = Barrier(8)
+
+    @once
+    def made() -> object:
+        time.sleep(0.05)
+        return object()
+
+    def ask(_number: int) -> object:
+        together.wait()
+        return made()
+
+    with ThreadPoolExecutor(8) as threads:
+        found = list(threads.map(ask, range(8)))
+    assert all(one is found[0] for one in found)
