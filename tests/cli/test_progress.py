@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from io import StringIO
 from pathlib import Path
@@ -80,6 +80,14 @@ def marked(mark: str) -> Mapping[int, str]:
     return found
 
 
+@pytest.fixture
+def interruptible() -> Iterator[None]:
+    """Who runs the tests in the background may have them ignore it, which programs inherit."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.parametrize(
     ("line", "at_work"),
     [
@@ -88,6 +96,7 @@ def marked(mark: str) -> Mapping[int, str]:
         ("conform m.burnish --report new --seed {seed}", "/chromium\0"),
     ],
 )
+@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("everybody", [True, False], ids=["terminal", "kill"])
 def test_interrupted(line: str, at_work: str, everybody: bool, tmp_path: Path) -> None:
     """By Ctrl-C, which goes to all processes of a terminal, or by a signal to the command alone.
