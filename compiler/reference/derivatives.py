@@ -19,6 +19,6 @@ def ddy(_xp: Namespace, v: Lanes) -> Lanes:
 
 
 def _difference(lane: Lane, axis: int) -> Lane:
-    if not getattr(lane, "ndim", 0) or lane.shape[axis] == 1:
+    if not hasattr(lane, "take") or lane.shape[axis] == 1:
         return 0.0
     return (lane.take([1], axis) - lane.take([0], axis)).repeat(2, axis)

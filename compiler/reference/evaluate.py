@@ -28,11 +28,7 @@ It is asked about crossings (``interpolate``) too: one without a value has that 
 
 Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 """Sees every operation that is computed, with the values of its operands and its own; the answer is
-the value to go on with.
-
-Of a fold or an iteration it sees every turn, with other operands: whether it goes on, then the
-total and the term, or the states after and before.
-"""
+the value to go on with."""
 
 _LEAVES = frozenset({"parameter", "resource", "attribute", "input", "interpolate"})
 
@@ -127,13 +123,11 @@ class Evaluator:
             last: Lanes = yield self._iterated(node, operands, frame)
             return last
         if node.op != "apply":
-            return self._seen(node, operands, apply(node, operands, self._xp))
+            value = apply(node, operands, self._xp)
+            return value if self._observer is None else self._observer(node, operands, value)
         body = node.operands[0]
         result: Lanes = yield self._value(body, _inner(node, frame, tuple(operands)))
         return result
-
-    def _seen(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
-        return value if self._observer is None else self._observer(node, operands, value)
 
     def _folded(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
         """One turn after the other; where counts differ, in an array, some take no part."""
@@ -146,8 +140,7 @@ class Evaluator:
                 break
             term = yield self._value(node.operands[2], _inner(node, frame, ((turn,),)))
             combined = builtin(node.data.operator, (total, term), self._xp, kind)
-            after = chosen(self._xp, goes_on, combined, total)
-            total = self._seen(node, [(goes_on,), total, term], after)
+            total = chosen(self._xp, goes_on, combined, total)
         return total
 
     def _iterated(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
@@ -165,8 +158,7 @@ class Evaluator:
             following = []
             for state, next_ in zip(states, nexts, strict=True):
                 new = yield self._value(next_, inner)
-                after = chosen(self._xp, goes_on, new, state)
-                following.append(self._seen(node, [(goes_on,), new, state], after))
+                following.append(chosen(self._xp, goes_on, new, state))
             states = following
         return states[0] if len(states) == 1 else tuple(states)
 

@@ -245,43 +245,6 @@ def test_a_jump_at_a_vertex_leaves_its_triangles_undecided() -> None:
     assert crossing(jumping.replace("-4", "-5")) == []
 
 
-@pytest.mark.parametrize("argument", ["100 * s", "100 * s + 7", "(s + 9) * (s + 9) - 100 * s"])
-@pytest.mark.parametrize("stage", ["", "@vertex "])
-def test_a_hash_of_a_sine_is_undecided(stage: str, argument: str) -> None:
-    """It magnifies rounding until nothing else is left, whatever rounds to which side."""
-    given = passing(f"attribute s : float\nvalue = {stage}vec4(fract(sin({argument}) * 1e7))")
-    mesh = triangles(FULL, s=[-4.1, 12.3, -4.2])
-    found = picture(given, mesh, RasterRules(9, 1, rounding_bits=22))
-    assert found.undecided.sum() >= 8
-
-
-def test_functions_of_what_is_the_same_for_all_pixels_are_off_too() -> None:
-    given = passing("attribute s : float\nparam turn : float = 2.4\nvalue = vec4(s * cos(turn))")
-    mesh = triangles(FULL, s=[-4, 12, -4])
-    found = picture(given, mesh, RasterRules(9, 1, rounding_bits=22, functions=(("cos", 0.5),)))
-    assert found.radius[0][0, 0, 0] > 0.5 * 3.5
-    assert found.radius[0][0, 4, 0] < 0.01
-
-
-@pytest.mark.parametrize(
-    "count",
-    [
-        "(iterate n from 0.0 for i in 0..4 : if s < float(i) then n + 1 else n)",
-        "(sum i in 0..4 : if s < float(i) then 1.0 else 0.0)",
-    ],
-)
-def test_counts_are_exact(count: str) -> None:
-    """Only their terms may tip: where `s` is 0 or one of the numbers up to 3."""
-    assert crossing(f"value = vec4(if {count} == 2 then 1 else 0)") == [4]
-
-
-def test_a_lane_that_is_not_covered_goes_on_beyond_the_near_plane() -> None:
-    given = passing("value = vec4(ddx(frag_coord.z))")
-    corners = [(-1, 1, 0.1, 1), (0.2, 1, -0.1, 1), (-1, -0.2, 0.1, 1)]
-    found = picture(given, triangles(corners), at(2)).targets[0]
-    assert found[0, 0, 0] == pytest.approx(-1 / 6)
-
-
 def test_a_phong_sphere_is_decided_nearly_everywhere() -> None:
     given = shader(
         "import std.terms\nmaterial M { color = lambert(vec3(0.5)) + phong(vec3(1), 20) }"

@@ -67,8 +67,6 @@ class _Drawing:
     def drawn(self, progress: Callable[[float], None] | None) -> Expected:
         canvas = self._canvas
         fragments, canvas.undecided[:] = fragments_of(self._faces, self._rules)
-        # Whatever such a vertex belongs to may lie anywhere.
-        canvas.undecided |= self._vertices.astray[self._faces.corners].any()
         depth = depth_of(self._faces, fragments, self._rules.width)
         if self._opaque:
             winners, close = nearest(fragments, depth)

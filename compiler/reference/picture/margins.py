@@ -7,7 +7,6 @@ that ``max(dot(n, l), 0)`` is on the whole dark side.
 
 from __future__ import annotations
 
-import weakref
 from collections.abc import Callable, Mapping
 from functools import reduce
 from typing import Any
@@ -16,7 +15,7 @@ import numpy as np
 
 from ....stdlib.builtins import texture
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
-from ...ir.node import Folding, Node
+from ...ir.node import Node
 from ...ir.types import scalar_kind
 from ..namespace import Lane, Lanes
 from ..vectors import inner
@@ -171,25 +170,18 @@ _NOT_BY_LANE = READS | frozenset(
 class Margins:
     """Watches an evaluation on arrays of one shape, and marks what is undecided.
 
-    A leading axis of operands is one of variants: as far as they move something, a device may move
-    it to either side, and what jumps within that is undecided.
+    A leading axis of operands is one of variants: where they decide differently, it is undecided.
     """
 
     def __init__(self, shape: tuple[int, ...]) -> None:
         self.undecided: Bools = np.zeros(shape, dtype=np.bool_)
-        self._steady: dict[int, tuple[weakref.ref[Any], Bools]] = {}
-        """By identity of the lane, while it lives; swizzles and the like hand lanes on."""
+        self._steady: dict[int, tuple[Lane, Bools]] = {}
+        """By identity of the lane, kept alive for it; swizzles and the like hand lanes on."""
 
     def watch(self, node: Node, operands: list[Lanes], value: Lanes) -> None:
         """One operation that has been computed."""
         if node.op == "select":
-            (condition,), then, otherwise = operands
-            self._learn_choice(condition, then, otherwise, value, exact=False)
-        elif node.op == "iterate":
-            (goes_on,), following, before = operands
-            self._learn_choice(goes_on, following, before, value, exact=True)
-        elif node.op == "fold":
-            self._folded(node, operands, value)
+            self._learn_choice(operands, value)
         elif node.op in ("call", "native"):
             self._called(str(node.data), node, operands, value)
 
@@ -203,30 +195,22 @@ class Margins:
     def at_zero(self, value: Lane, allowed: Lane, steady: Bools | bool = False) -> None:
         """Something jumps where ``value`` is zero."""
         if np.ndim(value):
-            self._mark(np.abs(value), value, allowed, steady)
+            self._mark(~(np.abs(value) > allowed), value < 0, steady)
 
     def at_whole(self, value: Lane, allowed: Lane, steady: Bools | bool = False) -> None:
         """Something jumps where ``value`` is a whole number."""
         if np.ndim(value):
-            self._mark(np.abs(value - np.rint(value)), value, allowed, steady)
+            close = ~(np.abs(value - np.rint(value)) > allowed)
+            self._mark(close, np.floor(value), steady)
 
     def hand_on(self, lane: Lane, new: Lane) -> None:
         """``new`` is as steady as ``lane``, which it replaces."""
         if id(lane) in self._steady:
             self._learn(new, self._steady[id(lane)][1])
 
-    def is_exact(self, lane: Lane) -> Bools | bool:
-        """Where something is a count or the like, which no device rounds."""
-        steady = self._is_steady(lane)
-        return False if steady is False else np.asarray(steady & _is_short(lane))
-
-    def _mark(self, distance: Any, value: Any, allowed: Lane, steady: Bools | bool) -> None:
-        """A jump at a distance from what is known as a value."""
-        close = ~(distance > allowed)
-        if np.ndim(value) > self.undecided.ndim and len(value) > 1:
-            # Infinities are as far off under every variant.
-            moved = np.where(value == value[:1], 0.0, np.abs(value - value[:1]))
-            close = close | ~(distance[:1] > moved.max(axis=0))
+    def _mark(self, close: Bools, side: Lane, steady: Bools | bool) -> None:
+        if np.ndim(side) > self.undecided.ndim and len(side) > 1:
+            close = close | (side != side[:1])
         close = np.asarray(close & ~np.asarray(steady))
         if close.ndim > self.undecided.ndim:
             close = np.asarray(close.any(axis=0))
@@ -261,8 +245,7 @@ class Margins:
 
     def _learn(self, lane: Lane, steady: Bools | bool) -> None:
         if not isinstance(steady, bool):
-            key, known = id(lane), self._steady
-            known[key] = weakref.ref(lane, lambda _: known.pop(key, None)), steady
+            self._steady[id(lane)] = (lane, steady)
 
     def _is_steady(self, lane: Lane) -> Bools | bool:
         if not np.ndim(lane):
@@ -276,36 +259,14 @@ class Margins:
             return False
         return np.asarray(reduce(np.logical_and, known))
 
-    def _learn_choice(
-        self, condition: Lane, then: Lanes, otherwise: Lanes, value: Lanes, *, exact: bool
-    ) -> None:
-        """With ``exact``, only what float32 counts without rounding is steady.
-
-        A loop may add up what is the same for all pixels, and yet rounded.
-        """
-        if not np.ndim(condition):
+    def _learn_choice(self, operands: list[Lanes], value: Lanes) -> None:
+        (condition,), then, otherwise = operands
+        if not np.ndim(condition) or isinstance(value[0], tuple):
             return
         for lane, a, b in zip(value, then, otherwise, strict=True):
-            if isinstance(lane, tuple):
-                self._learn_choice(condition, a, b, lane, exact=exact)
-                continue
             sides = self._is_steady(a), self._is_steady(b)
             if not all(side is False for side in sides):
-                steady = np.where(condition, *sides)
-                self._learn(lane, steady & _is_short(lane) if exact else steady)
-
-    def _folded(self, node: Node, operands: list[Lanes], value: Lanes) -> None:
-        """One turn of a sum and its like: whether it goes on, the total so far, and the term."""
-        assert isinstance(node.data, Folding)
-        (goes_on,), total, term = operands
-        if isinstance(value[0], tuple):
-            return
-        for lane, *given in zip(value, total, term, strict=True):
-            if np.ndim(lane):
-                steady = self._steadiness(node.data.operator, given)
-                sides = steady, self._is_steady(given[0])
-                kept = steady if goes_on is True else np.where(goes_on, *sides)
-                self._learn(lane, kept if kept is False else kept & _is_short(lane))
+                self._learn(lane, np.where(condition, *sides))
 
     def _steadiness(self, name: str, given: list[Any]) -> Bools | bool:
         """Where an operation's value stays when its operands move a little."""
@@ -315,15 +276,6 @@ class Margins:
         if any(mask is False for mask in known):
             return pinned
         return np.asarray(pinned | reduce(np.logical_and, known))
-
-
-def _is_short(lane: Any) -> Any:
-    """Whether a number has few binary places, as counts have, and so is exact on every device."""
-    scaled = lane * _SHORT
-    return (scaled == np.rint(scaled)) & (np.abs(lane) < _SHORT)
-
-
-_SHORT = 2.0**10
 
 
 def _at_end(given: list[Any], known: list[Any], low: int | None, high: int | None) -> Any:

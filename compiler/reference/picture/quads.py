@@ -53,9 +53,8 @@ class Barycentric:
         self.x = (quads.x[:, None] + steps)[:, None, :]
         self.y = (quads.y[:, None] + steps)[:, :, None]
         self._linear = _linear(faces, quads.face, self.x, self.y)
-        # Not clamped: lanes that the face does not cover may lie beyond the near or the far plane.
-        self.depth = self._mixed(faces.z[quads.face], self._linear)
-        self.per_w = self._mixed(faces.per_w[quads.face], self._linear)
+        self.depth = np.clip(self._mixed(faces.z[quads.face].T, self._linear), 0.0, 1.0)
+        self.per_w = self._mixed(faces.per_w[quads.face].T, self._linear)
         near = faces.per_w[quads.face][:, :, None, None]
         self._perspective = tuple(
             share * near[:, i + 1] / self.per_w for i, share in enumerate(self._linear)
@@ -63,36 +62,39 @@ class Barycentric:
         self._whole = bool(faces.whole[quads.face].all())
         self._weights = faces.weights[quads.face]
 
-    def perspective(self, values: Lanes, ways: Variants, number: int) -> Lanes:
+    def perspective(self, values: Lanes, off: Lanes | None, ways: Variants, number: int) -> Lanes:
         """Values at the vertices (lanes; arrays or single numbers), as seen in perspective.
 
-        With a leading axis of variants where those move what is interpolated, or what the vertices
-        have. ``number`` is any by which crossings differ.
+        With a leading axis of variants where those move what is interpolated, or, by ``off``, what
+        the vertices have. ``number`` is any by which crossings differ.
         """
         return tuple(
-            self._crossed(lane, ways, number + i) if np.ndim(lane) else lane
+            self._crossed(lane, off[i] if off else 0.0, ways, number + i) if np.ndim(lane) else lane
             for i, lane in enumerate(values)
         )
 
     def flat(self, values: Lanes) -> Lanes:
         """The values of each triangle's first vertex."""
         first = self._faces.corners[self._face, 0]
-        return tuple(lane[..., first, :, :] if np.ndim(lane) else lane for lane in values)
+        return tuple(lane[first][:, None, None] if np.ndim(lane) else lane for lane in values)
 
-    def _crossed(self, lane: Lane, ways: Variants, number: int) -> Floats:
-        corners = lane[..., self._faces.corners[self._face], 0, 0].astype(np.float64)
+    def _crossed(self, lane: Lane, off: Lane, ways: Variants, number: int) -> Floats:
+        corners = lane[self._faces.corners[self._face]].astype(np.float64)
         # Of the whole triangle, as what is cut off of it decides how its planes are rounded.
-        largest = np.abs(corners).max(axis=-1)[..., None, None]
+        largest = np.abs(corners).max(axis=1)[:, None, None]
         mixed = self._interpolated(corners)
+        if len(ways) > 1 and np.ndim(off):
+            moved = self._interpolated(off[self._faces.corners[self._face]])
+            mixed = mixed + moved * (ways.rounding > 0)[:, None, None, None]
         if ways.nudge.any():
             mixed = mixed + self._nudges(ways, number) * largest
         return mixed
 
     def _interpolated(self, corners: Floats) -> Floats:
-        """What the corners of whole triangles (…, quads, 3) have, at each lane."""
+        """What the corners of whole triangles (quads, 3) have, at each lane."""
         if not self._whole:
-            corners = (self._weights @ corners[..., None])[..., 0]
-        return self._mixed(corners, self._perspective)
+            corners = (self._weights @ corners[:, :, None])[:, :, 0]
+        return self._mixed(corners.T, self._perspective)
 
     def _nudges(self, ways: Variants, number: int) -> Floats:
         """By how much each variant is off, (variants, 1, side, side)."""
@@ -104,7 +106,7 @@ class Barycentric:
 
     @staticmethod
     def _mixed(corners: Floats, shares: tuple[Floats, ...]) -> Floats:
-        a, b, c = np.moveaxis(corners, -1, 0)[..., None, None]
+        a, b, c = corners[:, :, None, None]
         mixed: Floats = a + shares[0] * (b - a) + shares[1] * (c - a)
         return mixed
 

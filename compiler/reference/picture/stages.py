@@ -2,27 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins import texture
+from ....stdlib.builtins import BUILTINS, texture
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
 from ...ir.types import scalar_kind, width
 from ...semantics.shader import Shader
+from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
+from .margins import EXACT, READS, Margins
 from .quads import Barycentric
-from .rounding import COMPARES_NEIGHBOURS, Rounding, nominal
+from .sampler import Reader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
 from .texels import Image
 from .variants import Variants, variants
+from .vertex_reads import VertexReader
 
+_COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
 """What looks at neighbours besides where cubes are not projected."""
 _FILTERED = frozenset(row.name for row in texture.ROWS if row.sampler is not None)
+_NOT_ROUNDED = (
+    EXACT | READS | _COMPARES_NEIGHBOURS | {"neg", "abs", "min", "max", "clamp", "saturate"}
+)
+"""What gives one of its operands, or a number that float32 has, or has bounds of its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,12 +41,11 @@ class Vertices:
     positions: Floats
     """(vertices, 4) in clip space."""
     crossings: Mapping[int, Lanes]
-    """By the id of the ``interpolate`` node: lanes of (vertices, 1, 1), with a leading axis of
-    variants where those move them; or single numbers."""
+    """By the id of the ``interpolate`` node: lanes of length (vertices,), or single numbers."""
+    off: Mapping[int, Lanes]
+    """Likewise, by how much rounding may move them; empty where operations are exact."""
     undecided: Bools
-    """(vertices,): where rounding may tip what crosses."""
-    astray: Bools
-    """(vertices,): where it may tip a position."""
+    """(vertices,)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,43 +74,68 @@ class Stages:
         self._targets = tuple(target.value for target in shader.targets)
         self._discard = shader.discard
         self._functions = dict(rules.functions)
+        self._relative = 0.0 if rules.rounding_bits is None else 2.0**-rules.rounding_bits
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "interpolate"]
-        neighbours = COMPARES_NEIGHBOURS if rules.projects_cubes else COMPARES_NEIGHBOURS | _GRADS
+        neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
         self.side = 2 if _called(nodes) & neighbours else 1
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
-        self.ways = _ways(self._images.values(), rules, everywhere, self._crossings)
+        self.ways = _ways(self._images.values(), rules, nodes, self._crossings)
 
     def vertices(self, geometry: Geometry) -> Vertices:
-        """The vertex stage, in which each vertex is a quad of one pixel."""
-        number = geometry.vertex_count
-        stage = self._stage((number, 1, 1))
+        """The vertex stage."""
+        count = geometry.vertex_count
+        margins = Margins((count,))
+        readers = {resource: VertexReader(image, count) for resource, image in self._images.items()}
+
         inputs = geometry.inputs()
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
-                return _as_quads(_attribute(geometry, node.data))
-            return (
-                _as_quads((inputs[str(node.data)],))
-                if node.op == "input"
-                else self._parameter(node)
-            )
+                return _attribute(geometry, node.data)
+            if isinstance(node.data, Resource):
+                return (readers[node.data],)
+            return (inputs[str(node.data)],) if node.op == "input" else self._parameter(node)
 
-        evaluator = stage.evaluator(leaves)
-        lanes = evaluator.value(self._position)
-        astray = stage.margins.undecided.copy()
+        def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+            margins.watch(node, operands, value)
+            return value
+
+        evaluator = Evaluator(leaves, np, observer)
         crossings = {node.id: evaluator.value(node.operands[0]) for node in self._crossings}
-        places = [np.broadcast_to(nominal(lane).reshape(-1), (number,)) for lane in lanes]
-        positions = np.stack(places, axis=-1).astype(np.float64)
-        undecided = stage.margins.undecided
-        return Vertices(positions, crossings, undecided[:, 0, 0], astray[:, 0, 0])
+        lanes = Evaluator(leaves, np).value(self._position)
+        positions = np.stack([np.broadcast_to(lane, (count,)) for lane in lanes], axis=-1)
+        off: dict[int, Lanes] = {}
+        if self._relative:
+            rounded = Evaluator(leaves, np, self._round_alike)
+            for node in self._crossings:
+                pairs = zip(rounded.value(node.operands[0]), crossings[node.id], strict=True)
+                off[node.id] = tuple(moved - exact for moved, exact in pairs)
+        undecided = margins.undecided
+        for reader in readers.values():
+            undecided = undecided | reader.undecided
+        return Vertices(positions.astype(np.float64), crossings, off, undecided)
+
+    def _round_alike(self, node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
+        """What an operation of the vertex stage gives, off to one side or the other."""
+        if not _rounds(node, value):
+            return value
+        relative = (-1.0) ** node.id * self._relative
+        absolute = self._functions.get(str(node.data), 0.0)
+        return tuple(
+            lane + (np.abs(lane) * relative + absolute) if np.ndim(lane) else lane for lane in value
+        )
 
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
         """The fragment stage in quads; ``front`` says which of them face the eye."""
-        stage = self._stage((len(front), self.side, self.side))
-        margins = stage.margins
+        margins = Margins((len(front), self.side, self.side))
+        turns, reads = count(), count()
+        readers = {
+            resource: Reader(image, self.ways, margins, reads)
+            for resource, image in self._images.items()
+        }
         inputs = {
             "frag_coord": (place.x, place.y, place.depth, place.per_w),
             "front_facing": (front[:, None, None],),
@@ -113,20 +146,47 @@ class Stages:
                 values = vertices.crossings[node.id]
                 if node.data == "flat":
                     return place.flat(values)
-                return place.perspective(values, self.ways, self._crossings.index(node))
+                number = self._crossings.index(node)
+                return place.perspective(values, vertices.off.get(node.id), self.ways, number)
+            if isinstance(node.data, Resource):
+                return (readers[node.data],)
             return inputs[str(node.data)] if node.op == "input" else self._parameter(node)
 
-        evaluator = stage.evaluator(leaves)
+        def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+            margins.watch(node, operands, value)
+            if node.data in ("ddx", "ddy"):
+                margins.spread()
+                return _differences(value, self.ways, str(node.data))
+            return self._rounded(node, value, margins, turns)
+
+        evaluator = Evaluator(leaves, np, observer)
         discarded: Any = evaluator.value(self._discard)[0] if self._discard else False
         doubtful = margins.undecided.copy()
         targets = tuple(evaluator.value(target) for target in self._targets)
         # What is surely discarded has no colour that could be in doubt.
-        surely = np.asarray(nominal(discarded), dtype=np.bool_) & ~doubtful
-        undecided = margins.undecided & ~surely
+        nominal = discarded[0] if np.ndim(discarded) > margins.undecided.ndim else discarded
+        undecided = margins.undecided & ~(np.asarray(nominal, dtype=np.bool_) & ~doubtful)
         return Shaded(targets, discarded, undecided)
 
-    def _stage(self, shape: tuple[int, int, int]) -> Rounding:
-        return Rounding(shape, self.ways, self._functions, self._images)
+    def _rounded(self, node: Node, value: Lanes, margins: Margins, turns: Iterator[int]) -> Lanes:
+        """What an operation gives under every variant: off to one side or the other."""
+        if len(self.ways) == 1 or not _rounds(node, value):
+            return value
+        relative = (-1.0) ** node.id * self.ways.rounding
+        absolute = np.zeros(len(self.ways))
+        if node.data in self._functions:
+            side = (-1.0) ** (next(turns) // np.maximum(self.ways.period, 1))
+            absolute = np.where(self.ways.period > 0, side * self._functions[node.data], 0.0)
+        off = [self._off(lane, relative, absolute) for lane in value]
+        for lane, moved in zip(value, off, strict=True):
+            margins.hand_on(lane, moved)
+        return tuple(off)
+
+    @staticmethod
+    def _off(lane: Lane, relative: Floats, absolute: Floats) -> Lane:
+        if not np.ndim(lane):
+            return lane
+        return lane + (np.abs(lane) * relative[:, None, None, None] + absolute[:, None, None, None])
 
     def _parameter(self, node: Node) -> Lanes | None:
         if not isinstance(node.data, Parameter):
@@ -135,6 +195,13 @@ class Stages:
         if name not in self.values:
             raise ValueError(f"The parameter `{name}` has no value.")
         return self.values[name]
+
+
+def _rounds(node: Node, value: Lanes) -> bool:
+    """Whether a value is what rounding has left of an operation's exact result."""
+    if node.op not in ("call", "native") or node.data in _NOT_ROUNDED:
+        return False
+    return scalar_kind(node.type) == "float" and not isinstance(value[0], tuple)
 
 
 def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
@@ -155,11 +222,6 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
     if kind is np.int64 and array.dtype.kind == "f":
         raise ValueError(f"The vertex attribute `{attribute.name}` takes whole numbers.")
     return tuple(np.ascontiguousarray(array.T, dtype=kind))
-
-
-def _as_quads(value: Lanes) -> Lanes:
-    """Of all vertices, each as a quad of one pixel."""
-    return tuple(lane[:, None, None] for lane in value)
 
 
 def _ways(
@@ -198,3 +260,18 @@ def _reads(nodes: Sequence[Node]) -> int:
     again = any(node.op in ("fold", "iterate") for node in nodes)
     count = sum(node.op in ("call", "native") and node.data in _FILTERED for node in nodes)
     return 3 * count if again else count
+
+
+def _differences(value: Lanes, ways: Variants, name: str) -> Lanes:
+    """A derivative under every variant: the pixel's own row or column, or a quad's common one."""
+    axis, choice = (-2, ways.row) if name == "ddx" else (-1, ways.column)
+    return tuple(
+        _in_common(lane, choice, axis) if np.ndim(lane) and lane.shape[axis] == 2 else lane
+        for lane in value
+    )
+
+
+def _in_common(lane: Any, choice: Any, axis: int) -> Any:
+    choice = choice[:, None, None, None]
+    first, second = lane.take([0], axis), lane.take([1], axis)
+    return np.where(choice < 0, lane, np.where(choice == 0, first, second))

@@ -35,10 +35,9 @@ class Variants:
     """1: to the other side in every other pixel and lane."""
     rounding: Floats
     """By how much operations are off, relative to what they give."""
-    slack: Floats
-    """Which part of what they are granted functions are off by that are off by more."""
     period: Ints
-    """After how many of them operations, those functions and reads change sides; 0: never."""
+    """After how many calls the functions that are off by more, or reads, change sides; 0: functions
+    are exact, and reads do not."""
     kind: Ints
     """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level;
     5 and 6 what is interpolated, everything alike and checkered; 7 what operations give; 8 to 10
@@ -61,22 +60,17 @@ class Variants:
 
         Filters round each place by itself, so what two reads are off by need not cancel out.
         """
-        odd = self.sides(turn) < 0
+        odd = (self.period > 0) & (turn // np.maximum(self.period, 1) % 2 == 1)
         if not (odd & (self.opposite != 0)).any():
             return self
         chosen = np.arange(len(self)) + np.where(odd, self.opposite, 0)
         return Variants(*(getattr(self, field.name)[chosen] for field in fields(self)))
 
-    def sides(self, turn: int) -> Floats:
-        """1 or -1: to which side of the exact value the operation with this number is off."""
-        odd = (self.period > 0) & (turn // np.maximum(self.period, 1) % 2 == 1)
-        return np.where(odd, -1.0, 1.0)
-
 
 EXACT = Variants(
     *(
         np.array([value])
-        for value in (0.0, 0.0, 0.0, -1, -1, -1, 0.0, 0.0, 0, 0.0, 0.0, 0, 0, 2.0, 0.0, 0)
+        for value in (0.0, 0.0, 0.0, -1, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0, 0.0, 0)
     )
 )
 """The exact way only."""
@@ -111,12 +105,9 @@ def variants(
         changes += [(5, {"nudge": 2.0**-varying_bits})]
         changes += [(6, {"nudge": 2.0**-varying_bits, "checkered": 1})]
     if rounding_bits is not None:
-        step = 2.0**-rounding_bits
-        changes += [(7, {"rounding": step, "period": period}) for period in _PERIODS]
+        changes += [(7, {"rounding": 2.0**-rounding_bits})]
     if functions:
-        changes += [
-            (kind, {"slack": 1.0, "period": period}) for kind, period in enumerate(_PERIODS, 8)
-        ]
+        changes += [(kind, {"period": period}) for kind, period in enumerate(_PERIODS, start=8)]
     found = [EXACT, *(_changed(kind, how) for kind, how in changes)]
     names = [field.name for field in fields(Variants)]
     return Variants(*(np.concatenate([getattr(one, name) for one in found]) for name in names))
@@ -129,9 +120,7 @@ _Change = tuple[int, _How]
 
 _NEVER = 1 << 30
 _PERIODS = (_NEVER, 1, 2)
-"""Everything to the same side; every other call to the other one; two calls here and two there.
-
-What operations are off by may cancel out in any one of them, as in a sum of what they gave."""
+"""Everything to the same side; every other call to the other one; two calls here and two there."""
 
 
 def _of_filters(step: float, reads: int, *, volumes: bool, cubes: bool) -> Iterator[_Change]:
