@@ -112,7 +112,12 @@ class _Unused:
                 self._tell(self._attempts(symbol))
 
     def _declared(self) -> list[Symbol]:
-        return [symbol for symbols in self._module.declared.values() for symbol in symbols]
+        """All declarations of the file, materials first.
+
+        What is wrong with a light, found while others are tried with it, would not be found again.
+        """
+        found = [symbol for symbols in self._module.declared.values() for symbol in symbols]
+        return sorted(found, key=lambda symbol: not _is_material(symbol))
 
     def _tell(self, attempts: Iterable[Attempt]) -> None:
         """Take over what the first right attempt found, or that with the fewest errors.
@@ -189,6 +194,11 @@ class _Unused:
             setting = set_up(parts, self._report.apart(), self._records)
             self._trials[parts] = _Trial(setting)
         return self._trials[parts]
+
+
+def _is_material(symbol: Symbol) -> bool:
+    declaration = symbol.declaration
+    return isinstance(declaration, ast.Record) and declaration.kind == "material"
 
 
 class _Trial:
