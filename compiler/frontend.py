@@ -16,7 +16,7 @@ from .semantics.modules import Loader, Module, Symbol
 from .semantics.records import Records, records_of
 from .semantics.setting import Parts, Setting, set_up
 from .semantics.shader import Shader
-from .semantics.unused import Surroundings, check_unused
+from .semantics.unused import Surroundings, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import load_source
 from .syntax.parser import parse
@@ -117,7 +117,8 @@ class Frontend:
             passes=tuple(dict.fromkeys([*(pass_ for _, pass_ in drawn), self._forward()])),
             drawn=tuple(drawn),
         )
-        check_unused(module, around, settings, reached, self._report, self._records)
+        unused = UnusedDeclarations(module, around, settings, reached, self._report, self._records)
+        unused.check()
 
     def _materials(self, module: Module, wanted: str | None) -> list[Symbol]:
         concrete = records_of(module, "material", abstract=False)

@@ -69,26 +69,9 @@ class Surroundings:
     """Rigs and passes with one of which a concrete material has to agree."""
 
 
-def check_unused(
-    module: Module,
-    around: Surroundings,
-    settings: Iterable[Setting],
-    reached: set[Symbol],
-    report: Report,
-    records: Records,
-) -> None:
-    """Report what is wrong with the declarations of a file that were not ``reached``.
+class UnusedDeclarations:
+    """The declarations of a file that its shaders have not ``reached``."""
 
-    What has been lowered in ``settings`` already is not lowered once more.
-    """
-    unused = _Unused(module, around, settings, reached, report, records)
-    # Materials come first: what they use has been checked by that.
-    unused.check(ast.Record)
-    unused.check(ast.Rig, ast.Mixin)
-    unused.check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
-
-
-class _Unused:
     def __init__(
         self,
         module: Module,
@@ -98,6 +81,7 @@ class _Unused:
         report: Report,
         records: Records,
     ) -> None:
+        """What has been lowered in ``settings`` already is not lowered once more."""
         self._module = module
         self._around = around
         self._reached = reached
@@ -105,8 +89,13 @@ class _Unused:
         self._records = records
         self._trials = {setting.parts: _Trial(setting) for setting in settings}
 
-    def check(self, *kinds: type) -> None:
-        """Check the declarations of some kinds."""
+    def check(self) -> None:
+        """Report what is wrong with them; what records use counts as checked with them."""
+        self._check(ast.Record)
+        self._check(ast.Rig, ast.Mixin)
+        self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
+
+    def _check(self, *kinds: type) -> None:
         for symbol in self._declared():
             if isinstance(symbol.declaration, kinds) and symbol not in self._reached:
                 self._tell(self._attempts(symbol))
