@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from ..ir.node import Formal, Formals, Graph, Node, formals_of
 from ..ir.rewrite import rewrite
+from ..ir.types import Matrix, Scalar, Vector
 from ..semantics.shader import Notes
 from .naming import Naming
 from .schedule import is_part
@@ -72,9 +73,15 @@ class _Lifting:
         return tuple(found.values())
 
     def _source(self, node: Node) -> Node:
-        """What a value costs nothing to be made from, unless the user named what is on the way."""
+        """What a value costs nothing to be made from, unless the user named what is on the way.
+
+        Members of a loop's states or of an element are passed themselves: their whole is no value.
+        """
         while node.id not in self._notes.names and _is_free(node):
-            node = node.operands[0]
+            whole = node.operands[0]
+            if not (isinstance(whole.type, Scalar | Vector | Matrix) or _global(whole)):
+                break
+            node = whole
         return node
 
 

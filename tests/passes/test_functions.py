@@ -150,6 +150,24 @@ def test_what_a_body_needs_of_its_caller(of_each: str, color: str, names: list[s
     ]  # fmt: skip
 
 
+WHOLES = {
+    "a loop's states": "(iterate p from Pair(uv.x, normal) for i in 0..9 : Pair(p.a, p.b + p.a)).b",
+    "an element": "pairs[int(frag_coord.x) mod 3].b",
+}
+
+
+@pytest.mark.parametrize("member", WHOLES.values(), ids=WHOLES)
+def test_only_plain_values_are_passed(member: str) -> None:
+    """Members of what is no plain value are passed themselves."""
+    text = (
+        "import std.lights\nrig R { one : Point; two : Point }\n"
+        "struct Pair { a : float, b : vec3 }\n"
+        "term lit(v: vec3) per light = light.diffuse * sin(dot(light.to_light, v)) * cos(v)\n"
+        f"material M {{ param pairs : Pair[3]  color = lit({member}) }}"
+    )
+    assert not disagreements(shader(text), WORLDS)
+
+
 CIRCLES = {
     "by a condition": (
         "fn f(x: float, y: float) -> float ="
