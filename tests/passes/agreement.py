@@ -32,9 +32,6 @@ EXACT = frozenset(
 )  # fmt: skip
 """Operations that round nothing."""
 
-OF_BITS = frozenset({"mantissa"})
-"""Operations whose expansions round to float32 first, of which their meaning says nothing."""
-
 
 def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
     """The roots with every rounding operation multiplied by a parameter near one."""
@@ -43,8 +40,7 @@ def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
         if node.op != "call" or scalar_kind(node.type) != "float" or node.data in EXACT:
             return None
         assert isinstance(node.type, Scalar | Vector | Matrix)
-        kind = "coarse." if node.data in OF_BITS else ""
-        leaf = Parameter(f"noise.{kind}{node.id}", FLOAT, "material")
+        leaf = Parameter(f"noise.{node.id}", FLOAT, "material")
         factor = graph.node("parameter", FLOAT, (), leaf)
         if node.data == "mod":  # It jumps where the quotient is whole, which its expansion rounds.
             first, second = operands

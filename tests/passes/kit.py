@@ -37,8 +37,6 @@ from burnish.compiler.semantics.shader import Shader
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
 
 TRAPS = (0.0, -0.0, 1.0, -1.0, 1e-40, -1e-30, 2.0, 0.5)
-COARSE = 1e6
-"""How much further than other noise that of operations may go which see the bits of a float."""
 INT_TRAPS = (0, 1, -1, 2, 31, -(2**31), 2**31 - 1)
 
 
@@ -115,8 +113,7 @@ class World:
             if value.parameter == leaf:
                 return derived_value(value, Evaluator(self))
         if leaf.name.startswith("noise."):
-            far = COARSE if leaf.name.startswith("noise.coarse.") else 1.0
-            return (1.0 + far * self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
+            return (1.0 + self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
         return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))
 
     def _random(self, name: str) -> random.Random:
