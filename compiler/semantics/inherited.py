@@ -30,7 +30,7 @@ def inherited_names(expression: ast.Expression) -> Iterator[str]:
             waiting.extend(part)
         elif isinstance(part, ast.Field) and _is_inherited(part.operand):
             yield part.name.text
-        elif isinstance(part, ast.Expression):
+        elif isinstance(part, ast.Expression | ast.Turns):
             waiting.extend(getattr(part, field) for field in type(part).__match_args__)
 
 

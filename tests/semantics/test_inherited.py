@@ -45,6 +45,26 @@ def test_an_override_builds_on_a_parameter(heirs: str, expected: float) -> None:
     assert color(BASE + heirs, {"k": (0.5,)})[0] == expected
 
 
+@pytest.mark.parametrize(
+    "value",
+    [
+        "sum i in 0..inherited.n : 0.5",
+        "sum i in inherited.n..9 : 0.5",
+        "iterate x from 0.0 up to inherited.n : x + 0.5",
+        "iterate x from 0.0 up to 9 while x < float(inherited.n) : x + 0.5",
+        "[0.5, float(inherited.n)][1]",
+        "(ambient(vec3(1)) with { ambient_light = vec3(float(inherited.n)) }).x",
+    ],
+)
+def test_it_is_found_wherever_it_is_written(value: str) -> None:
+    text = (
+        "import std.terms.{ambient}\n"
+        "abstract material Counted { param n : int in 1..8 = 3 }\n"
+        f"material M : Counted {{ n = 2  color = vec3({value}) }}"
+    )
+    assert "n" in parameters(text)
+
+
 def test_the_parameter_stays_one_as_it_was_declared() -> None:
     k = parameters(BASE + "material M : Base { /// Tenfold\nk = 10 * inherited.k }")["k"]
     assert (k.range, k.default, k.doc, k.parameter.group) == ((0, 16), 0.25, "How much", "draw")
