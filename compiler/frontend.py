@@ -15,7 +15,7 @@ from .semantics.elaborate import elaborate
 from .semantics.modules import Loader, Module, Symbol
 from .semantics.records import Records, records_of
 from .semantics.setting import Parts, Setting, set_up
-from .semantics.shader import Shader
+from .ir.shader import Shader
 from .semantics.unused import Surroundings, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import load_source

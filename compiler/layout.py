@@ -29,7 +29,7 @@ from .ir.program import Block, StoredMember
 from .ir.types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, TallMatrix, Type, Vector
 
 if TYPE_CHECKING:
-    from .semantics.shader import ExternInfo
+    from .ir.shader import ExternInfo
 
 STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
 """The groups that every shader has, in binding order."""

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from .diagnostics.source import Span
 from .ir.node import Node, reachable
-from .semantics.shader import Shader
+from .ir.shader import Shader
 
 
 def located(shader: Shader, origins: Mapping[int, Node]) -> dict[int, Span]:

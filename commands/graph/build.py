@@ -13,7 +13,7 @@ from ...compiler.ir.types import Struct
 from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged
 from ...compiler.passes.walks import operands_of, visible
-from ...compiler.semantics.shader import Notes, Shader
+from ...compiler.ir.shader import Notes, Shader
 from ...frozen import frozen
 from .model import KINDS, Box, Cluster, Kind, Picture
 

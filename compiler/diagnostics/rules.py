@@ -367,7 +367,7 @@ IN_NO_SPACE = _error(
 NO_CONVERSION = _error(
     "B0327",
     "nothing leads from {found} into `{space}`",
-    "Values are converted by the slots that are declared as `transform<A, B>` or `frame<A, B>` in "
+    "Values are converted by the slots that are declared as `transform<A, B>` or `basis<A, B>` in "
     "the record, its surface or the pass. Points need transforms; clip space is for points only, "
     "and nothing leads back out of it.",
 )

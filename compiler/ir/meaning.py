@@ -12,14 +12,14 @@ from ...frozen import frozen
 MeaningKind = Literal[
     "point", "vector", "direction", "normal",  # in one space
     "rgb", "rgba", "angle",
-    "transform", "frame",  # from one space to another
+    "transform", "basis",  # from one space to another
     "struct",
 ]  # fmt: skip
 
 ARROWS: frozenset[str] = frozenset({"vector", "direction", "normal"})
 GEOMETRY: frozenset[str] = ARROWS | {"point"}
 COLORS: frozenset[str] = frozenset({"rgb", "rgba"})
-MAPS: frozenset[str] = frozenset({"transform", "frame"})
+MAPS: frozenset[str] = frozenset({"transform", "basis"})
 
 
 @frozen(key=True)

@@ -13,7 +13,7 @@ from ..ir import build
 from ..ir.node import Graph, Node
 from ..ir.rewrite import rewrite
 from ..ir.types import INT, Array, Matrix
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from ..trampoline import Step, run
 
 NESTED_MATRICES = 8

@@ -12,7 +12,7 @@ from ..ir.node import Formal, Formals, Graph, Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from .elements import is_element
 from .expand import Template, template
 from .simplify import Simplifier

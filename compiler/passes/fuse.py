@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Formals, Graph, Node, reachable
 from ..ir.rewrite import rewrite
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from .simplify import Simplifier
 
 SUMMED = frozenset({"fold", "apply"})

@@ -16,7 +16,7 @@ from ..diagnostics.source import Span
 from ..ir.node import Graph, Node, Op
 from ..ir.ranges import Ranges
 from ..ir.types import Type
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from .expanding import Expanding
 from .judgement import Outcome
 from .paths import Paths, Told

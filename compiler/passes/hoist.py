@@ -19,7 +19,7 @@ from ..ir.node import Graph, Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.types import Array, Matrix, Scalar, Vector
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from .cost import LOAD, cost_of
 from .elements import is_element
 from .naming import Naming

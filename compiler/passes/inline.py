@@ -11,7 +11,7 @@ from collections.abc import Container, Hashable, Iterable
 
 from ..ir.node import Graph, Node, reachable
 from ..ir.rewrite import rewrite
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from .cost import cost, cost_of
 from .expanding import VARYING
 from .simplify import Simplifier, substitute_through

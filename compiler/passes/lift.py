@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from ..ir.node import Formal, Formals, Graph, Node, formals_of
 from ..ir.rewrite import rewrite
 from ..ir.types import Matrix, Scalar, Vector
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from .naming import Naming
 from .schedule import is_part
 from .walks import operands_of, visible

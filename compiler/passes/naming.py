@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Formal, Node
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 
 OPERATIONS = {
     "add": "sum", "sub": "difference", "mul": "product", "div": "quotient", "mod": "remainder",

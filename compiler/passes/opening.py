@@ -26,7 +26,7 @@ from ..ir.node import (
 )
 from ..ir.rewrite import rewrite
 from ..ir.types import INT, Array, Struct, Type
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 
 
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:

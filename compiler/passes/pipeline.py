@@ -12,7 +12,7 @@ from ..ir.program import Block, Field, Function, Program, Stage, StageName, Vary
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..layout import STANDARD_GROUPS, layout_blocks
-from ..semantics.shader import Notes, Shader
+from ..ir.shader import Notes, Shader
 from .checkpoint import passed
 from .dissolve import dissolve
 from .expanding import write_out

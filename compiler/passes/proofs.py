@@ -17,7 +17,7 @@ from ..formula import Formulas
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Node
 from ..ir.ranges import Ranges
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from .judgement import Judgement, Outcome
 from .paths import Told
 

@@ -13,7 +13,7 @@ from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
 from ..ir.rewrite import rewrite
 from ..ir.types import Scalar, Vector, width
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 
 AFFINE = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
 """Operations that are affine in one operand, and what they make of it."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of, reachable
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.types import BOOL, Matrix, Texture
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from ..trampoline import Reply, Step, run
 from .cost import cost_of
 from .guard import BRANCH

@@ -21,7 +21,7 @@ from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.evaluate import evaluate
 from ..reference.namespace import Lanes
 from ..reference.operations import apply, constant_lanes
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 from .arithmetic import BUILTIN_RULES, DECIDED, uniform_lane
 from .bits import BIT_RULES
 from .cost import cost, cost_of

@@ -14,7 +14,7 @@ from ..ir.leaves import Attribute, InterpolationMode
 from ..ir.node import Node
 from ..ir.program import Field, Varying
 from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
-from ..semantics.shader import Notes
+from ..ir.shader import Notes
 
 SLOT_LANES = 4
 

@@ -10,7 +10,7 @@ from ..ir.node import Node
 from ..ir.program import Block, StoredMember
 from ..ir.types import Array
 from ..packing import PackedMember, Packing, packing, spread
-from ..semantics.shader import ParameterInfo
+from ..ir.shader import ParameterInfo
 from .bytes import layout_row
 from .values import listed, steps
 

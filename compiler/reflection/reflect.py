@@ -9,7 +9,7 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program, Varying
-from ..semantics.shader import AttributeInfo, Shader, TargetInfo
+from ..ir.shader import AttributeInfo, Shader, TargetInfo
 from .bytes import block_row
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint

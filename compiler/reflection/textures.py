@@ -7,7 +7,7 @@ from typing import Any
 from ..ir.leaves import Resource
 from ..ir.program import Program
 from ..ir.types import Texture
-from ..semantics.shader import ResourceInfo
+from ..ir.shader import ResourceInfo
 
 
 def texture_row(info: ResourceInfo, program: Program) -> dict[str, Any]:

@@ -213,13 +213,13 @@ def _mapped(one: Side, other: Side) -> Found:
 
 
 def _bare_moved(by: Meaning | None, other: Side) -> Meaning | None:
-    if by is not None and by.kind == "frame" and isinstance(other.type, Vector):
+    if by is not None and by.kind == "basis" and isinstance(other.type, Vector):
         return Meaning("vector", (by.spaces[1],)) if other.meaning is None else None
     return None
 
 
 def moved(by: Meaning, what: Meaning) -> Meaning | Clash:
-    """What a transform or frame makes of a point or vector that stands to its right."""
+    """What a transform or basis makes of a point or vector that stands to its right."""
     if what.kind not in GEOMETRY:
         return Clash(rules.MIXED_MEANINGS, 0, 1)
     if what.spaces != by.spaces[:1]:
@@ -227,8 +227,8 @@ def moved(by: Meaning, what: Meaning) -> Meaning | Clash:
     if what.kind == "normal":
         hint = "normals move by the inverse transpose, which `… in space` knows"
         return Clash(rules.MIXED_MEANINGS, 0, 1, hint)
-    if what.kind == "point" and by.kind == "frame":
-        hint = "a frame has no origin; it turns vectors"
+    if what.kind == "point" and by.kind == "basis":
+        hint = "a basis has no origin; it turns vectors"
         return Clash(rules.MIXED_MEANINGS, 0, 1, hint)
     return Meaning("point" if what.kind == "point" else "vector", by.spaces[1:])
 

@@ -14,7 +14,7 @@ from ..ir.types import Scalar, Type
 from ..reference.evaluate import NotConstantError, evaluate
 from ..reference.namespace import Lanes
 from .scope import Failure
-from .shader import Lanes as Value
+from ..ir.shader import Lanes as Value
 
 _OPERATIONS = frozenset(
     {

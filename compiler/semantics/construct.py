@@ -55,7 +55,7 @@ def _meaning(low: Lowering, name: str, arguments: tuple[Node, ...]) -> Meaning |
     named = NAMED[name]
     source = low.meanings.of(arguments[0]) if len(arguments) == 1 else None
     if name == "mat3" and source is not None and source.kind in MAPS:
-        return Meaning("frame", source.spaces)
+        return Meaning("basis", source.spaces)
     return Meaning(named.meaning) if named.meaning is not None and not named.spaces else None
 
 

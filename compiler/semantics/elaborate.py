@@ -20,7 +20,7 @@ from .records import Record
 from .rigs import Entry
 from .scope import Failure, Instance, Scope
 from .setting import Setting, is_declared_abstract
-from .shader import ExternInfo, ParameterInfo, Shader, TargetInfo
+from ..ir.shader import ExternInfo, ParameterInfo, Shader, TargetInfo
 from .sharing import shared
 
 FORMATS: Mapping[str, Type] = {

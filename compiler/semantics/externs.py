@@ -18,7 +18,7 @@ from .modules import Module, Symbol
 from .parameters import parameter_of
 from .records import Definition
 from .scope import FAILURE, Failure
-from .shader import ExternInfo, ExternMemberInfo, ParameterInfo
+from ..ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
 
 if TYPE_CHECKING:
     from .lower import Lowering

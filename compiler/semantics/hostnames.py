@@ -9,7 +9,7 @@ from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.source import Span
 from .parameters import Leaves
 from .rigs import Entry
-from .shader import ExternInfo
+from ..ir.shader import ExternInfo
 
 Named = tuple[str, str, Span]
 """A name, what its first word stands for, and where that is declared."""

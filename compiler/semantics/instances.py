@@ -11,7 +11,7 @@ from .overrides import check_overrides
 from .parameters import Leaves
 from .records import Record
 from .scope import Instance
-from .shader import AttributeInfo
+from ..ir.shader import AttributeInfo
 
 if TYPE_CHECKING:
     from .lower import Lowering

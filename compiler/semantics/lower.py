@@ -41,7 +41,7 @@ from .scope import (
     Scope,
     Value,
 )
-from .shader import Notes
+from ..ir.shader import Notes
 from .stages import Stages
 from .typenames import Declared, TypeResolver
 

@@ -13,7 +13,7 @@ from ..ir.types import Array, Texture
 from ..syntax import ast
 from .declared import declared_type
 from .records import Definition
-from .shader import ResourceInfo
+from ..ir.shader import ResourceInfo
 from .unique import check_once
 
 if TYPE_CHECKING:

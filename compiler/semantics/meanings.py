@@ -119,7 +119,7 @@ def _index(node: Node, operands: Operands) -> Found:
     whole, of = operands[0], node.operands[0].type
     if isinstance(of, Array):
         return whole
-    if isinstance(of, Matrix) and whole is not None and whole.kind == "frame":
+    if isinstance(of, Matrix) and whole is not None and whole.kind == "basis":
         return Meaning("vector", whole.spaces[1:])
     return None
 

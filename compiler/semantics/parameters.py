@@ -25,7 +25,7 @@ from .inherited import leaf_definitions
 from .maps import resource, unknown_word
 from .records import Definition, Record
 from .scope import Failure, Scope
-from .shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
+from ..ir.shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
 from .typenames import Declared
 from .wording import quoted
 

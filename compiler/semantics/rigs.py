@@ -15,7 +15,7 @@ from .modules import Symbol
 from .parameters import DEFAULT_GROUPS, as_array, count_parameter, leaves_of
 from .records import Definition, Record
 from .scope import Replacement, RigEntry
-from .shader import ParameterInfo, ResourceInfo
+from ..ir.shader import ParameterInfo, ResourceInfo
 
 if TYPE_CHECKING:
     from .lower import Lowering

@@ -16,7 +16,7 @@ from ..ir.leaves import Attribute, InterpolationMode
 from ..ir.node import Graph, Node, reachable
 from ..ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
-from .shader import Notes
+from ..ir.shader import Notes
 
 VERTEX_INPUTS = ("vertex_index", "instance_index")
 """What the pipeline supplies to the vertex stage: numbers of the vertex and of the instance."""

@@ -70,7 +70,7 @@ NAMED: Mapping[str, Named] = {
     "covector": Named(VEC3, spaces=1, meaning="normal"),
     "direction": Named(VEC3, spaces=1, fact=UNIT, meaning="direction"),
     "transform": Named(Matrix(4), spaces=2, meaning="transform"),
-    "frame": Named(Matrix(3), spaces=2, meaning="frame"),
+    "basis": Named(Matrix(3), spaces=2, meaning="basis"),
     **{str(texture): Named(texture) for texture in TEXTURES},
 }
 

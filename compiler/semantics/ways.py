@@ -1,6 +1,6 @@
 """The transforms that are in scope, as ways from space to space.
 
-Every slot declared as a ``transform`` or ``frame`` leads from its first space to its second.
+Every slot declared as a ``transform`` or ``basis`` leads from its first space to its second.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from ...compiler.passes.naming import Naming
 from ...compiler.passes.paths import Paths
 from ...compiler.passes.schedule import Scheduler
 from ...compiler.passes.walks import visible
-from ...compiler.semantics.shader import Notes
+from ...compiler.ir.shader import Notes
 from ...frozen import changed
 from .description import Profile
 

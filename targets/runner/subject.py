@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol
 
-from ...compiler.semantics.shader import Shader
+from ...compiler.ir.shader import Shader
 from .codes import ShaderFile
 
 

@@ -25,7 +25,7 @@ from burnish.compiler.reflection import (
     EmittedFile,
     VertexInputName,
 )
-from burnish.compiler.semantics.shader import (
+from burnish.compiler.ir.shader import (
     AttributeInfo,
     Lanes,
     Notes,

@@ -11,7 +11,7 @@ from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Block, Field, Program, Region, Stage
 from burnish.compiler.ir.types import VEC4, Type
 from burnish.compiler.layout import alignment, byte_size, layout_blocks, stored_type
-from burnish.compiler.semantics.shader import ExternInfo, ExternMemberInfo, ParameterInfo
+from burnish.compiler.ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
 
 NOWHERE = Span(Source("host.burnish", ""), 0, 0)
 

@@ -31,7 +31,7 @@ from burnish.compiler.layout import byte_size, layout_blocks, stored_type
 from burnish.compiler.packing import packing
 from burnish.compiler.passes.storage import lower_reads
 from burnish.compiler.reference.evaluate import evaluate as meaning
-from burnish.compiler.semantics.shader import Notes
+from burnish.compiler.ir.shader import Notes
 
 from .declarations import ELEMENTS, types, values
 from .evaluate import evaluate

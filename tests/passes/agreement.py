@@ -15,7 +15,7 @@ from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.types import FLOAT, Matrix, Scalar, Vector, scalar_kind
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.evaluate import Evaluator
-from burnish.compiler.semantics.shader import Shader
+from burnish.compiler.ir.shader import Shader
 
 from .hardware import flat, hardware
 from .kit import World, history

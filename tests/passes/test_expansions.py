@@ -21,7 +21,7 @@ from burnish.compiler.passes.paths import Paths
 from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.reference.functions import evaluate as meaning
 from burnish.compiler.reference.namespace import Lanes
-from burnish.compiler.semantics.shader import Notes
+from burnish.compiler.ir.shader import Notes
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
 

@@ -17,7 +17,7 @@ from burnish.compiler.ir.types import Scalar, Vector
 from burnish.compiler.passes.opening import open_binders
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
-from burnish.compiler.semantics.shader import Shader
+from burnish.compiler.ir.shader import Shader
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, Fact
 
 from .hardware import flat

@@ -19,7 +19,7 @@ from burnish.compiler.reference.picture import (
     draw,
 )
 from burnish.compiler.reference.picture.scene import Floats
-from burnish.compiler.semantics.shader import Shader
+from burnish.compiler.ir.shader import Shader
 
 BLACK = (0.0, 0.0, 0.0, 0.0)
 

@@ -22,7 +22,7 @@ from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.evaluate import evaluate as meaning
 from burnish.compiler.reflection import reflect
 from burnish.compiler.reflection.values import steps
-from burnish.compiler.semantics.shader import Shader
+from burnish.compiler.ir.shader import Shader
 from burnish.targets.runner.instances.derived import Inputs, compute
 from burnish.targets.runner.instances.shapes import Elements, Member, Members, Numbers, Shape
 

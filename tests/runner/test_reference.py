@@ -13,7 +13,7 @@ import pytest
 
 import burnish
 from burnish.compiler.reference.picture import RasterRules
-from burnish.compiler.semantics.shader import Shader
+from burnish.compiler.ir.shader import Shader
 from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.scene import Scene

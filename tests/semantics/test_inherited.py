@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from burnish.compiler.reference.namespace import Lanes
-from burnish.compiler.semantics.shader import ParameterInfo
+from burnish.compiler.ir.shader import ParameterInfo
 
 from .kit import Given, Painted, color, shader
 

@@ -41,7 +41,7 @@ arrow = (vec3(1, 1, 1) as vector<bench>)
         "position - (mark in world)": (-5.5, -8.75, -9),
         "inverse(bench_to_world) * (mark in world)": (1, 1, 1),
         "mat3(bench_to_world) * arrow": (1, 3, 2),
-        "(mat3(bench_to_world) as frame<bench, world>)[0] - (arrow in world)": (-1, -3, 0),
+        "(mat3(bench_to_world) as basis<bench, world>)[0] - (arrow in world)": (-1, -3, 0),
         "2 * arrow in world": (2, 6, 4),
     }.items(),
 )
@@ -189,7 +189,7 @@ RIGHT = [
     "a : rgb = position.xyz",
     "a : transform<object, clip> = view_projection * object_to_world",
     "a : transform<world, object> = inverse(object_to_world)",
-    "a : frame<object, world> = mat3(object_to_world)",
+    "a : basis<object, world> = mat3(object_to_world)",
     "a : vector<world> = if alpha > 0.5 then normal else vec3(0)",
     "a : vector<world> = sum i in 0..3 : normal",
     "a : point<world> = (sum i in 0..4 : position) / 4",

@@ -6,7 +6,7 @@ import pytest
 
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.reference.namespace import Lanes
-from burnish.compiler.semantics.shader import Shader
+from burnish.compiler.ir.shader import Shader
 
 from .kit import Given, Painted, at, shader
 

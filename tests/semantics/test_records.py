@@ -7,7 +7,7 @@ import math
 import pytest
 
 from burnish.compiler.reference.namespace import Lanes
-from burnish.compiler.semantics.shader import ParameterInfo
+from burnish.compiler.ir.shader import ParameterInfo
 
 from .kit import Painted, at, color, lanes, number, shader
 

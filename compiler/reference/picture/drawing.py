@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from ...ir.types import width
-from ...semantics.shader import Shader
+from ...ir.shader import Shader
 from ..namespace import Lanes
 from .coverage import Fragments, fragments_of
 from .faces import Faces, assemble

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...ir.types import width
-from ...semantics.shader import TargetInfo
+from ...ir.shader import TargetInfo
 from .coverage import Fragments
 from .scene import Bools, Floats, Ints
 

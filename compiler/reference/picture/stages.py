@@ -13,7 +13,7 @@ from ....stdlib.builtins import BUILTINS, texture
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
 from ...ir.types import scalar_kind, width
-from ...semantics.shader import Shader
+from ...ir.shader import Shader
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
 from .margins import EXACT, READS, Margins

@@ -7,8 +7,8 @@ from typing import Any
 
 from ...frozen import frozen
 from ..diagnostics.source import Span
-from ..ir.leaves import Attribute, HostPlace, Parameter, Resource
-from ..ir.node import Graph, Node
+from .leaves import Attribute, HostPlace, Parameter, Resource
+from .node import Graph, Node
 
 Lanes = float | int | bool | tuple["Lanes", ...]
 """A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
