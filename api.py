@@ -18,11 +18,11 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.diagnostics.nearest import suggestion
 from .compiler.diagnostics.source import Source, Span
 from .compiler.frontend import Frontend
+from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.places import located
 from .compiler.semantics.modules import Module
-from .compiler.ir.shader import Shader
 from .frozen import frozen
 from .targets import registry
 from .targets.emit.description import Profile, Target

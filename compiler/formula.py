@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from ..stdlib.builtins import BUILTINS
 from .ir.leaves import Attribute, Parameter, Resource
 from .ir.node import Folding, Formal, Node
-from .ir.types import Scalar
 from .ir.shader import Notes
+from .ir.types import Scalar
 
 DEEPEST = 5
 """Levels of a formula that are written out; the rest is ``…``."""

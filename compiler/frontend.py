@@ -10,12 +10,12 @@ from .diagnostics import rules
 from .diagnostics.diagnostic import Report
 from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
+from .ir.shader import Shader
 from .library import FOLDER, parse_library
 from .semantics.elaborate import elaborate
 from .semantics.modules import Loader, Module, Symbol
 from .semantics.records import Records, records_of
 from .semantics.setting import Parts, Setting, set_up
-from .ir.shader import Shader
 from .semantics.unused import Surroundings, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import load_source

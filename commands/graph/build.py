@@ -9,11 +9,11 @@ from ...compiler.formula import Formulas
 from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Folding, Formal, Iterating, Node
 from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region, Stage
+from ...compiler.ir.shader import Notes, Shader
 from ...compiler.ir.types import Struct
 from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged
 from ...compiler.passes.walks import operands_of, visible
-from ...compiler.ir.shader import Notes, Shader
 from ...frozen import frozen
 from .model import KINDS, Box, Cluster, Kind, Picture
 

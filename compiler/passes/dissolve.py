@@ -12,8 +12,8 @@ from collections.abc import Iterable
 from ..ir import build
 from ..ir.node import Graph, Node
 from ..ir.rewrite import rewrite
-from ..ir.types import INT, Array, Matrix
 from ..ir.shader import Notes
+from ..ir.types import INT, Array, Matrix
 from ..trampoline import Step, run
 
 NESTED_MATRICES = 8

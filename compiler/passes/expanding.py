@@ -11,8 +11,8 @@ from ...stdlib.builtins.row import nowhere
 from ..ir.node import Formal, Formals, Graph, Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
-from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from ..ir.shader import Notes
+from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from .elements import is_element
 from .expand import Template, template
 from .simplify import Simplifier

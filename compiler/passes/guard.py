@@ -15,8 +15,8 @@ from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
 from ..ir.node import Graph, Node, Op
 from ..ir.ranges import Ranges
-from ..ir.types import Type
 from ..ir.shader import Notes
+from ..ir.types import Type
 from .expanding import Expanding
 from .judgement import Outcome
 from .paths import Paths, Told

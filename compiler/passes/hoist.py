@@ -18,8 +18,8 @@ from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, reachable
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
-from ..ir.types import Array, Matrix, Scalar, Vector
 from ..ir.shader import Notes
+from ..ir.types import Array, Matrix, Scalar, Vector
 from .cost import LOAD, cost_of
 from .elements import is_element
 from .naming import Naming

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator
 
 from ..ir.node import Formal, Formals, Graph, Node, formals_of
 from ..ir.rewrite import rewrite
-from ..ir.types import Matrix, Scalar, Vector
 from ..ir.shader import Notes
+from ..ir.types import Matrix, Scalar, Vector
 from .naming import Naming
 from .schedule import is_part
 from .walks import operands_of, visible

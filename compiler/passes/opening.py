@@ -25,8 +25,8 @@ from ..ir.node import (
     reachable,
 )
 from ..ir.rewrite import rewrite
-from ..ir.types import INT, Array, Struct, Type
 from ..ir.shader import Notes
+from ..ir.types import INT, Array, Struct, Type
 
 
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:

@@ -11,8 +11,8 @@ from ..ir.node import Graph, Node
 from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying, texture_reads
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
-from ..layout import STANDARD_GROUPS, layout_blocks
 from ..ir.shader import Notes, Shader
+from ..layout import STANDARD_GROUPS, layout_blocks
 from .checkpoint import passed
 from .dissolve import dissolve
 from .expanding import write_out

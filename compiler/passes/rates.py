@@ -12,8 +12,8 @@ from collections.abc import Iterable
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
 from ..ir.rewrite import rewrite
-from ..ir.types import Scalar, Vector, width
 from ..ir.shader import Notes
+from ..ir.types import Scalar, Vector, width
 
 AFFINE = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
 """Operations that are affine in one operand, and what they make of it."""

@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 
 from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of, reachable
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
-from ..ir.types import BOOL, Matrix, Texture
 from ..ir.shader import Notes
+from ..ir.types import BOOL, Matrix, Texture
 from ..trampoline import Reply, Step, run
 from .cost import cost_of
 from .guard import BRANCH

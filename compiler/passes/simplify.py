@@ -17,11 +17,11 @@ from ..ir.conditions import OPPOSITES
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
+from ..ir.shader import Notes
 from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
 from ..reference.evaluate import evaluate
 from ..reference.namespace import Lanes
 from ..reference.operations import apply, constant_lanes
-from ..ir.shader import Notes
 from .arithmetic import BUILTIN_RULES, DECIDED, uniform_lane
 from .bits import BIT_RULES
 from .cost import cost, cost_of

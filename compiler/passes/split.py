@@ -13,8 +13,8 @@ from itertools import count
 from ..ir.leaves import Attribute, InterpolationMode
 from ..ir.node import Node
 from ..ir.program import Field, Varying
-from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
 from ..ir.shader import Notes
+from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
 
 SLOT_LANES = 4
 

@@ -8,9 +8,9 @@ from typing import Any
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Block, StoredMember
+from ..ir.shader import ParameterInfo
 from ..ir.types import Array
 from ..packing import PackedMember, Packing, packing, spread
-from ..ir.shader import ParameterInfo
 from .bytes import layout_row
 from .values import listed, steps
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from ..ir.leaves import Resource
 from ..ir.program import Program
-from ..ir.types import Texture
 from ..ir.shader import ResourceInfo
+from ..ir.types import Texture
 
 
 def texture_row(info: ResourceInfo, program: Program) -> dict[str, Any]:

@@ -10,11 +10,11 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir.build import parts_of
 from ..ir.node import Node, bare, reachable
+from ..ir.shader import Lanes as Value
 from ..ir.types import Scalar, Type
 from ..reference.evaluate import NotConstantError, evaluate
 from ..reference.namespace import Lanes
 from .scope import Failure
-from ..ir.shader import Lanes as Value
 
 _OPERATIONS = frozenset(
     {

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from ...frozen import changed, frozen
 from ..diagnostics import rules
 from ..ir.node import Node
+from ..ir.shader import ExternInfo, ParameterInfo, Shader, TargetInfo
 from ..ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ..syntax import ast
 from ..trampoline import run
@@ -20,7 +21,6 @@ from .records import Record
 from .rigs import Entry
 from .scope import Failure, Instance, Scope
 from .setting import Setting, is_declared_abstract
-from ..ir.shader import ExternInfo, ParameterInfo, Shader, TargetInfo
 from .sharing import shared
 
 FORMATS: Mapping[str, Type] = {

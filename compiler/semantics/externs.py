@@ -11,6 +11,7 @@ from ..diagnostics.diagnostic import Label
 from ..diagnostics.source import Span
 from ..ir.leaves import HostPlace
 from ..ir.node import Node
+from ..ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
 from ..ir.types import Array, Scalar, Type, Vector
 from ..layout import alignment, byte_size, stored_type
 from ..syntax import ast
@@ -18,7 +19,6 @@ from .modules import Module, Symbol
 from .parameters import parameter_of
 from .records import Definition
 from .scope import FAILURE, Failure
-from ..ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
 
 if TYPE_CHECKING:
     from .lower import Lowering

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.source import Span
+from ..ir.shader import ExternInfo
 from .parameters import Leaves
 from .rigs import Entry
-from ..ir.shader import ExternInfo
 
 Named = tuple[str, str, Span]
 """A name, what its first word stands for, and where that is declared."""

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from ..ir.node import Node
+from ..ir.shader import AttributeInfo
 from ..ir.types import Matrix
 from .overrides import check_overrides
 from .parameters import Leaves
 from .records import Record
 from .scope import Instance
-from ..ir.shader import AttributeInfo
 
 if TYPE_CHECKING:
     from .lower import Lowering

@@ -15,6 +15,7 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Span
 from ..ir.node import Formal, Graph, Node, reachable
 from ..ir.ranges import Ranges
+from ..ir.shader import Notes
 from ..ir.types import (
     Type,
     scalar_kind,
@@ -41,7 +42,6 @@ from .scope import (
     Scope,
     Value,
 )
-from ..ir.shader import Notes
 from .stages import Stages
 from .typenames import Declared, TypeResolver
 

@@ -9,11 +9,11 @@ from ...frozen import EMPTY, frozen
 from ..diagnostics import rules
 from ..diagnostics.nearest import suggestion
 from ..ir.leaves import Resource
+from ..ir.shader import ResourceInfo
 from ..ir.types import Array, Texture
 from ..syntax import ast
 from .declared import declared_type
 from .records import Definition
-from ..ir.shader import ResourceInfo
 from .unique import check_once
 
 if TYPE_CHECKING:

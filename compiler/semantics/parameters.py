@@ -14,6 +14,7 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Attribute, Parameter, Step
 from ..ir.meaning import ANGLE, Meaning
 from ..ir.node import Node
+from ..ir.shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
 from ..ir.types import FLOAT, INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
 from ..layout import STANDARD_GROUPS
 from ..syntax import ast
@@ -25,7 +26,6 @@ from .inherited import leaf_definitions
 from .maps import resource, unknown_word
 from .records import Definition, Record
 from .scope import Failure, Scope
-from ..ir.shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
 from .typenames import Declared
 from .wording import quoted
 

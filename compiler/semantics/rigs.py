@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ...frozen import changed
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label
+from ..ir.shader import ParameterInfo, ResourceInfo
 from ..syntax import ast
 from . import lookup
 from .advice import nearest_or_all
@@ -15,7 +16,6 @@ from .modules import Symbol
 from .parameters import DEFAULT_GROUPS, as_array, count_parameter, leaves_of
 from .records import Definition, Record
 from .scope import Replacement, RigEntry
-from ..ir.shader import ParameterInfo, ResourceInfo
 
 if TYPE_CHECKING:
     from .lower import Lowering

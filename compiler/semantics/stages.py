@@ -14,9 +14,9 @@ from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.leaves import Attribute, InterpolationMode
 from ..ir.node import Graph, Node, reachable
+from ..ir.shader import Notes
 from ..ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
-from ..ir.shader import Notes
 
 VERTEX_INPUTS = ("vertex_index", "instance_index")
 """What the pipeline supplies to the vertex stage: numbers of the vertex and of the instance."""

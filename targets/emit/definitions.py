@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from ...compiler.ir.node import Formal, Graph, Node
 from ...compiler.ir.program import Function, Program, Stage
 from ...compiler.ir.ranges import Ranges
+from ...compiler.ir.shader import Notes
 from ...compiler.ir.types import Type
 from ...compiler.passes.expand import definition
 from ...compiler.passes.guard import Guarding
@@ -14,7 +15,6 @@ from ...compiler.passes.naming import Naming
 from ...compiler.passes.paths import Paths
 from ...compiler.passes.schedule import Scheduler
 from ...compiler.passes.walks import visible
-from ...compiler.ir.shader import Notes
 from ...frozen import changed
 from .description import Profile
 

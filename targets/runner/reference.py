@@ -13,9 +13,9 @@ import numpy as np
 
 from ...compiler.ir.leaves import Attribute
 from ...compiler.ir.node import reachable
+from ...compiler.ir.shader import Shader
 from ...compiler.ir.types import scalar_kind, width
 from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
-from ...compiler.ir.shader import Shader
 from .drivers.wire import to_json
 from .shots import Shot
 from .store import Store, digest, digest_of_sources

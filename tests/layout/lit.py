@@ -7,6 +7,15 @@ from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Field, Program, Region, Stage, TextureRead, Varying
+from burnish.compiler.ir.shader import (
+    AttributeInfo,
+    Lanes,
+    Notes,
+    ParameterInfo,
+    ResourceInfo,
+    Shader,
+    TargetInfo,
+)
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -24,15 +33,6 @@ from burnish.compiler.reflection import (
     BindingPoint,
     EmittedFile,
     VertexInputName,
-)
-from burnish.compiler.ir.shader import (
-    AttributeInfo,
-    Lanes,
-    Notes,
-    ParameterInfo,
-    ResourceInfo,
-    Shader,
-    TargetInfo,
 )
 
 HERE = Span(Source("lit.burnish", ""), 0, 0)

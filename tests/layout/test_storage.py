@@ -12,6 +12,7 @@ from burnish.compiler.ir.build import constant, index, matrix, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node, reachable
 from burnish.compiler.ir.rewrite import rewrite
+from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -31,7 +32,6 @@ from burnish.compiler.layout import byte_size, layout_blocks, stored_type
 from burnish.compiler.packing import packing
 from burnish.compiler.passes.storage import lower_reads
 from burnish.compiler.reference.evaluate import evaluate as meaning
-from burnish.compiler.ir.shader import Notes
 
 from .declarations import ELEMENTS, types, values
 from .evaluate import evaluate

@@ -12,10 +12,10 @@ import math
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.rewrite import rewrite
+from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import FLOAT, Matrix, Scalar, Vector, scalar_kind
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.evaluate import Evaluator
-from burnish.compiler.ir.shader import Shader
 
 from .hardware import flat, hardware
 from .kit import World, history

@@ -14,6 +14,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import (
     Array,
     Matrix,
@@ -33,7 +34,6 @@ from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
-from burnish.compiler.ir.shader import Shader
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
 
 TRAPS = (0.0, -0.0, 1.0, -1.0, 1e-40, -1e-30, 2.0, 0.5)

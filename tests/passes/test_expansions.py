@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.ranges import Ranges
+from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.signatures import result_type
 from burnish.compiler.ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from burnish.compiler.ir.verify import verify
@@ -21,7 +22,6 @@ from burnish.compiler.passes.paths import Paths
 from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.reference.functions import evaluate as meaning
 from burnish.compiler.reference.namespace import Lanes
-from burnish.compiler.ir.shader import Notes
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
 

@@ -11,9 +11,9 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.ir.rewrite import rewrite
+from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Type, Vector
 from burnish.compiler.passes.simplify import Simplifier
-from burnish.compiler.ir.shader import Notes
 from burnish.stdlib.builtins.facts import UNIT, UNKNOWN, Fact
 
 BVEC2 = Vector("bool", 2)

@@ -10,6 +10,7 @@ import numpy as np
 
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
+from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.reference.picture import (
     Expected,
@@ -19,7 +20,6 @@ from burnish.compiler.reference.picture import (
     draw,
 )
 from burnish.compiler.reference.picture.scene import Floats
-from burnish.compiler.ir.shader import Shader
 
 BLACK = (0.0, 0.0, 0.0, 0.0)
 

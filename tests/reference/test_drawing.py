@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.picture import Geometry, RasterRules
-from burnish.compiler.ir.shader import Shader
 
 from ..passes.kit import history
 from .kit import columns, geometry, moved, perspective, picture, shader, sphere

@@ -11,11 +11,11 @@ from burnish import Instance
 from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph
+from burnish.compiler.ir.shader import ParameterInfo
 from burnish.compiler.ir.types import Array, Struct, Type
 from burnish.compiler.layout import layout_blocks
 from burnish.compiler.passes.storage import lower_reads
 from burnish.compiler.reflection.parameters import Places, parameter_row
-from burnish.compiler.ir.shader import ParameterInfo
 
 from ..layout.declarations import parameters, values
 from ..layout.evaluate import evaluate

@@ -16,13 +16,13 @@ from burnish import Instance
 from burnish.compiler.ir.build import constant, index, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node
+from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Array, Matrix, Struct, Type
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.evaluate import evaluate as meaning
 from burnish.compiler.reflection import reflect
 from burnish.compiler.reflection.values import steps
-from burnish.compiler.ir.shader import Shader
 from burnish.targets.runner.instances.derived import Inputs, compute
 from burnish.targets.runner.instances.shapes import Elements, Member, Members, Numbers, Shape
 

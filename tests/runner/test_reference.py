@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.ir.shader import Shader
+from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.scene import Scene

@@ -11,9 +11,9 @@ from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
 from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.evaluate import Leaves, evaluate
 from burnish.compiler.reference.namespace import Lanes
-from burnish.compiler.ir.shader import Shader
 
 Given = Mapping[str, Lanes]
 """Values of leaves by name: lanes, columns, elements. Parameters not given have their default."""

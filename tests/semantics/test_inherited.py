@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.ir.shader import ParameterInfo
+from burnish.compiler.reference.namespace import Lanes
 
 from .kit import Given, Painted, color, shader
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from burnish.compiler.diagnostics.diagnostic import CompileError
-from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.ir.shader import Shader
+from burnish.compiler.reference.namespace import Lanes
 
 from .kit import Given, Painted, at, shader
 

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.ir.shader import ParameterInfo
+from burnish.compiler.reference.namespace import Lanes
 
 from .kit import Painted, at, color, lanes, number, shader
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from ...ir.types import width
 from ...ir.shader import Shader
+from ...ir.types import width
 from ..namespace import Lanes
 from .coverage import Fragments, fragments_of
 from .faces import Faces, assemble

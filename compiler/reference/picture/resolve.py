@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...ir.types import width
 from ...ir.shader import TargetInfo
+from ...ir.types import width
 from .coverage import Fragments
 from .scene import Bools, Floats, Ints
 

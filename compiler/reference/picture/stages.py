@@ -12,8 +12,8 @@ import numpy as np
 from ....stdlib.builtins import BUILTINS, texture
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
-from ...ir.types import scalar_kind, width
 from ...ir.shader import Shader
+from ...ir.types import scalar_kind, width
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
 from .margins import EXACT, READS, Margins
