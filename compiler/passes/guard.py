@@ -18,7 +18,7 @@ from ..ir.ranges import Ranges
 from ..ir.shader import Notes
 from ..ir.types import Type
 from .expand_builtins import Expanding
-from .path_conditions import PathRefinement
+from .path_conditions import PathConditions, PathRefinement
 from .remarks import Outcome
 
 BRANCH = "branch"
