@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from ...frozen import frozen
 from ..ir import build
 from ..ir.leaves import Attribute, Parameter, Resource
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, formals_of
+from ..ir.operations import INPUT
 from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying, texture_reads
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
@@ -216,19 +217,18 @@ def _stage(
         position=values[0] if name == "vertex" else None,
         results=tuple(values[1:] if name == "vertex" else values),
         discard=discard,
-        builtin_inputs=tuple(sorted({str(n.data) for n in visible(roots) if n.op == "input"})),
+        builtin_inputs=tuple(sorted({INPUT.data(n) for n in visible(roots) if n.op == "input"})),
         reads=texture_reads(nodes),
     )
 
 
 def _function(call: Node, notes: Notes, naming: Naming) -> Function:
     body = call.operands[0]
-    assert isinstance(call.data, tuple)
     types = [argument.type for argument in call.operands[1:]]
     return Function(
         name=notes.functions.get(body.id, "shade"),
         doc=notes.docs.get(body.id, ""),
-        parameters=tuple(zip(call.data, types, strict=True)),
+        parameters=tuple(zip(formals_of(call), types, strict=True)),
         body=body,
         region=Scheduler((body,), notes, naming).schedule(),
         value=body,

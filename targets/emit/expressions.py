@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from ...compiler.ir.node import Formal, Node, Op
+from ...compiler.ir.operations import FORMAL, INPUT, MEMBER, SWIZZLE
 from ...compiler.ir.program import Function
 from ...compiler.ir.types import (
     Matrix,
@@ -120,8 +121,7 @@ class Expressions:
         return lanes[:1] if len(set(lanes)) == 1 and self._forms.splat_constant else lanes
 
     def _input(self, node: Node) -> Text:
-        assert isinstance(node.data, str)
-        text, type_ = self._leaves.input(node.data)
+        text, type_ = self._leaves.input(INPUT.data(node))
         return text if type_ == node.type else Text(f"{self._types.type(node.type)}({text.text})")
 
     def _native(self, node: Node) -> Text:
@@ -159,12 +159,12 @@ class Expressions:
         return Text(self._forms.array.format(type=type_, elements=elements))
 
     def _swizzle(self, node: Node) -> Text:
-        assert isinstance(node.data, tuple)
+        lanes = SWIZZLE.data(node)
         (source,) = node.operands
         if source.op == "interpolate" and source.id not in self.bound:
-            return self._leaves.interpolated(source, node.data)
+            return self._leaves.interpolated(source, lanes)
         operand = self.operand(source).within(Binding.POSTFIX)
-        return Text(f"{operand}.{''.join('xyzw'[lane] for lane in node.data)}")
+        return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
 
     def _index(self, node: Node) -> Text:
         aggregate, position = node.operands
@@ -176,10 +176,11 @@ class Expressions:
 
     def _member(self, node: Node) -> Text:
         (owner,) = node.operands
-        assert isinstance(owner.type, Struct) and isinstance(node.data, str)
+        assert isinstance(owner.type, Struct)
+        member = MEMBER.data(node)
         if owner.op == "iterate":
-            return Text(self.states[owner.id, node.data], Binding.NAME)
-        name = self._names.member(owner.type.name, node.data)
+            return Text(self.states[owner.id, member], Binding.NAME)
+        name = self._names.member(owner.type.name, member)
         return Text(f"{self.operand(owner).within(Binding.POSTFIX)}.{name}")
 
     def _select(self, node: Node) -> Text:
@@ -199,8 +200,7 @@ class Expressions:
         return Text(f"{name}({self._arguments(node.operands[1:])})")
 
     def _formal(self, node: Node) -> Text:
-        assert isinstance(node.data, Formal)
-        return Text(self.formals[node.data], Binding.NAME)
+        return Text(self.formals[FORMAL.data(node)], Binding.NAME)
 
 
 def _number(text: str) -> Text:
