@@ -93,7 +93,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     )
     roots = passed("semantics", "semantics", results.flat())
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
-    roots = passed("replace_aggregates", "opened", replace_aggregates(graph, roots, notes))
+    roots = passed("replace_aggregates", "flat", replace_aggregates(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
@@ -120,15 +120,15 @@ def _simplified(
     graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier
 ) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    roots = passed("simplify", "opened", rewrite(graph, roots, simplifier.rule, notes.follow))
-    roots = passed("fuse", "opened", fuse(graph, roots, notes, simplifier))
-    return passed("inline", "opened", inline(graph, roots, notes, simplifier))
+    roots = passed("simplify", "flat", rewrite(graph, roots, simplifier.rule, notes.follow))
+    roots = passed("fuse", "flat", fuse(graph, roots, notes, simplifier))
+    return passed("inline", "flat", inline(graph, roots, notes, simplifier))
 
 
 def _guarded(
     graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges
 ) -> tuple[list[Node], Guarding]:
-    roots = passed("expand_builtins", "opened", expand_builtins(graph, roots, notes, ranges))
+    roots = passed("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
     guarding = Guarding(graph, ranges, notes, PathConditions(roots, ranges))
     roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
     roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import ClassVar
 
 from ...compiler.ir.node import Formal, Node, Op
 from ...compiler.ir.operations import FORMAL, INPUT, MEMBER, SWIZZLE
@@ -51,25 +52,6 @@ class Expressions:
         self._functions = functions
         self._natives = Natives(context, leaves, self._splatted, functions)
         self._depth = 0
-        self._printers: Mapping[Op, Callable[[Node], Text]] = {
-            "constant": self._constant,
-            "parameter": leaves.parameter,
-            "resource": leaves.resource,
-            "attribute": leaves.attribute,
-            "interpolate": leaves.interpolated,
-            "input": self._input,
-            "native": self._native,
-            "vector": self._vector,
-            "splat": self._splat,
-            "matrix": self._matrix,
-            "array": self._array,
-            "swizzle": self._swizzle,
-            "index": self._index,
-            "member": self._member,
-            "select": self._select,
-            "apply": self._call,
-            "formal": self._formal,
-        }
 
     def text(self, node: Node) -> str:
         """The node as an operand of a statement."""
@@ -84,7 +66,7 @@ class Expressions:
         """The node itself, even if it is bound."""
         assert self._depth < DEEPEST, "the scheduler has to bind deep operands to names"
         self._depth += 1
-        text = self._printers[node.op](node)
+        text = self.PRINTERS[node.op](self, node)
         self._depth -= 1
         return text
 
@@ -99,6 +81,18 @@ class Expressions:
 
     def _arguments(self, nodes: tuple[Node, ...]) -> str:
         return ", ".join(map(self.text, nodes))
+
+    def _parameter(self, node: Node) -> Text:
+        return self._leaves.parameter(node)
+
+    def _resource(self, node: Node) -> Text:
+        return self._leaves.resource(node)
+
+    def _attribute(self, node: Node) -> Text:
+        return self._leaves.attribute(node)
+
+    def _interpolated(self, node: Node) -> Text:
+        return self._leaves.interpolated(node)
 
     def _constant(self, node: Node) -> Text:
         kind = scalar_kind(node.type)
@@ -201,6 +195,27 @@ class Expressions:
 
     def _formal(self, node: Node) -> Text:
         return Text(self.formals[FORMAL.data(node)], Binding.NAME)
+
+    PRINTERS: ClassVar[Mapping[Op, Callable[[Expressions, Node], Text]]] = {
+        "constant": _constant,
+        "parameter": _parameter,
+        "resource": _resource,
+        "attribute": _attribute,
+        "interpolate": _interpolated,
+        "input": _input,
+        "native": _native,
+        "vector": _vector,
+        "splat": _splat,
+        "matrix": _matrix,
+        "array": _array,
+        "swizzle": _swizzle,
+        "index": _index,
+        "member": _member,
+        "select": _select,
+        "apply": _call,
+        "formal": _formal,
+    }
+    """How each operation is written; loops are statements."""
 
 
 def _number(text: str) -> Text:

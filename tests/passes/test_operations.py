@@ -24,8 +24,8 @@ from burnish.compiler.ir.operations import (
 from burnish.compiler.ir.types import FLOAT, INT
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.reference import operations as reference
-from burnish.compiler.semantics import meanings
-from burnish.targets.emit.expressions import PRINTED
+from burnish.compiler.semantics.types import meanings
+from burnish.targets.emit.expressions import Expressions
 
 OPS = frozenset(get_args(Op))
 
@@ -67,7 +67,7 @@ def test_only_leaves_are_constants_variables_or_from_outside() -> None:
         (reference._STEPS, OPS - BINDING - OUTSIDE - with_role("variable")),
         (ranges._RULES, OPS - UNKNOWN_RANGE),
         (meanings._RULES, OPS - BARE - {"iterate"}),
-        (PRINTED, standing_in("stored") & WITHOUT_STATEMENT),
+        (Expressions.PRINTERS, standing_in("stored") & WITHOUT_STATEMENT),
     ],
     ids=["reference", "ranges", "meanings", "emission"],
 )
