@@ -21,7 +21,7 @@ from . import lookup
 from .applications import apply_body
 from .checks import check_instance, check_rig
 from .declared import struct_of
-from .elaborate import results_of
+from .elaborate import places_vertices, results_of
 from .generics import examples, unfounded, untold
 from .instances import instance_of
 from .lights import light_instance, per_light
@@ -223,7 +223,7 @@ class _Trial:
 
 def _check_parts(parts: Parts, setting: Setting) -> bool:
     other = set_up_beside(setting, parts)
-    delivered = isinstance(results_of(other).clip, Node)
+    delivered = places_vertices(results_of(other))
     return delivered or is_declared_abstract(other.passing.record)
 
 

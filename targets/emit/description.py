@@ -255,7 +255,7 @@ class Target:
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """How each of ``PIPELINE_TYPES`` is spelled."""
+    """How each of ``SYSTEM_INPUTS`` is spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: bool = False

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...compiler.ir.program import Program, TextureRead
+from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
 from .description import Lack, Profile
 from .textures import sampler_use
@@ -21,16 +22,17 @@ class Excess:
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     """The limits that a program does not keep."""
-    textures = max(len(stage.resources) for stage in (program.vertex, program.fragment))
+    textures = max(len(stage.resources) for stage in program.stages)
     # A location counts also where nothing is read at those before it.
-    inputs = max((field.location + 1 for field in program.vertex.inputs), default=0)
+    inputs = max((field.location + 1 for field in program.vertex_inputs), default=0)
+    varyings = max((len(face.varyings) for face in program.interfaces), default=0)
     block = max((block.size for block in program.blocks), default=0)
     for what, count, limit in (
-        ("varyings", len(program.varyings), profile.varyings),
+        ("varyings", varyings, profile.varyings),
         ("vertex inputs", inputs, profile.attributes),
         ("textures", textures, profile.textures),
         ("bytes in a uniform block", block, profile.block_bytes),
-        ("render targets", len(program.fragment.outputs), profile.targets),
+        ("render targets", len(program.results_of(TARGET)), profile.targets),
     ):
         if count > limit:
             yield Excess(what, count, limit)
