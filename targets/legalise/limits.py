@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from ...compiler.ir.program import Program, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
-from .description import Lack, Profile
-from .textures import sampler_use
+from ..emit.description import Lack, Profile
+from ..emit.textures import sampler_use
 
 
 @frozen
@@ -28,11 +28,11 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     varyings = max((len(face.varyings) for face in program.interfaces), default=0)
     block = max((block.size for block in program.blocks), default=0)
     for what, count, limit in (
-        ("varyings", varyings, profile.varyings),
-        ("vertex inputs", inputs, profile.attributes),
-        ("textures", textures, profile.textures),
-        ("bytes in a uniform block", block, profile.block_bytes),
-        ("render targets", len(program.results_of(TARGET)), profile.targets),
+        ("varyings", varyings, profile.limits.varyings),
+        ("vertex inputs", inputs, profile.limits.attributes),
+        ("textures", textures, profile.limits.textures),
+        ("bytes in a uniform block", block, profile.limits.block_bytes),
+        ("render targets", len(program.results_of(TARGET)), profile.limits.render_targets),
     ):
         if count > limit:
             yield Excess(what, count, limit)
@@ -49,7 +49,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
         if read.builtin in profile.cannot:
             yield profile.cannot[read.builtin], read.node
         compared = _is_depth(read) and read.resource in program.sampled
-        if profile.combined_samplers and compared and read.builtin == "load":
+        if profile.samplers.combined and compared and read.builtin == "load":
             yield COMPARED_AND_LOADED, read.node
 
 

@@ -13,7 +13,7 @@ from itertools import count
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Program
 from ...frozen import frozen
-from .description import Profile
+from ..emit.description import Profile
 
 
 @frozen
@@ -53,7 +53,7 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
                 texture = Slot(set_, next(numbers[set_]))
                 textures[resource.name] = texture
                 if resource in program.sampled:
-                    combined = profile.combined_samplers
+                    combined = profile.samplers.combined
                     sampler = texture if combined else Slot(set_, next(numbers[set_]))
                     samplers[resource.name] = sampler
     return Bindings(blocks, textures, samplers)
