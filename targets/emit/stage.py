@@ -75,21 +75,24 @@ class StagePrinter:
     def _function(self, function: Function) -> FunctionView:
         namer = self._locals()
         expressions, statements = self._body(namer)
+        forms = self._target.forms
         names = [namer.declare(formal.name) for formal, _type in function.parameters]
         for name, (formal, _type) in zip(names, function.parameters, strict=True):
             expressions.formals[formal] = name
         types = [type_ for _formal, type_ in function.parameters]
         lines = statements.lines(function.region)
+        returned = forms.return_.format(value=expressions.text(function.value))
         return FunctionView(
             comments=comment_lines(function.doc),
-            type=self._types.type(function.value.type),
-            name=self._names.function(self._stage.name, function.body),
-            parameters=", ".join(
-                self._target.forms.parameter.format(typed=self._types.declare(name, type_))
-                for name, type_ in zip(names, types, strict=True)
+            head=forms.function.format(
+                type=self._types.type(function.value.type),
+                name=self._names.function(self._stage.name, function.body),
+                parameters=", ".join(
+                    forms.parameter.format(typed=self._types.declare(name, type_))
+                    for name, type_ in zip(names, types, strict=True)
+                ),
             ),
-            lines=lines,
-            value=self._value(expressions, function.value),
+            lines=[*lines, self._marks.mark(returned, function.value)],
         )
 
     def _locals(self) -> Namer:
@@ -118,6 +121,7 @@ class StagePrinter:
             typed=self._types.declare(name, field.type),
             location=field.location,
             semantic=self._target.semantic(role, field.name, field.location),
+            crosses=role == "varying",
             flat=field.mode == "flat" and role == "varying",
             comment=comment_line(field.doc),
         )
