@@ -16,7 +16,7 @@ from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.schedule import Scheduler
 from ...compiler.passes.walks import visible
 from ...frozen import changed
-from .description import Profile
+from ..emit.description import Profile
 
 Use = tuple[str, tuple[Type, ...]]
 """A builtin, and the types of its operands."""

@@ -13,7 +13,7 @@ from itertools import count
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Program
 from ...frozen import frozen
-from .description import Profile
+from ..emit.description import Profile
 
 
 @frozen

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...compiler.ir.program import Program, TextureRead
 from ...frozen import frozen
-from .description import Lack, Profile
-from .textures import sampler_use
+from ..emit.description import Lack, Profile
+from ..emit.textures import sampler_use
 
 
 @frozen
