@@ -20,6 +20,9 @@ from .reserved import Reserved
 FieldRole = Literal["attribute", "varying", "target"]
 """Vertex input, value between the stages, or render target."""
 
+BindingKind = Literal["block", "texture", "sampler"]
+"""What a host binds; a texture and a sampler in one are a texture."""
+
 
 @frozen
 class Spelling:
@@ -237,8 +240,9 @@ class Target:
     """How each of ``PIPELINE_TYPES`` is spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
-    registers: bool = False
-    """Places are registers by kind (``b0``, ``t1``, ``s2``), which the reflection then lists."""
+    registers: Mapping[BindingKind, str] = EMPTY
+    """What the language calls a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
+    them."""
     global_members: bool = True
     """Members of blocks are names of the whole file, so they must differ from all others."""
     global_fields: bool = False
@@ -252,6 +256,10 @@ class Target:
     line_directive: str = ""
     """Says which line of which file the next one is, by ``{line}`` and the file's ``{name}`` or
     ``{number}``; empty where the language has no such thing."""
+
+    def register(self, kind: BindingKind, binding: int) -> str:
+        """A binding in the language's own words; empty where it has none."""
+        return self.registers.get(kind, "").format(binding=binding)
 
     def profile(self, name: str = "") -> Profile:
         """The profile called ``name``, or the default; ``KeyError`` if there is none."""

@@ -19,6 +19,7 @@ from ...compiler.cache import cached
 if TYPE_CHECKING:
     from jinja2 import Environment, Template
     from jinja2.nodes import Block, Node
+    from jinja2.nodes import Template as Tree
 
 _EXTENDS = re.compile(r'\{% extends "([\w.]+)" %\}\n')
 _BRANCHES = ("body", "elif_", "else_")
@@ -56,7 +57,7 @@ def _sources(path: Path) -> Iterator[str]:
         yield from _sources(beside if beside.is_file() else Path(__file__).parent / extends[1])
 
 
-def _flat(environment: Environment, sources: tuple[str, ...]) -> Template:
+def _flat(environment: Environment, sources: tuple[str, ...]) -> Tree:
     """The last source as one template; of a block that several have, the first has it its way."""
     from jinja2.nodes import Block
 

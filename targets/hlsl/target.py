@@ -173,7 +173,7 @@ SM6 = Profile(
 
 TARGET = Target(
     name="hlsl",
-    registers=True,
+    registers={"block": "b{binding}", "texture": "t{binding}", "sampler": "s{binding}"},
     line_directive='#line {line} "{name}"',
     title="HLSL",
     folder=FOLDER,
