@@ -22,7 +22,7 @@ from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.places import located
-from .compiler.semantics.modules import Module
+from .compiler.semantics.names.modules import Module
 from .frozen import frozen
 from .targets import registry
 from .targets.emit.description import Profile, Target
