@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ..diagnostics.nearest import nearest
-from .chunks import Outline
+from .foreign_syntax import Row, rewritten, types
 from .forms import DECLARATIONS, FOLDS, MEMBERS
-from .habits import Row, rewritten, types
-from .tables import END
+from .lalr_tables import END
+from .outline import Outline
 from .tokens import RESERVED, Token
 
 _IF = "every `if` is a value and has both sides: `if condition then a else b`"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .tables import END
+from .lalr_tables import END
 from .tokens import Token
 
 _EXPRESSION = {

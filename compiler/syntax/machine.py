@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from ..diagnostics.source import Source, Span
-from .tables import END, Production, Tables
+from .lalr_tables import END, Production, Tables
 from .tokens import Token
 
 

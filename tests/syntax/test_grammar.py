@@ -10,9 +10,9 @@ from lark import Lark, logger
 
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Report
-from burnish.compiler.syntax import parser, tables
+from burnish.compiler.syntax import lalr_tables, parser
 from burnish.compiler.syntax.builder import Builder
-from burnish.compiler.syntax.tables import load_tables
+from burnish.compiler.syntax.lalr_tables import load_tables
 from burnish.compiler.syntax.tokens import RESERVED, Docs
 
 GRAMMAR = Path(parser.__file__).with_name("burnish.lark").read_text(encoding="utf-8")
@@ -44,5 +44,5 @@ def test_lark_is_not_needed_once_the_tables_are_cached(
 ) -> None:
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
     first = load_tables.__wrapped__()
-    monkeypatch.setattr(tables, "_compute", lambda _: pytest.fail("computed again"))
+    monkeypatch.setattr(lalr_tables, "_compute", lambda _: pytest.fail("computed again"))
     assert load_tables.__wrapped__() == first

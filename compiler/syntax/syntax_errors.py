@@ -8,18 +8,18 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.source import Source, Span
 from .advice import STATEMENTS, Advice
-from .chunks import NESTING_LIMIT, Chunk, Outline
 from .expectations import describe_expected, describe_found
+from .foreign_syntax import types
 from .forms import FOLDS, FOREIGN_FILES
-from .habits import types
-from .tables import END
+from .lalr_tables import END
+from .outline import NESTING_LIMIT, Chunk, Outline
 from .tokens import RESERVED, Token
 
 _COMPARISONS = frozenset(("==", "!=", "<", "<=", ">", ">="))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 
 
-class Complaints:
+class SyntaxErrors:
     """Reports one syntax error at a time."""
 
     def __init__(self, source: Source, outline: Outline, report: Report) -> None:
