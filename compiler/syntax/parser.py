@@ -12,8 +12,10 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Diagnostic, Report
 from ..diagnostics.source import Source, Span
 from . import ast
+from .ast import MEMBERS
 from .builder import Builder
-from .forms import FOLDS, FOREIGN_FILES, MEMBERS
+from .expectations import may_begin_member
+from .forms import FOLDS, FOREIGN_FILES
 from .lalr_tables import END, load_tables
 from .lexer import lex
 from .machine import Machine
@@ -158,7 +160,7 @@ class _Parser:
     def _start(self, index: int) -> int:
         """The first token of the member or declaration that cannot be read on at ``index``."""
         start = self._machine.begun(_BODY_PARTS)
-        if start is None and "param" not in self._machine.expected():
+        if start is None and not may_begin_member(self._machine.expected()):
             start = self._machine.begun(_FILE_PARTS)
         if start is None:
             return index
