@@ -131,7 +131,7 @@ class CompiledMaterial:
         from .compiler.passes.proofs import Proofs
 
         evidence = self._staged.evidence
-        return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.judgements))
+        return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.remarks))
 
     def instance(self) -> Instance:
         """Named values to draw the material with, at first its defaults."""

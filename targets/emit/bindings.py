@@ -53,7 +53,7 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
                 texture = Slot(set_, next(numbers[set_]))
                 textures[resource.name] = texture
                 if resource in program.sampled:
-                    combined = profile.combined_samplers
+                    combined = profile.samplers.combined
                     sampler = texture if combined else Slot(set_, next(numbers[set_]))
                     samplers[resource.name] = sampler
     return Bindings(blocks, textures, samplers)

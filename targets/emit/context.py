@@ -25,7 +25,8 @@ class Context:
         definitions: Definitions,
     ) -> None:
         # Whether the picture's rows count upwards, against Burnish's own y.
-        rows_up = profile.rows_up and not flip_y
+        framebuffer = profile.framebuffer
+        rows_up = framebuffer.rows_up and not flip_y
         self.program = program
         self.target = target
         self.profile = profile
@@ -44,10 +45,10 @@ class Context:
         self.textures = TextureSpeller(target.textures, program)
         """Writes the types of textures and samplers."""
         self.natives: Spellings = {
-            **target.natives, **profile.natives, **(profile.natives_rows_up if rows_up else {})
+            **target.natives, **profile.natives, **(framebuffer.natives if rows_up else {})
         }  # fmt: skip
         """Spellings of builtins under the profile."""
         self.inputs: Mapping[str, PipelineInput] = {
-            **target.inputs, **profile.inputs, **(profile.inputs_rows_up if rows_up else {})
+            **target.inputs, **profile.inputs, **(framebuffer.inputs if rows_up else {})
         }  # fmt: skip
         """How the pipeline's values are read under the profile."""

@@ -9,10 +9,10 @@ from ...compiler.ir.program import Function, Program, Stage
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.shader import Notes
 from ...compiler.ir.types import Type
-from ...compiler.passes.expand import definition
+from ...compiler.passes.expansion_templates import definition
 from ...compiler.passes.guard import Guarding
 from ...compiler.passes.naming import Naming
-from ...compiler.passes.paths import Paths
+from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.schedule import Scheduler
 from ...compiler.passes.walks import visible
 from ...frozen import changed
@@ -69,7 +69,7 @@ def _function(name: str, types: tuple[Type, ...]) -> Function:
         graph.node("formal", type_, (), formal)
         for type_, formal in zip(types, formals, strict=True)
     )
-    body = Guarding(graph, ranges, notes, Paths((), ranges)).written_out(found, leaves)
+    body = Guarding(graph, ranges, notes, PathConditions((), ranges)).written_out(found, leaves)
     region = Scheduler((body,), notes, Naming(notes)).schedule()
     parameters = tuple(zip(formals, types, strict=True))
     return Function(name, found.doc, parameters, body, region, body)

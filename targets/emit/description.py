@@ -165,62 +165,83 @@ class Lack:
 
 
 @frozen(kw_only=True)
-class Profile:
-    """One dialect of a target: what an API or a version of it takes."""
+class Samplers:
+    """How textures and their samplers belong together."""
 
-    name: str
-    doc: str
-    combined_samplers: bool = False
+    combined: bool = False
     """A texture and its sampler are one object with one binding."""
-    explicit_bindings: bool = True
-    """The text states set and binding; otherwise the host assigns them by name."""
-    varyings_by_name: bool = False
-    """Stages are matched by the names of varyings instead of their locations."""
+    joined: str = ""
+    """Replaces ``Forms.texture``."""
+    precision: str = ""
+    """The line that opens a file for each ``{type}`` of combined samplers in it."""
+
+
+@frozen(kw_only=True)
+class Framebuffer:
+    """Where clip space and the rows of a picture point, and what has to be turned over for that."""
+
     clip_depth: Literal["0..1", "-1..1"] = "0..1"
     """Depth range of clip space; Burnish's own is 0..1."""
-    rows_up: bool = False
-    """The framebuffer's first row is the bottom one, unless the program was emitted flipped."""
     clip_y_down: bool = False
     """The API's own clip y points down: a host turns the viewport over for a program that was not
     emitted flipped, and only for that, so that either comes out the right way round."""
-    single_file: bool = False
-    """Both stages can stand in one text."""
-    lacks: frozenset[str] = frozenset()
-    """Builtins that the dialect has no word for: each becomes a function of the text, made from
-    the builtin's ``definition``."""
+    rows_up: bool = False
+    """The first row is the bottom one, unless the program was emitted flipped."""
+    inputs: Mapping[str, PipelineInput] = EMPTY
+    """How the pipeline's values are read while rows count upwards."""
+    natives: Spellings = EMPTY
+    """Spellings of natives while rows count upwards."""
+
+
+@frozen
+class Limits:
+    """What every device of a profile has at least."""
+
+    varyings: int = 16
+    """Vectors that cross between the stages."""
+    attributes: int = 16
+    """Locations of vertex inputs."""
+    textures: int = 16
+    """Textures with their samplers that one stage reads."""
+    block_bytes: int = 16384
+    """Bytes of one uniform block."""
+    render_targets: int = 8
+    """Render targets that a pass writes."""
+
+
+@frozen(kw_only=True)
+class Profile:
+    """One dialect of a language: what an API or a version of it takes."""
+
+    name: str
+    doc: str
     preamble: tuple[str, ...] = ()
     """Lines that open each file: version, extensions, default precisions."""
-    precision: str = ""
-    """The line that each type of combined samplers needs."""
     requires: Mapping[str, str] = EMPTY
     """By native, the line that opens a file in which it is used."""
-    cannot: Mapping[str, Lack] = EMPTY
-    """Natives that the profile has not got, nor an exact replacement for."""
-    natives: Spellings = EMPTY
-    """Spellings that only this profile has."""
-    inputs: Mapping[str, PipelineInput] = EMPTY
-    """Inputs that this profile has otherwise than its target."""
-    inputs_rows_up: Mapping[str, PipelineInput] = EMPTY
-    """Those that have to be turned upside down while rows count upwards."""
-    natives_rows_up: Spellings = EMPTY
-    """Likewise, of spellings."""
-    texture: str = ""
-    """Replaces ``Forms.texture``."""
+    single_file: bool = False
+    """Both stages can stand in one text."""
+    samplers: Samplers = Samplers()
+    framebuffer: Framebuffer = Framebuffer()
+    limits: Limits = Limits()
+    varyings_by_name: bool = False
+    """Stages are matched by the names of varyings instead of their locations."""
+    explicit_bindings: bool = True
+    """The text states set and binding; otherwise the host assigns them by name."""
     sets: Mapping[str, int] = GROUP_SETS
     default_set: int = 2
     """Where a user's own groups go."""
-    varyings: int = 16
-    """Vectors that cross between the stages: what every device of the profile has at least."""
-    attributes: int = 16
-    """Locations of vertex inputs; likewise."""
-    textures: int = 16
-    """Textures with their samplers that one stage reads; likewise."""
-    block_bytes: int = 16384
-    """Bytes of one uniform block; likewise."""
-    targets: int = 8
-    """Render targets that a pass writes; likewise."""
+    natives: Spellings = EMPTY
+    """Spellings that only this profile has."""
+    inputs: Mapping[str, PipelineInput] = EMPTY
+    """Inputs that this profile has otherwise than its language."""
+    lacks: frozenset[str] = frozenset()
+    """Builtins that the dialect has no word for: each becomes a function of the text, made from
+    the builtin's ``definition``."""
+    cannot: Mapping[str, Lack] = EMPTY
+    """Natives that the profile has not got, nor an exact replacement for."""
     checkers: tuple[str, ...] = ()
-    """Validators of ``targets.toolchain`` that have to accept the text."""
+    """Checkers of ``targets.toolchain`` that have to accept the text."""
 
 
 def no_semantic(_role: FieldRole, _name: str, _location: int) -> str:

@@ -188,7 +188,7 @@ class _Emitter:
         """The declarations of a texture and its sampler."""
         names, types, slots = self._names, self._context.textures, self._bindings
         name, slot = names.textures[resource.name], slots.textures[resource.name]
-        if self._profile.combined_samplers:
+        if self._profile.samplers.combined:
             yield TextureView(name, types.combined(resource), slot)
             return
         yield TextureView(name, types.texture(resource), slot)

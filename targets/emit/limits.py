@@ -26,11 +26,11 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     inputs = max((field.location + 1 for field in program.vertex.inputs), default=0)
     block = max((block.size for block in program.blocks), default=0)
     for what, count, limit in (
-        ("varyings", len(program.varyings), profile.varyings),
-        ("vertex inputs", inputs, profile.attributes),
-        ("textures", textures, profile.textures),
-        ("bytes in a uniform block", block, profile.block_bytes),
-        ("render targets", len(program.fragment.outputs), profile.targets),
+        ("varyings", len(program.varyings), profile.limits.varyings),
+        ("vertex inputs", inputs, profile.limits.attributes),
+        ("textures", textures, profile.limits.textures),
+        ("bytes in a uniform block", block, profile.limits.block_bytes),
+        ("render targets", len(program.fragment.outputs), profile.limits.render_targets),
     ):
         if count > limit:
             yield Excess(what, count, limit)
@@ -47,7 +47,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
         if read.builtin in profile.cannot:
             yield profile.cannot[read.builtin], read.node
         compared = _is_depth(read) and read.resource in program.sampled
-        if profile.combined_samplers and compared and read.builtin == "load":
+        if profile.samplers.combined and compared and read.builtin == "load":
             yield COMPARED_AND_LOADED, read.node
 
 

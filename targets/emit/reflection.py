@@ -29,7 +29,7 @@ def backend_table(
 ) -> BackendTable:
     """What a host has to know of an emission; ``files`` are file names by stage (or ``both``)."""
     names, bindings = emission.names, emission.bindings
-    turned = flip_y and not profile.clip_y_down
+    turned = flip_y and not profile.framebuffer.clip_y_down
     return BackendTable(
         language=target.name,
         files=tuple(
@@ -51,7 +51,7 @@ def backend_table(
             for item in program.resources
         },
         samplers={}
-        if profile.combined_samplers
+        if profile.samplers.combined
         else {
             item.name: _point(
                 target, profile, names.samplers[item.name], bindings.samplers[item.name], "s"
@@ -67,10 +67,10 @@ def backend_table(
             for field in program.vertex.inputs
         },
         host_uniforms=emission.host_uniforms,
-        clip_depth=profile.clip_depth,
+        clip_depth=profile.framebuffer.clip_depth,
         flip_y=flip_y,
         front_face="cw" if turned else "ccw",
-        first_row="bottom" if profile.rows_up != turned else "top",
+        first_row="bottom" if profile.framebuffer.rows_up != turned else "top",
         source_maps=source_maps,
     )  # fmt: skip
 

@@ -59,8 +59,8 @@ def opening_lines(
     for read in reads:
         if read.builtin in profile.requires:
             found[profile.requires[read.builtin]] = None
-        if profile.precision:
-            found[profile.precision.format(type=textures.combined(read.resource))] = None
+        if profile.samplers.precision:
+            found[profile.samplers.precision.format(type=textures.combined(read.resource))] = None
     return [line for line in found if line not in profile.preamble]
 
 

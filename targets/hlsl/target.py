@@ -11,6 +11,7 @@ from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ..emit.description import (
     FieldRole,
     Forms,
+    Limits,
     PipelineInput,
     Profile,
     Read,
@@ -165,8 +166,7 @@ SM6 = Profile(
     name="sm6",
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
-    varyings=31,
-    block_bytes=65536,
+    limits=Limits(varyings=31, block_bytes=65536),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from ...compiler.ir.types import BOOL, UINT, VEC4
 from ..emit.description import (
     Forms,
+    Limits,
     PipelineInput,
     Profile,
     Read,
@@ -105,7 +106,7 @@ WEBGPU = Profile(
     name="webgpu",
     doc="WGSL as browsers and wgpu take it.",
     single_file=True,
-    block_bytes=65536,
+    limits=Limits(block_bytes=65536),
     checkers=("naga", "tint"),
 )
 

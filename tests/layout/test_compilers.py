@@ -34,7 +34,7 @@ from burnish.compiler.ir.types import (
     Vector,
 )
 from burnish.compiler.layout import byte_size
-from burnish.compiler.passes.storage import lower_reads
+from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.targets.emit.emitter import Emission, emit
 from burnish.targets.emit.names import Names
 from burnish.targets.registry import select

@@ -59,5 +59,5 @@ def test_flip(selected: Selected) -> None:
     negated = f"{position}.y = -{position}.y;"
     assert negated in flipped.files[0].text
     assert negated not in upright.files[0].text
-    assert bool(upright.host_uniforms) == selected.profile.rows_up
+    assert bool(upright.host_uniforms) == selected.profile.framebuffer.rows_up
     assert not flipped.host_uniforms

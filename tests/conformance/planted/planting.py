@@ -89,12 +89,15 @@ def supplied(language: str, name: str, read: str) -> Plant:
     return target(language, change)
 
 
-def profile(language: str, name: str, **changes: Any) -> Plant:
-    """A changed profile of a language."""
+def framebuffer(language: str, name: str, **changes: Any) -> Plant:
+    """A profile of a language that is wrong about clip space or the rows of pictures."""
 
     def change(whole: Target) -> Target:
         profiles: tuple[Profile, ...] = tuple(
-            changed(each, **changes) if each.name == name else each for each in whole.profiles
+            changed(each, framebuffer=changed(each.framebuffer, **changes))
+            if each.name == name
+            else each
+            for each in whole.profiles
         )
         return changed(whole, profiles=profiles)
 

@@ -1,4 +1,7 @@
-"""Opens every binder once, so that passes can treat bodies like any other part of the graph.
+"""Opens every binder: de Bruijn indices in bodies become ``formal`` leaves.
+
+This is the first pass. Semantics leaves bodies closed, so that equal bodies are one node; all later
+passes treat an opened body like any other part of the graph.
 
 Applies of one body share the opened body and its formals: that is what becomes a function. Loops
 have variables of their own. Structures and arrays are no arguments of functions unless they all

@@ -1,8 +1,9 @@
-"""Takes structures and arrays that are made from parts apart again, so that none has to be emitted.
+"""Scalar replacement of aggregates (SROA): structures and arrays give way to their parts.
 
-A member of a structure that was put together is what was put there, and a member of a choice is a
-choice between members. What is left of aggregates are reads of uniform blocks, and arrays of plain
-values that are indexed by something only known at run time.
+Reading a member of a structure that the shader built gives the value that was put there; reading a
+member of a selection gives a selection between members. Afterwards the only aggregates left are
+uniform blocks, which are read as they are stored, and arrays of plain values that are indexed by
+something that is only known at run time.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ NESTED_MATRICES = 8
 """Matrices are chosen by branches; of choices inside of more choices, each column by itself."""
 
 
-def dissolve(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def replace_aggregates(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots without structures, and with arrays of plain values only."""
     ops = ("member", "index", "select")
     return rewrite(graph, roots, _Dissolving(graph, notes).rule, notes.follow, ops)

@@ -1,4 +1,4 @@
-"""Tables of what the host computes for each element of an array of parameters."""
+"""Derived tables: what the host computes for each element of an array of parameters (``hoist``)."""
 
 from __future__ import annotations
 

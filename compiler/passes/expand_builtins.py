@@ -14,7 +14,7 @@ from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from .elements import is_element
-from .expand import Template, template
+from .expansion_templates import Template, template
 from .simplify import Simplifier
 
 VARYING = frozenset({"interpolate", "attribute", "formal", "input", "resource"})
@@ -126,7 +126,7 @@ class Expanding(Simplifier):
         return values[found.result]
 
 
-def write_out(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
+def expand_builtins(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
     """The roots with every ``call`` that no backend has as its expansion, in calls again."""
     nodes = reachable(roots)
     if not any(map(_is_homeless, nodes)):

@@ -1,4 +1,8 @@
-"""The builtins' expansions and definitions, from ``stdlib/meaning.burnish``, lowered once."""
+"""Templates of the builtins' expansions and definitions.
+
+A template is a function of ``stdlib/meaning.burnish``, lowered once for each signature, that can be
+built into any graph. ``expand_builtins`` and ``guard`` do that.
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""What conditions tell about values on the paths that they guard.
+"""Path conditions: what the conditions of branches say about the values computed behind them.
 
 In ``if x > 0 then 1 / x else 0`` the divisor is known to be positive wherever the quotient is used.
 That holds for a node only if *all* of its uses lie behind the condition, and helps only if the node
-is computed there: so the select has to become a branch (``Known.selects``).
+is computed there: so the select has to become a branch (``KnownOnPath.selects``).
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from itertools import islice
 from ...frozen import frozen
 from ...stdlib.builtins.facts import Fact
 from ..ir import rulebook
-from ..ir.conditions import Learnt, learnt
 from ..ir.node import Node, reachable
 from ..ir.ranges import Ranges
+from ..ir.refinements import Refinement, refinements
 from ..ir.types import Scalar
 from .uniformity import needing_uniform_flow
 
@@ -49,71 +49,73 @@ class Path:
 
 
 @frozen
-class Told:
-    """Something learnt of a value, and the select whose condition it is learnt from."""
+class PathRefinement:
+    """What a condition around a region says of a value, and the select that it belongs to."""
 
     select: Node
-    learnt: Learnt
+    refinement: Refinement
 
 
 @frozen
-class Known:
+class KnownOnPath:
     """What holds of a value on a path, and what that follows from."""
 
     fact: Fact
-    told: tuple[Told, ...]
+    conditions: tuple[PathRefinement, ...]
 
     @property
     def selects(self) -> Iterator[Node]:
         """The selects that have to become branches, if this is made use of."""
-        return (one.select for one in self.told)
+        return (one.select for one in self.conditions)
 
 
-class Paths:
+class PathConditions:
     """The innermost region that encloses all uses of each node."""
 
     def __init__(self, roots: Iterable[Node], ranges: Ranges) -> None:
         self._ranges = ranges
         self._of: dict[int, Path | None] = {}
-        self._told_at: dict[Path, dict[int, list[Told]]] = {}
+        self._refined_at: dict[Path, dict[int, list[PathRefinement]]] = {}
         wanted = list(roots)
         nodes = reachable(wanted)
         if any(node.op == "select" for node in nodes):
             self._find(wanted, nodes, needing_uniform_flow(nodes))
 
-    def known(self, user: Node, operand: Node) -> Known:
+    def known(self, user: Node, operand: Node) -> KnownOnPath:
         """What holds of ``operand`` where ``user`` is computed.
 
-        Conditions speak of the operand itself, or of values from which it is computed.
+        A condition may bound the operand itself, or values from which it is computed.
         """
-        told = self._told(self._of.get(user.id))
-        cone = _cone(operand, told.keys()) if told else []
+        refined = self._refined(self._of.get(user.id))
+        cone = _cone(operand, refined.keys()) if refined else []
         facts: dict[int, Fact] = {}
-        used: list[Told] = []
+        used: list[PathRefinement] = []
         for node in cone:
             fact = self._ranges.of(node)
             if any(need.id in facts for need in node.operands):
                 needs = self._ranges.needs(node)
                 inner = [facts.get(need.id, self._ranges.of(need)) for need in needs]
                 fact = fact.meet(self._ranges.derived(node, inner))
-            for one in told.get(node.id, ()):
-                fact = fact.meet(one.learnt.fact)
+            for one in refined.get(node.id, ()):
+                fact = fact.meet(one.refinement.fact)
                 used.append(one)
             facts[node.id] = fact
-        return Known(facts.get(operand.id, self._ranges.of(operand)), tuple(used))
+        return KnownOnPath(facts.get(operand.id, self._ranges.of(operand)), tuple(used))
 
-    def _told(self, path: Path | None) -> dict[int, list[Told]]:
-        """What the conditions around a region tell, by the id of what they tell it about."""
+    def _refined(self, path: Path | None) -> dict[int, list[PathRefinement]]:
+        """What the conditions around a region say, by the id of the value that they bound."""
         if path is None or rulebook.AROUND in self._ranges.without:
             return {}
-        if path not in self._told_at:
-            told: dict[int, list[Told]] = {}
+        if path not in self._refined_at:
+            refined: dict[int, list[PathRefinement]] = {}
             for step in islice(path.outward(), FARTHEST):
                 condition = step.select.operands[0]
-                for one in learnt(self._ranges.of, condition, step.holds, self._ranges.without):
-                    told.setdefault(one.about.id, []).append(Told(step.select, one))
-            self._told_at[path] = told
-        return self._told_at[path]
+                for one in refinements(
+                    self._ranges.of, condition, step.holds, self._ranges.without
+                ):
+                    refined.setdefault(one.about.id, []).append(PathRefinement(step.select, one))
+            self._refined_at[path] = refined
+        return self._refined_at[path]
 
     def _find(self, roots: list[Node], nodes: list[Node], together: frozenset[int]) -> None:
         """Paths of all nodes; what needs all pixels, and its operands, come before all branches."""
@@ -134,7 +136,7 @@ class Paths:
 
 
 def _cone(operand: Node, about: Collection[int]) -> list[Node]:
-    """The values between ``operand`` and what something is told about, operands first."""
+    """The values between ``operand`` and what some condition bounds, operands first."""
     near: dict[int, Node] = {operand.id: operand}
     front = [operand]
     while front and len(near) < WIDEST:

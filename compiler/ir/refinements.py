@@ -1,4 +1,4 @@
-"""What a condition tells about the values that it compares."""
+"""Refinement: what a condition that holds (or does not) says about the values it compares."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _RULES = {"gt": ABOVE, "ge": ABOVE, "lt": BELOW, "le": BELOW, "eq": EQUALS, "ne"
 
 
 @frozen
-class Learnt:
+class Refinement:
     """A fact that holds wherever a condition does."""
 
     about: Node
@@ -32,10 +32,10 @@ class Learnt:
     """Whether the comparison is known to be true, or to be false."""
 
 
-def learnt(
+def refinements(
     of: Callable[[Node], Fact], condition: Node, holds: bool, without: frozenset[str]
-) -> Iterator[Learnt]:
-    """All that ``condition`` being ``holds`` tells; ``of`` knows the facts of plain values."""
+) -> Iterator[Refinement]:
+    """All that follows from ``condition`` being ``holds``; ``of`` gives the facts of values."""
     pending = [(condition, holds)]
     for _ in range(MOST):
         if not pending:
@@ -56,7 +56,7 @@ def learnt(
 
 def _compared(
     of: Callable[[Node], Fact], node: Node, truth: bool, without: frozenset[str]
-) -> Iterator[Learnt]:
+) -> Iterator[Refinement]:
     name = str(node.data) if truth else OPPOSITES[str(node.data)]
     left, right = node.operands
     for about, sign, other in ((left, name, right), (right, MIRRORED[name], left)):
@@ -64,7 +64,7 @@ def _compared(
             continue
         fact = _bounded(sign, of(other))
         if fact is not UNKNOWN:
-            yield Learnt(about, fact, _RULES[sign], node, truth)
+            yield Refinement(about, fact, _RULES[sign], node, truth)
 
 
 def _bounded(sign: str, bound: Fact) -> Fact:

@@ -1,7 +1,7 @@
-"""Splits a shader into its stages and packs what crosses between them.
+"""Varying packing: the values that cross between stages share ``vec4`` slots.
 
-Varyings are exactly the values that cross. Whole values are packed into vec4 slots, first fit by
-decreasing width, so that a reader still finds each value in one place.
+Whole values are packed, first fit by decreasing width, so that a reader still finds each value in
+one slot.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def crossings(nodes: Iterable[Node]) -> list[Node]:
     return [node for node in nodes if node.op == "interpolate"]
 
 
-def pack(nodes: Sequence[Node], notes: Notes) -> tuple[Varying, ...]:
+def pack_varyings(nodes: Sequence[Node], notes: Notes) -> tuple[Varying, ...]:
     """Slots for all values that cross into the fragment stage, whose nodes are given in order."""
     unique = list({node.operands[0].id: node for node in crossings(nodes)}.values())
     users: dict[int, str] = {}

@@ -1,7 +1,8 @@
-"""Gives every loop variables of its own, as text needs them.
+"""Alpha-renaming: no two loops share a variable afterwards.
 
-Passes copy bodies, with the loops in them, and so two loops may have one variable. What depends on
-it alone is then one node, which could stand in neither loop.
+Passes that copy bodies copy the loops in them, so that two loops may bind the same variable. A node
+that depends on this variable alone would then be one node for both loops, and the scheduler could
+place it in neither. This pass runs last before scheduling.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ _Renamed: TypeAlias = frozenset[tuple[Formal, Formal]]
 _NOTHING: _Renamed = frozenset()
 
 
-def separate(graph: Graph, roots: Iterable[Node], moved: Moved) -> list[Node]:
+def rename_variables(graph: Graph, roots: Iterable[Node], moved: Moved) -> list[Node]:
     """The roots with no variable bound by two loops."""
     wanted = list(roots)
     loops = [node for node in reachable(wanted) if node.op in ("fold", "iterate")]

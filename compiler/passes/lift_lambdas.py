@@ -1,8 +1,9 @@
-"""Closes function bodies: what they need of their caller becomes a parameter (lambda lifting).
+"""Lambda lifting: a function's body gets what it needs of its caller as arguments.
 
-Values that do not depend on a body's own variables are computed once, by the caller. Uniforms and
-constants are global and stay where they are; parts of a value, and what else costs nothing, are
-taken from the value again.
+Before this pass a body may use any value of the shader around it. Afterwards it uses its
+parameters, uniforms and constants only, so that it can be printed as a function. A value that does
+not depend on the body's own variables is computed once by the caller and passed. Parts of a value
+(lanes, members), which cost nothing, are taken from the passed value inside the body.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from .walks import operands_of, visible
 GLOBALS = frozenset({"constant", "parameter", "resource"})
 
 
-def lift(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def lift_lambdas(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
     """The roots with every applied body closed but for uniforms."""
     return rewrite(graph, roots, _Lifting(notes).rule, notes.follow, ("apply",))
 

@@ -1,9 +1,10 @@
-"""Makes the graph read parameters as blocks store them, with every conversion a node of its own.
+"""Lowers reads of parameters to the form in which blocks store them.
+
+Every conversion from the stored form becomes a node of its own.
 
 Scalars, vectors and matrices are converted right where they are read. Structs and arrays stay in
 stored form wherever they travel (through selects, binders and calls) until a member or an element
-is taken out. A product with a column, and a column, are
-taken from a matrix as it is stored.
+is taken out. A product with a column, and a column, are taken from a matrix as it is stored.
 """
 
 from __future__ import annotations
