@@ -12,7 +12,7 @@ from typing import TypeVar
 from .cache import cached
 from .diagnostics.diagnostic import Diagnostic, Report
 from .diagnostics.source import Source
-from .semantics.modules import Module, Symbol
+from .semantics.names.modules import Module, Symbol
 from .syntax import ast
 from .syntax.parser import parse
 

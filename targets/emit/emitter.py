@@ -7,15 +7,14 @@ from typing import Literal
 
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Block, Program, Stage, StageName, StoredMember
+from ...compiler.ir.program import Block, Stage, StageName, StoredMember
 from ...compiler.ir.types import Struct
 from ...frozen import frozen
+from ..legalise.bindings import Bindings
+from ..legalise.legal import Legal
 from . import templates
-from .bindings import Bindings, assign_bindings
 from .comments import comment_line, comment_lines
 from .context import Context
-from .definitions import with_definitions
-from .description import Profile, Target
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
@@ -64,30 +63,25 @@ class Emission:
     """Loose float uniforms that the host has to set besides the blocks."""
 
 
-def emit(
-    program: Program, target: Target, profile: Profile, options: EmitOptions | None = None
-) -> Emission:
-    """Print ``program``; ``ValueError`` for one file where the profile cannot have that."""
+def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
+    """Print a program; ``ValueError`` for one file where the profile cannot have that."""
     options = options or EmitOptions()
-    if options.single_file and not profile.single_file:
-        raise ValueError(f"{target.name}:{profile.name} has no single-file form")
-    return _Emitter(program, target, profile, options).emission()
+    if options.single_file and not legal.profile.single_file:
+        raise ValueError(f"{legal.target.name}:{legal.profile.name} has no single-file form")
+    return _Emitter(legal, options).emission()
 
 
 class _Emitter:
     """Prints one program for one profile."""
 
-    def __init__(
-        self, program: Program, target: Target, profile: Profile, options: EmitOptions
-    ) -> None:
-        program, definitions = with_definitions(program, profile)
-        self._program = program
-        self._target = target
-        self._profile = profile
+    def __init__(self, legal: Legal, options: EmitOptions) -> None:
+        self._program = legal.program
+        self._target = legal.target
+        self._profile = legal.profile
         self._options = options
-        self._names = name_program(program, target)
-        self._bindings = assign_bindings(program, profile)
-        self._context = Context(program, target, profile, self._names, options.flip_y, definitions)
+        self._names = name_program(legal.program, legal.target)
+        self._bindings = legal.bindings
+        self._context = Context(legal, self._names, options.flip_y)
         self._types = self._context.types
 
     def emission(self) -> Emission:

@@ -12,7 +12,7 @@ from ...compiler.reflection.tables import (
     EmittedFile,
     VertexInputName,
 )
-from .bindings import Slot
+from ..legalise.bindings import Slot
 from .description import Profile, Target
 from .emitter import Emission
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ...compiler.ir.program import StageName
-from .bindings import Slot
+from ..legalise.bindings import Slot
 
 
 class MemberView(NamedTuple):

@@ -52,7 +52,21 @@ DOOR = ("api", "cli", "commands")
         ("stdlib", (*DOOR, "targets", "compiler")),
         ("compiler", (*DOOR, "targets")),
         ("targets", DOOR),
-        ("targets/emit", ("targets.toolchain", *(f"targets.{name}" for name in BACKENDS))),
+        # It prints what is legal, and decides nothing.
+        (
+            "targets/emit",
+            (
+                "compiler.passes",
+                "compiler.ir.ranges",
+                "compiler.ir.rewrite",
+                "targets.toolchain",
+                *(f"targets.{name}" for name in BACKENDS),
+            ),
+        ),
+        (
+            "targets/legalise",
+            ("targets.toolchain", "targets.runner", *(f"targets.{name}" for name in BACKENDS)),
+        ),
         (
             "targets/toolchain",
             (

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import burnish
-from burnish.targets.emit.bindings import Slot, assign_bindings
+from burnish.targets.legalise.bindings import Slot, assign_bindings
 
 from .kit import PROFILES, Selected
 from .programs import plastic
