@@ -149,13 +149,12 @@ def _spellings() -> Iterator[Planted]:
 FLAT = "{% if field.flat %}flat {% endif %}"
 NOINTERPOLATION = "{% if field.flat %}nointerpolation {% endif %}"
 INTERPOLATE = "{% if field.flat %}@interpolate(flat) {% endif %}"
-BETWEEN = (
-    "{{% if field.flat %}}{} {{% elif (entry.stage == 'vertex') == (field in entry.outputs) %}}{} "
-    "{{% endif %}}"
-)
+BETWEEN = "{{% if field.flat %}}{} {{% elif field.crosses %}}{} {{% endif %}}"
 """Instead, for all that crosses between the stages."""
 GLSL, HLSL, WGSL = QUICKEST["glsl"], QUICKEST["hlsl"], QUICKEST["wgsl"]
 OPENGL, BROWSER = "llvmpipe:gl330", "chromium:webgl2"
+DISCARD = "{% for line in entry.discard %}\n    {{ line }}"
+NEGATED = "line.replace('if (', 'if (!(').replace(') {', ')) {') }}"
 REWRITTEN_Z = "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;"
 
 
@@ -243,9 +242,9 @@ PIPELINE = [
     Planted("not flat", "pipeline: Crossing", GLSL,
             skeleton("glsl", (FLAT, "")), "failed"),
     Planted("discard where it must not", "pipeline: Holes", GLSL,
-            skeleton("glsl", ("if ({{ entry.discard }})", "if (!({{ entry.discard }}))"))),
+            skeleton("glsl", (DISCARD, DISCARD.replace("line }}", NEGATED)))),
     Planted("no discard", "pipeline: Holes", WGSL,
-            skeleton("wgsl", ("        discard;", "        return output;"))),
+            form("wgsl", discard="return output;")),
     Planted("a comma too many", "pipeline: Holes", HLSL,
             skeleton("hlsl", ("return output;", "return output,;")), "failed"),
 ]  # fmt: skip
