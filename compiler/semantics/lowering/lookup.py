@@ -22,7 +22,7 @@ from ...trampoline import Reply, Step
 from ..declarations import assignments, contracts
 from ..declarations.written_types import declared_type
 from ..hints import advice
-from ..inheritance.records import Definition, NamedMember, Record
+from ..inheritance.records import Definition, Record
 from ..names.modules import Module, Symbol
 from ..state.scope import (
     FAILURE,
@@ -304,14 +304,17 @@ def _setting(low: Lowering, instance: Instance, definition: Definition) -> str:
     return f"add `{name} = …` to `{record.name}`{about}"
 
 
-def _leaf(low: Lowering, instance: Instance, member: NamedMember) -> Node | Failure:
-    """What a parameter, map or attribute reads; nothing where its declaration is wrong."""
+def _leaf(low: Lowering, instance: Instance, member: ast.ReadMember) -> Node | Failure:
+    """What a member reads whose value comes from outside; nothing if its declaration is wrong."""
     name = member.name.text
-    if isinstance(member, ast.Attribute):
-        read = instance.attributes.get(name)
-        return FAILURE if read is None else low.stages.attribute(read)
-    kept = instance.resources if isinstance(member, ast.Map) else instance.parameters
-    return kept.get(name, FAILURE)
+    match ast.kind_of(member).contribution:
+        case "parameter":
+            return instance.parameters.get(name, FAILURE)
+        case "resource":
+            return instance.resources.get(name, FAILURE)
+        case _:
+            read = instance.attributes.get(name)
+            return FAILURE if read is None else low.stages.attribute(read)
 
 
 def _replacement_value(

@@ -119,9 +119,10 @@ def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Itera
 
 
 def _targets(low: Lowering, drawn: Record, passing: Instance) -> Iterator[Result]:
-    if not drawn.targets and not drawn.baseless and not is_declared_abstract(drawn):
+    written = list(drawn.every(ast.Target))
+    if not written and not drawn.baseless and not is_declared_abstract(drawn):
         low.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
-    found = (_target(low, drawn, passing, *row) for row in drawn.targets)
+    found = (_target(low, drawn, passing, *row) for row in written)
     return (target for target in found if target is not None)
 
 
@@ -158,7 +159,7 @@ def _blend(low: Lowering, drawn: Record, target: ast.Target) -> str:
 
 def _discard(low: Lowering, drawn: Record, passing: Instance) -> Iterator[Result]:
     combined: Node | None = None
-    for discard, owner, level in drawn.discards:
+    for discard, owner, level in drawn.every(ast.Discard):
         scope = _scope(owner, passing, level)
         condition = run(low.typed(discard.condition, scope, BOOL, "bool"))
         if isinstance(condition, Failure):

@@ -275,10 +275,10 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
     stand_in(low, instance)
     check_instance(low, instance)
     scope = Scope(symbol.module, instance, 0, surface, {"material": surface})
-    for target, _, level in record.targets:
+    for target, _, level in record.every(ast.Target):
         if level == 0:
             run(low.node(target.value, scope))
-    for discard, _, level in record.discards:
+    for discard, _, level in record.every(ast.Discard):
         if level == 0:
             run(low.typed(discard.condition, scope, BOOL, "bool"))
     return True
