@@ -22,14 +22,15 @@ from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.places import located
-from .compiler.semantics.modules import Module
+from .compiler.semantics.names.modules import Module
 from .frozen import frozen
 from .targets import registry
 from .targets.emit.description import Profile, Target
 from .targets.emit.directives import Directed, directed
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
-from .targets.emit.limits import excesses, lacks
 from .targets.emit.reflection import backend_table
+from .targets.legalise.legalise import legalise
+from .targets.legalise.limits import excesses, lacks
 
 if TYPE_CHECKING:
     from .compiler.passes.proofs import Proof
@@ -131,7 +132,7 @@ class CompiledMaterial:
         from .compiler.passes.proofs import Proofs
 
         evidence = self._staged.evidence
-        return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.judgements))
+        return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.remarks))
 
     def instance(self) -> Instance:
         """Named values to draw the material with, at first its defaults."""
@@ -335,7 +336,7 @@ def _compiled(
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
     emissions = tuple(
-        (target, profile, emit(staged.program, target, profile, emit_options))
+        (target, profile, emit(legalise(staged.program, target, profile), emit_options))
         for target, profile in chosen
         if _name(target, profile) not in lacking
     )

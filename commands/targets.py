@@ -51,10 +51,10 @@ def _lines(target: Target) -> Iterator[str]:
 
 def _abilities(profile: Profile) -> Iterator[str]:
     """What a host has to know to choose a profile, in words."""
-    yield "textures with their samplers" if profile.combined_samplers else "separate samplers"
+    yield "textures with their samplers" if profile.samplers.combined else "separate samplers"
     yield "bindings in the text" if profile.explicit_bindings else "bindings set by name"
-    yield f"depth {profile.clip_depth}"
-    yield f"rows count {'upwards' if profile.rows_up else 'downwards'}"
+    yield f"depth {profile.framebuffer.clip_depth}"
+    yield f"rows count {'upwards' if profile.framebuffer.rows_up else 'downwards'}"
     if profile.single_file:
         yield "--single-file"
     yield f"checked by {', '.join(profile.checkers) or 'nothing'}"
@@ -73,11 +73,11 @@ def _profile_data(profile: Profile) -> dict[str, Any]:
     return {
         "name": profile.name,
         "doc": profile.doc,
-        "combined_samplers": profile.combined_samplers,
+        "combined_samplers": profile.samplers.combined,
         "explicit_bindings": profile.explicit_bindings,
         "varyings_by_name": profile.varyings_by_name,
-        "clip_depth": profile.clip_depth,
-        "rows_up": profile.rows_up,
+        "clip_depth": profile.framebuffer.clip_depth,
+        "rows_up": profile.framebuffer.rows_up,
         "single_file": profile.single_file,
         "checkers": list(profile.checkers),
     }

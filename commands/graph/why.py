@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.ir.rulebook import RULES
-from ...compiler.passes.judgement import Outcome
 from ...compiler.passes.proofs import Proof, Step
+from ...compiler.passes.remarks import Outcome
 
 _HEADINGS: dict[Outcome, str] = {
     "native": "Proven: these need no guard",

@@ -14,11 +14,11 @@ from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact, Kind
 from ...stdlib.builtins.intervals import outward
 from . import rulebook
-from .conditions import learnt
 from .invariants import invariants, parts_of
 from .leaves import Parameter
 from .meaning import Meaning
 from .node import Folding, Formal, Iterating, Node, reachable
+from .refinements import refinements
 from .types import Array, Matrix, Struct, scalar_kind
 
 
@@ -141,9 +141,8 @@ class Ranges:
         return fact.as_kind(_kind(node))
 
     def assume(self, node: Node, fact: Fact) -> None:
-        """Take over what is known of a node's value otherwise than through its operands."""
-        known = self._facts.get(node)
-        self._facts[node] = fact if known is None else known.meet(fact)
+        """Add what is known of a node's value otherwise than through its operands."""
+        self._facts[node] = self.of(node).meet(fact)
 
     def reason(self, node: Node) -> str | None:
         """The name of the rule that gives the fact of ``node``."""
@@ -298,7 +297,7 @@ def _select(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     if rulebook.OWN_CONDITION not in ranges.without:
         for i, (side, holds) in enumerate(((then, True), (otherwise, False))):
             if side.op != "constant":
-                for told in learnt(ranges.so_far, condition, holds, ranges.without):
+                for told in refinements(ranges.so_far, condition, holds, ranges.without):
                     if told.about is side:
                         sides[i] = sides[i].meet(told.fact)
     return sides[0].union(sides[1])

@@ -10,8 +10,8 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from ..ir import build
-from ..ir.conditions import OPPOSITES
 from ..ir.node import Node, Op
+from ..ir.refinements import OPPOSITES
 from ..ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from ..reference.operations import constant_lanes
 

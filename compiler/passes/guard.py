@@ -17,9 +17,9 @@ from ..ir.node import Graph, Node, Op
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes
 from ..ir.types import Type
-from .expanding import Expanding
-from .judgement import Outcome
-from .paths import Paths, Told
+from .expand_builtins import Expanding
+from .path_conditions import PathConditions, PathRefinement
+from .remarks import Outcome
 
 BRANCH = "branch"
 """Data of a select that has to become a branch: one of its sides is safe only behind it."""
@@ -47,7 +47,7 @@ def _interval(fact: Fact) -> str:
 class Guarding(Expanding):
     """Builds nodes without any ``call``: natives and expansions."""
 
-    def __init__(self, graph: Graph, ranges: Ranges, notes: Notes, paths: Paths) -> None:
+    def __init__(self, graph: Graph, ranges: Ranges, notes: Notes, paths: PathConditions) -> None:
         super().__init__(graph, ranges, notes)
         self._paths = paths
         self._branches: set[int] = set()
@@ -56,19 +56,19 @@ class Guarding(Expanding):
         self._asked: Node | None = None
         """What is being replaced, with operands as they were."""
 
-    def judge(
+    def remark(
         self,
         builtin: str,
         operands: tuple[Node, ...],
         outcome: Outcome,
-        told: tuple[Told, ...] = (),
+        conditions: tuple[PathRefinement, ...] = (),
     ) -> None:
         """As in any simplifier; but what is left away by now was part of an expansion.
 
         Nobody has to hear of a builtin that is expanded whatever is known of its operands.
         """
         if outcome != "dropped" and BUILTINS[builtin].needs:
-            super().judge(builtin, operands, outcome, told)
+            super().remark(builtin, operands, outcome, conditions)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """As ``Simplifier.rule``, with what is known on the path to ``node``.
@@ -91,15 +91,15 @@ class Guarding(Expanding):
         row = BUILTINS[str(node.data)]
         self.at = self.notes.spans.get(node.id, self.at)
         if row.domain(tuple(map(self.ranges.of, node.operands))):
-            self.judge(row.name, node.operands, "native")
+            self.remark(row.name, node.operands, "native")
             return True
         known = [self._paths.known(node, operand) for operand in node.operands]
         if not row.domain(tuple(more.fact for more in known)):
             return False
         # What is known behind a condition helps only where its select becomes a branch.
         self._branches.update(select.id for more in known for select in more.selects)
-        told = tuple(one for more in known for one in more.told)
-        self.judge(row.name, node.operands, "native", told)
+        conditions = tuple(one for more in known for one in more.conditions)
+        self.remark(row.name, node.operands, "native", conditions)
         return True
 
     def make(
@@ -114,7 +114,7 @@ class Guarding(Expanding):
             return self.graph.node("native", node.type, node.operands, node.data)
         facts = tuple(map(self.ranges.of, node.operands))
         if row.domain(facts):
-            self.judge(row.name, node.operands, "native")
+            self.remark(row.name, node.operands, "native")
             return self.graph.node("native", node.type, node.operands, node.data)
         if node.id not in self.expanded:
             self._keep(node, row)
@@ -126,7 +126,7 @@ class Guarding(Expanding):
         operands = node.operands
         if not self.expanding and asked is not None and asked.data == node.data:
             operands = asked.operands
-        self.judge(row.name, operands, "guarded")
+        self.remark(row.name, operands, "guarded")
         if row.needs:
             facts = tuple(map(self.ranges.of, operands))
             self.kept[node.id] = Guard(row.name, facts, self.at)

@@ -21,9 +21,9 @@ from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Array, Matrix, Scalar, Vector
 from .cost import LOAD, cost_of
+from .derived_tables import Table, numbered
 from .elements import is_element
 from .naming import Naming
-from .tables import Table, numbered
 
 COMMON_GROUP = "frame"
 """Every other group is updated at least as often, so it may go with any of them."""

@@ -13,7 +13,7 @@ from ..ir.node import Graph, Node, reachable
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from .cost import cost, cost_of
-from .expanding import VARYING
+from .expand_builtins import VARYING
 from .simplify import Simplifier, substitute_through
 from .walks import operands_of, visible
 

@@ -14,23 +14,23 @@ from ..ir.rewrite import rewrite
 from ..ir.shader import Notes, Shader
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .checkpoint import passed
-from .dissolve import dissolve
-from .expanding import write_out
+from .expand_builtins import expand_builtins
 from .fuse import fuse
 from .guard import Guard, Guarding
 from .hoist import Derived, hoist
 from .inline import inline
-from .judgement import Judgement
-from .lift import lift
+from .lift_lambdas import lift_lambdas
+from .lower_reads import lower_reads
+from .move_to_vertices import move_to_vertices
 from .naming import Naming
-from .opening import open_binders
-from .paths import Paths
-from .rates import move_to_vertices
+from .open_binders import open_binders
+from .pack_varyings import pack_varyings
+from .path_conditions import PathConditions
+from .remarks import Remark
+from .rename_variables import rename_variables
+from .replace_aggregates import replace_aggregates
 from .schedule import Scheduler
-from .separate import separate
 from .simplify import Simplifier
-from .split import pack
-from .storage import lower_reads
 from .walks import called_functions, visible
 
 
@@ -48,7 +48,7 @@ class Options:
 class Evidence:
     """What ``proofs.py`` explains: decisions of the passes, on the grounds of these ranges."""
 
-    judgements: tuple[Judgement, ...]
+    remarks: tuple[Remark, ...]
     ranges: Ranges
     notes: Notes
     """As they were when the last decision was made: later passes name values of their own."""
@@ -92,14 +92,14 @@ def stage(shader: Shader, options: Options) -> Staged:
     )
     roots = passed("semantics", "semantics", results.flat())
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
-    roots = passed("dissolve", "opened", dissolve(graph, roots, notes))
+    roots = passed("replace_aggregates", "opened", replace_aggregates(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
     roots = _simplified(graph, roots, notes, simplifier)
     roots, guarding = _guarded(graph, roots, notes, ranges)
     evidence = Evidence(
-        (*simplifier.judgements.values(), *guarding.judgements.values()), ranges, notes.copy()
+        (*simplifier.remarks.values(), *guarding.remarks.values()), ranges, notes.copy()
     )
     roots = passed("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
@@ -107,9 +107,9 @@ def stage(shader: Shader, options: Options) -> Staged:
         declared = (info.parameter.name for info in shader.parameters)
         roots, derived = hoist(graph, roots, notes, ranges, declared)
         passed("hoist", "guarded", roots)
-    roots = passed("lift", "guarded", lift(graph, roots, notes))
+    roots = passed("lift_lambdas", "guarded", lift_lambdas(graph, roots, notes))
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
-    roots = passed("separate", "stored", separate(graph, roots, notes.follow))
+    roots = passed("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
     program = _program(shader, results.of(roots), derived)
     guards = tuple(guarding.kept.values())
     return Staged(program, derived, guards, evidence)
@@ -127,8 +127,8 @@ def _simplified(
 def _guarded(
     graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges
 ) -> tuple[list[Node], Guarding]:
-    roots = passed("write_out", "opened", write_out(graph, roots, notes, ranges))
-    guarding = Guarding(graph, ranges, notes, Paths(roots, ranges))
+    roots = passed("expand_builtins", "opened", expand_builtins(graph, roots, notes, ranges))
+    guarding = Guarding(graph, ranges, notes, PathConditions(roots, ranges))
     roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
     roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))
     return roots, guarding
@@ -139,7 +139,7 @@ def _guarded(
 
 def _program(shader: Shader, results: _Results, derived: tuple[Derived, ...]) -> Program:
     fragment_roots = results.flat()[1:]
-    varyings = pack(visible(fragment_roots, into_bodies=True), shader.notes)
+    varyings = pack_varyings(visible(fragment_roots, into_bodies=True), shader.notes)
     outputs = tuple(varying.field for varying in varyings)
     blocks = _blocks(shader, derived)
     vertex = _stage(

@@ -18,8 +18,8 @@ from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Node
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes
-from .judgement import Judgement, Outcome
-from .paths import Told
+from .path_conditions import PathRefinement
+from .remarks import Outcome, Remark
 
 LONGEST = 16
 """Steps of one proof that are shown."""
@@ -63,55 +63,55 @@ class Proof:
 
 
 class Proofs:
-    """Explains judgements."""
+    """Explains remarks."""
 
     def __init__(self, ranges: Ranges, notes: Notes) -> None:
-        """``notes`` as they were when the judgements were made."""
+        """``notes`` as they were when the remarks were made."""
         self._ranges = ranges
         self._notes = notes
         self._formulas = Formulas(notes)
 
-    def explain(self, judgements: Iterable[Judgement]) -> Iterator[Proof]:
-        """Each judgement with its reasons; those with the same words once."""
+    def explain(self, remarks: Iterable[Remark]) -> Iterator[Proof]:
+        """Each remark with its reasons; those with the same words once."""
         seen: set[tuple[object, ...]] = set()
-        for judgement in judgements:
-            proof = self._proof(judgement)
+        for remark in remarks:
+            proof = self._proof(remark)
             place = None if proof.span is None else (proof.span.source.name, proof.span.start)
             words = (place, proof.builtin, proof.outcome, *(step.fact for step in proof.steps))
             if words not in seen:
                 seen.add(words)
                 yield proof
 
-    def _proof(self, judgement: Judgement) -> Proof:
-        row = BUILTINS[judgement.builtin]
-        guarded = judgement.outcome == "guarded"
-        chosen = judgement.operands if guarded else self._decisive(judgement)
+    def _proof(self, remark: Remark) -> Proof:
+        row = BUILTINS[remark.builtin]
+        guarded = remark.outcome == "guarded"
+        chosen = remark.operands if guarded else self._decisive(remark)
         chosen = [operand for operand in chosen if operand.op != "constant"]
         steps = [step for operand in chosen for step in self._chain(operand, guarded)]
-        steps += self._conditions(judgement.told)
+        steps += self._conditions(remark.conditions)
         return Proof(
             builtin=row.name,
-            outcome=judgement.outcome,
-            text=self._formulas.call(row.name, judgement.operands),
-            span=judgement.span,
+            outcome=remark.outcome,
+            text=self._formulas.call(row.name, remark.operands),
+            span=remark.span,
             needs=row.needs,
             steps=tuple(steps[:LONGEST]),
             omitted=max(0, len(steps) - LONGEST),
-            missing=tuple(self._unknown(judgement.operands)) if guarded else (),
+            missing=tuple(self._unknown(remark.operands)) if guarded else (),
             otherwise=row.outside if guarded else "",
         )
 
-    def _decisive(self, judgement: Judgement) -> list[Node]:
+    def _decisive(self, remark: Remark) -> list[Node]:
         """The operands without whose facts the conclusion would fail."""
-        facts = [self._ranges.of(operand) for operand in judgement.operands]
-        if judgement.outcome == "dropped":
-            return [o for o, f in zip(judgement.operands, facts, strict=True) if _tells(f)]
-        domain = BUILTINS[judgement.builtin].domain
-        if judgement.told or not domain(tuple(facts)):
+        facts = [self._ranges.of(operand) for operand in remark.operands]
+        if remark.outcome == "dropped":
+            return [o for o, f in zip(remark.operands, facts, strict=True) if _tells(f)]
+        domain = BUILTINS[remark.builtin].domain
+        if remark.conditions or not domain(tuple(facts)):
             return []
         return [
             operand
-            for i, operand in enumerate(judgement.operands)
+            for i, operand in enumerate(remark.operands)
             if not domain(tuple(_without(facts, i)))
         ]
 
@@ -145,8 +145,8 @@ class Proofs:
             and self._ranges.derived(node, _without(known, i)) != fact
         ]
 
-    def _conditions(self, told: Sequence[Told]) -> Iterator[Step]:
-        for one in dict.fromkeys(one.learnt for one in told):
+    def _conditions(self, conditions: Sequence[PathRefinement]) -> Iterator[Step]:
+        for one in dict.fromkeys(one.refinement for one in conditions):
             holds = "holds" if one.holds else "does not hold"
             yield Step(
                 depth=1,

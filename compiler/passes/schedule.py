@@ -18,7 +18,7 @@ from ..trampoline import Reply, Step, run
 from .cost import cost_of
 from .guard import BRANCH
 from .naming import Naming
-from .paths import DEEPEST
+from .path_conditions import DEEPEST
 from .uniformity import LOOPS, compares, needing_uniform_flow
 from .walks import in_order_of_use, operands_of
 

@@ -13,9 +13,9 @@ from ...stdlib.builtins import BUILTINS
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.binding import substitute
-from ..ir.conditions import OPPOSITES
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
 from ..ir.ranges import Ranges
+from ..ir.refinements import OPPOSITES
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import INT, Scalar, Type, Vector, scalar_kind, width
@@ -25,8 +25,8 @@ from ..reference.operations import apply, constant_lanes
 from .arithmetic import BUILTIN_RULES, DECIDED, uniform_lane
 from .bits import BIT_RULES
 from .cost import cost, cost_of
-from .judgement import Judgement, Outcome
-from .paths import Told
+from .path_conditions import PathRefinement
+from .remarks import Outcome, Remark
 
 LARGEST_FLOAT = 3.4028234663852886e38
 UNROLLED = 2
@@ -56,20 +56,20 @@ class Simplifier:
         """The source of what is being built."""
         self.expanding = 0
         """How many expansions deep."""
-        self.judgements: dict[Hashable, Judgement] = {}
+        self.remarks: dict[Hashable, Remark] = {}
 
-    def judge(
+    def remark(
         self,
         builtin: str,
         operands: tuple[Node, ...],
         outcome: Outcome,
-        told: tuple[Told, ...] = (),
+        conditions: tuple[PathRefinement, ...] = (),
     ) -> None:
         """Remember what became of a builtin that stands in somebody's text."""
         if not self.expanding:
             key = builtin, operands, outcome
-            if key not in self.judgements:
-                self.judgements[key] = Judgement(builtin, operands, self.at, outcome, told)
+            if key not in self.remarks:
+                self.remarks[key] = Remark(builtin, operands, self.at, outcome, conditions)
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """For ``rewrite``: the same operation in its simplest form."""
@@ -107,7 +107,7 @@ def _builtin(op: Op) -> OpRule:
         special = BUILTIN_RULES.get(name) or BIT_RULES.get(name)
         simpler = special(s, op, type_, operands) if special is not None else None
         if simpler is not None and name in DECIDED and simpler.data != "saturate":
-            s.judge(name, operands, "dropped")
+            s.remark(name, operands, "dropped")
         return simpler
 
     return rule

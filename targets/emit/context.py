@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...compiler.ir.program import Program
-from .definitions import Definitions
-from .description import PipelineInput, Profile, Spellings, Target
+from ..legalise.legal import Legal
+from .description import PipelineInput, Spellings
 from .names import Names
 from .spelling import TypeSpeller
 from .textures import TextureSpeller
@@ -15,22 +14,16 @@ from .textures import TextureSpeller
 class Context:
     """A program, the language to print it in, and what was decided for all of it."""
 
-    def __init__(
-        self,
-        program: Program,
-        target: Target,
-        profile: Profile,
-        names: Names,
-        flip_y: bool,
-        definitions: Definitions,
-    ) -> None:
+    def __init__(self, legal: Legal, names: Names, flip_y: bool) -> None:
+        program, target, profile = legal.program, legal.target, legal.profile
         # Whether the picture's rows count upwards, against Burnish's own y.
-        rows_up = profile.rows_up and not flip_y
+        framebuffer = profile.framebuffer
+        rows_up = framebuffer.rows_up and not flip_y
         self.program = program
         self.target = target
         self.profile = profile
         self.names = names
-        self.definitions = definitions
+        self.definitions = legal.definitions
         """The functions for what the profile lacks."""
         self.members = {
             member.parameter: (block.name, member.name, member.type)
@@ -44,10 +37,10 @@ class Context:
         self.textures = TextureSpeller(target.textures, program)
         """Writes the types of textures and samplers."""
         self.natives: Spellings = {
-            **target.natives, **profile.natives, **(profile.natives_rows_up if rows_up else {})
+            **target.natives, **profile.natives, **(framebuffer.natives if rows_up else {})
         }  # fmt: skip
         """Spellings of builtins under the profile."""
         self.inputs: Mapping[str, PipelineInput] = {
-            **target.inputs, **profile.inputs, **(profile.inputs_rows_up if rows_up else {})
+            **target.inputs, **profile.inputs, **(framebuffer.inputs if rows_up else {})
         }  # fmt: skip
         """How the pipeline's values are read under the profile."""

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Literal
 
-from ...compiler.ir.leaves import Resource
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Block, Program, Stage, StageName, StoredMember
-from ...compiler.ir.types import Struct
+from ...compiler.ir.program import Stage, StageName
 from ...frozen import frozen
+from ..legalise.bindings import Bindings
+from ..legalise.legal import Legal
 from . import templates
-from .bindings import Bindings, assign_bindings
 from .comments import comment_line, comment_lines
 from .context import Context
-from .definitions import with_definitions
-from .description import Profile, Target
+from .declarations import Declarations
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
 from .textures import helpers, opening_lines
-from .views import BlockView, EntryView, FileView, MemberView, StructView, TextureView
+from .views import EntryView, FileView
 from .wrapping import wrapped
 
 _SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
@@ -64,31 +62,26 @@ class Emission:
     """Loose float uniforms that the host has to set besides the blocks."""
 
 
-def emit(
-    program: Program, target: Target, profile: Profile, options: EmitOptions | None = None
-) -> Emission:
-    """Print ``program``; ``ValueError`` for one file where the profile cannot have that."""
+def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
+    """Print a program; ``ValueError`` for one file where the profile cannot have that."""
     options = options or EmitOptions()
-    if options.single_file and not profile.single_file:
-        raise ValueError(f"{target.name}:{profile.name} has no single-file form")
-    return _Emitter(program, target, profile, options).emission()
+    if options.single_file and not legal.profile.single_file:
+        raise ValueError(f"{legal.target.name}:{legal.profile.name} has no single-file form")
+    return _Emitter(legal, options).emission()
 
 
 class _Emitter:
     """Prints one program for one profile."""
 
-    def __init__(
-        self, program: Program, target: Target, profile: Profile, options: EmitOptions
-    ) -> None:
-        program, definitions = with_definitions(program, profile)
-        self._program = program
-        self._target = target
-        self._profile = profile
+    def __init__(self, legal: Legal, options: EmitOptions) -> None:
+        self._program = legal.program
+        self._target = legal.target
+        self._profile = legal.profile
         self._options = options
-        self._names = name_program(program, target)
-        self._bindings = assign_bindings(program, profile)
-        self._context = Context(program, target, profile, self._names, options.flip_y, definitions)
-        self._types = self._context.types
+        self._names = name_program(legal.program, legal.target)
+        self._bindings = legal.bindings
+        self._context = Context(legal, self._names, options.flip_y)
+        self._declarations = Declarations(self._context, legal.bindings)
 
     def emission(self) -> Emission:
         stages = self._program.stages
@@ -106,7 +99,8 @@ class _Emitter:
         names = {stage.name: _SINGLE_ENTRIES[stage.name] if single else "main" for stage in stages}
         marks = Marks()
         entries = [
-            StagePrinter(self._context, stage, marks).entry(names[stage.name]) for stage in stages
+            StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
+            for stage in stages
         ]
         text, origins = marks.read(self._text(stages, entries))
         if not (self._options.line_directives and self._target.line_directive):
@@ -126,29 +120,23 @@ class _Emitter:
         view = self._view(stages, entries)
         return templates.render(
             self._target.folder / self._target.template,
-            {"file": view, "profile": self._profile, "flip_y": self._options.flip_y},
+            {
+                "file": view,
+                "forms": self._target.forms,
+                "profile": self._profile,
+                "flip_y": self._options.flip_y,
+            },
         )
 
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
-        blocks = [
-            block
-            for block in self._program.blocks
-            if any(block in stage.blocks for stage in stages)
-        ]
-        structs = dict.fromkeys(struct for block in blocks for struct in block.structs)
-        resources = [
-            resource
-            for resource in self._program.resources
-            if any(resource in stage.resources for stage in stages)
-        ]
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))
         reads = [read for stage in stages for read in stage.reads]
         return FileView(
             opening=opening_lines(self._profile, self._context.textures, reads),
             header=self._header(stages),
-            structs=[self._struct(struct) for struct in structs],
-            blocks=[self._block(block) for block in blocks],
-            textures=[view for resource in resources for view in self._textures(resource)],
+            structs=self._declarations.structs(stages),
+            blocks=self._declarations.blocks(stages),
+            textures=self._declarations.textures(stages),
             helpers=helpers(self._target, self._context.textures, reads),
             host_uniforms=list(dict.fromkeys(uniforms)),
             entries=entries,
@@ -164,36 +152,3 @@ class _Emitter:
     def _host_uniforms(self, stage: Stage) -> list[str]:
         rows = (self._context.inputs[name] for name in stage.builtin_inputs)
         return [row.host_uniform for row in rows if row.host_uniform]
-
-    def _struct(self, struct: Struct) -> StructView:
-        members = tuple(
-            MemberView(self._types.declare_stored(self._names.member(struct.name, name), type_))
-            for name, type_ in struct.members
-        )
-        return StructView(self._names.structs[struct.name], members)
-
-    def _block(self, block: Block) -> BlockView:
-        return BlockView(
-            name=self._names.blocks[block.name],
-            variable=self._names.variables.get(block.name, ""),
-            slot=self._bindings.blocks[block.name],
-            members=tuple(self._member(block, member) for member in block.members),
-        )
-
-    def _member(self, block: Block, member: StoredMember) -> MemberView:
-        name = self._names.member(block.name, member.name)
-        return MemberView(self._types.declare_stored(name, member.type), comment_line(member.doc))
-
-    def _textures(self, resource: Resource) -> Iterator[TextureView]:
-        """The declarations of a texture and its sampler."""
-        names, types, slots = self._names, self._context.textures, self._bindings
-        name, slot = names.textures[resource.name], slots.textures[resource.name]
-        if self._profile.combined_samplers:
-            yield TextureView(name, types.combined(resource), slot)
-            return
-        yield TextureView(name, types.texture(resource), slot)
-        if resource.name in names.samplers:
-            sampler = names.samplers[resource.name]
-            yield TextureView(
-                sampler, types.sampler(resource), slots.samplers[resource.name], is_sampler=True
-            )

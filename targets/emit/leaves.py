@@ -22,7 +22,7 @@ class Leaves:
         stage: Stage,
     ) -> None:
         self._forms = context.target.forms
-        self._texture = context.profile.texture or context.target.forms.texture
+        self._texture = context.profile.samplers.joined or context.target.forms.texture
         self._textures = context.textures
         self._names = context.names
         self._inputs = context.inputs

@@ -12,8 +12,8 @@ from ...compiler.reflection.tables import (
     EmittedFile,
     VertexInputName,
 )
-from .bindings import Slot
-from .description import Profile, Target
+from ..legalise.bindings import Slot
+from .description import BindingKind, Profile, Target
 from .emitter import Emission
 
 
@@ -29,7 +29,7 @@ def backend_table(
 ) -> BackendTable:
     """What a host has to know of an emission; ``files`` are file names by stage (or ``both``)."""
     names, bindings = emission.names, emission.bindings
-    turned = flip_y and not profile.clip_y_down
+    turned = flip_y and not profile.framebuffer.clip_y_down
     return BackendTable(
         language=target.name,
         files=tuple(
@@ -39,22 +39,22 @@ def backend_table(
         ),
         blocks={
             block.name: _point(
-                target, profile, names.blocks[block.name], bindings.blocks[block.name], "b",
+                target, profile, names.blocks[block.name], bindings.blocks[block.name], "block",
                 {m.name: names.members[block.name, m.name] for m in _real(block)},
             )
             for block in program.blocks
         },
         textures={
             item.name: _point(
-                target, profile, names.textures[item.name], bindings.textures[item.name], "t"
+                target, profile, names.textures[item.name], bindings.textures[item.name], "texture"
             )
             for item in program.resources
         },
         samplers={}
-        if profile.combined_samplers
+        if profile.samplers.combined
         else {
             item.name: _point(
-                target, profile, names.samplers[item.name], bindings.samplers[item.name], "s"
+                target, profile, names.samplers[item.name], bindings.samplers[item.name], "sampler"
             )
             for item in program.resources
             if item in program.sampled
@@ -67,10 +67,10 @@ def backend_table(
             for field in program.vertex.inputs
         },
         host_uniforms=emission.host_uniforms,
-        clip_depth=profile.clip_depth,
+        clip_depth=profile.framebuffer.clip_depth,
         flip_y=flip_y,
         front_face="cw" if turned else "ccw",
-        first_row="bottom" if profile.rows_up != turned else "top",
+        first_row="bottom" if profile.framebuffer.rows_up != turned else "top",
         source_maps=source_maps,
     )  # fmt: skip
 
@@ -84,10 +84,10 @@ def _point(
     profile: Profile,
     identifier: str,
     slot: Slot,
-    register: str,
+    kind: BindingKind,
     members: Mapping[str, str] | None = None,
 ) -> BindingPoint:
     if not profile.explicit_bindings:
         return BindingPoint(identifier, members=members or {})
-    shown = f"{register}{slot.binding}" if target.registers else ""
-    return BindingPoint(identifier, slot.set, slot.binding, shown, members or {})
+    register = target.register(kind, slot.binding)
+    return BindingPoint(identifier, slot.set, slot.binding, register, members or {})

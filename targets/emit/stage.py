@@ -6,12 +6,13 @@ from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Stage
 from .comments import comment_line, comment_lines
 from .context import Context
+from .declarations import Declarations
 from .description import FieldRole
 from .expressions import Expressions
 from .leaves import Leaves
 from .namer import Namer
 from .origins import Marks
-from .statements import Statements
+from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
 
 
@@ -21,11 +22,13 @@ class StagePrinter:
     def __init__(
         self,
         context: Context,
+        declarations: Declarations,
         stage: Stage,
         marks: Marks,
     ) -> None:
         names = context.names
         self._context = context
+        self._declarations = declarations
         self._stage = stage
         self._target = context.target
         self._names = names
@@ -53,6 +56,8 @@ class StagePrinter:
             inputs=[self._field(field, self._input_role) for field in stage.inputs],
             pipeline_inputs=self._pipeline_inputs(),
             outputs=outputs,
+            blocks=self._declarations.blocks((stage,)),
+            textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
             stores=[
@@ -60,8 +65,15 @@ class StagePrinter:
                 for field, node in zip(outputs, stage.results, strict=True)
             ],
             position=self._value(expressions, stage.position),
-            discard=self._value(expressions, stage.discard),
+            discard=self._discard(expressions, stage.discard),
         )
+
+    def _discard(self, expressions: Expressions, condition: Node | None) -> list[str]:
+        if condition is None:
+            return []
+        forms = self._target.forms
+        test = forms.if_.format(condition=expressions.text(condition))
+        return [self._marks.mark(test, condition), INDENT + forms.discard, forms.end]
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
         """Printers for one function body."""
@@ -75,21 +87,24 @@ class StagePrinter:
     def _function(self, function: Function) -> FunctionView:
         namer = self._locals()
         expressions, statements = self._body(namer)
+        forms = self._target.forms
         names = [namer.declare(formal.name) for formal, _type in function.parameters]
         for name, (formal, _type) in zip(names, function.parameters, strict=True):
             expressions.formals[formal] = name
         types = [type_ for _formal, type_ in function.parameters]
         lines = statements.lines(function.region)
+        returned = forms.return_.format(value=expressions.text(function.value))
         return FunctionView(
             comments=comment_lines(function.doc),
-            type=self._types.type(function.value.type),
-            name=self._names.function(self._stage.name, function.body),
-            parameters=", ".join(
-                self._target.forms.parameter.format(typed=self._types.declare(name, type_))
-                for name, type_ in zip(names, types, strict=True)
+            head=forms.function.format(
+                type=self._types.type(function.value.type),
+                name=self._names.function(self._stage.name, function.body),
+                parameters=", ".join(
+                    forms.parameter.format(typed=self._types.declare(name, type_))
+                    for name, type_ in zip(names, types, strict=True)
+                ),
             ),
-            lines=lines,
-            value=self._value(expressions, function.value),
+            lines=[*lines, self._marks.mark(returned, function.value)],
         )
 
     def _locals(self) -> Namer:
@@ -118,6 +133,7 @@ class StagePrinter:
             typed=self._types.declare(name, field.type),
             location=field.location,
             semantic=self._target.semantic(role, field.name, field.location),
+            crosses=role == "varying",
             flat=field.mode == "flat" and role == "varying",
             comment=comment_line(field.doc),
         )

@@ -59,8 +59,8 @@ def opening_lines(
     for read in reads:
         if read.builtin in profile.requires:
             found[profile.requires[read.builtin]] = None
-        if profile.precision:
-            found[profile.precision.format(type=textures.combined(read.resource))] = None
+        if profile.samplers.precision:
+            found[profile.samplers.precision.format(type=textures.combined(read.resource))] = None
     return [line for line in found if line not in profile.preamble]
 
 
@@ -71,5 +71,5 @@ def helpers(target: Target, textures: TextureSpeller, reads: Iterable[TextureRea
         forms = target.helpers.get(read.builtin)
         if forms is not None:
             form = forms[texture_type(read.resource).dimension]
-            found[form.replace("{texture}", textures.texture(read.resource))] = None
+            found[form.format(texture=textures.texture(read.resource))] = None
     return list(found)

@@ -7,10 +7,13 @@ from pathlib import Path
 
 from ...compiler.ir.types import BOOL, INT, VEC4
 from ..emit.description import (
+    Framebuffer,
     Lack,
+    Limits,
     PipelineInput,
     Profile,
     Read,
+    Samplers,
     Spelling,
     Spellings,
     Target,
@@ -121,9 +124,9 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 VULKAN = Profile(
     name="vulkan",
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
-    clip_y_down=True,
+    framebuffer=Framebuffer(clip_y_down=True),
     preamble=("#version 450",),
-    texture="{type}({texture}, {sampler})",
+    samplers=Samplers(joined="{type}({texture}, {sampler})"),
     requires=dict.fromkeys(
         ("load", "texture_size", "texture_layers", "texture_levels"),
         "#extension GL_EXT_samplerless_texture_functions : require",
@@ -144,20 +147,24 @@ CANNOT = {
     ),
 }
 
+BOTTOM_FIRST = Framebuffer(
+    clip_depth="-1..1",
+    rows_up=True,
+    inputs={"frag_coord": FRAG_COORD_FROM_TOP},
+    natives=DOWNWARDS,
+)
+
 OPENGL = Profile(
     name="gl330",
     doc="GLSL 3.30 core: combined samplers, blocks and samplers bound by name.",
     preamble=("#version 330 core",),
-    combined_samplers=True,
     explicit_bindings=False,
+    samplers=Samplers(combined=True),
+    framebuffer=BOTTOM_FIRST,
+    limits=Limits(varyings=15),
     varyings_by_name=True,
-    clip_depth="-1..1",
     natives=WITHOUT_FMA,
     lacks=LACKS,
-    rows_up=True,
-    varyings=15,
-    inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
-    natives_rows_up=DOWNWARDS,
     cannot=CANNOT,
     checkers=("glslang-gl330",),
 )
@@ -171,17 +178,13 @@ ES = Profile(
         "precision highp int;",
         "precision highp sampler2D;",
     ),
-    combined_samplers=True,
     explicit_bindings=False,
+    samplers=Samplers(combined=True, precision="precision highp {type};"),
+    framebuffer=BOTTOM_FIRST,
+    limits=Limits(varyings=15),
     varyings_by_name=True,
-    clip_depth="-1..1",
     natives=WITHOUT_FMA,
     lacks=LACKS,
-    rows_up=True,
-    varyings=15,
-    inputs_rows_up={"frag_coord": FRAG_COORD_FROM_TOP},
-    natives_rows_up=DOWNWARDS,
-    precision="precision highp {type};",
     cannot=CANNOT,
     checkers=("glslang-es300",),
 )

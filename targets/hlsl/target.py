@@ -10,7 +10,7 @@ from pathlib import Path
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ..emit.description import (
     FieldRole,
-    Forms,
+    Limits,
     PipelineInput,
     Profile,
     Read,
@@ -20,6 +20,7 @@ from ..emit.description import (
     TextureNames,
     TypeNames,
 )
+from ..emit.forms import Forms
 from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -43,6 +44,7 @@ FORMS = Forms(
     constant_array="static const {typed} = {value};",
     column="transpose({matrix})[{position}]",
     input="input.{name}",
+    lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
 TEXTURES = TextureNames(
@@ -84,7 +86,7 @@ NATIVES: Spellings = {
         "{0}.SampleGrad({sampler}, float3({1}, {2}), {3}, {4})",
     ),
     "gather": Read(
-        "{0}.Gather{2:lane}({sampler}, {1})", "{0}.Gather{3:lane}({sampler}, float3({1}, {2}))"
+        "{0}.Gather{lane}({sampler}, {1})", "{0}.Gather{lane}({sampler}, float3({1}, {2}))"
     ),
     "compare": Read(
         "{0}.SampleCmpLevelZero({sampler}, {1}, {2})",
@@ -117,11 +119,11 @@ COUNTS: Mapping[Dimension, tuple[str, str]] = {
 def asking(head: str, level: str, answer: str) -> Mapping[Dimension, str]:
     """A function that calls `GetDimensions`, which is no expression, for each dimension."""
     return {
-        dimension: f"{head} {{\n"
+        dimension: f"{head} {{{{\n"
         f"    uint {counts}, levels;\n"
         f"    texels.GetDimensions({level}, {counts}, levels);\n"
         f"    return {answer or size};\n"
-        "}"
+        "}}"
         for dimension, (counts, size) in COUNTS.items()
     }
 
@@ -165,14 +167,13 @@ SM6 = Profile(
     name="sm6",
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
-    varyings=31,
-    block_bytes=65536,
+    limits=Limits(varyings=31, block_bytes=65536),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 
 TARGET = Target(
     name="hlsl",
-    registers=True,
+    registers={"block": "b{binding}", "texture": "t{binding}", "sampler": "s{binding}"},
     line_directive='#line {line} "{name}"',
     title="HLSL",
     folder=FOLDER,

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ...compiler.ir.types import BOOL, UINT, VEC4
 from ..emit.description import (
-    Forms,
+    Limits,
     PipelineInput,
     Profile,
     Read,
@@ -17,6 +17,7 @@ from ..emit.description import (
     TextureNames,
     TypeNames,
 )
+from ..emit.forms import Forms
 from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -32,9 +33,13 @@ TYPES = TypeNames(
 
 FORMS = Forms(
     let="let {name} = {value};",
+    function="fn {name}({parameters}) -> {type} {{",
+    member_end=",",
+    struct_end="}",
     variable="var {typed};",
     variable_set="var {typed} = {value};",
     loop="for (var {index_typed} = {zero}; {index} < {count}; {index}++) {{",
+    loop_while="for (var {index_typed} = {zero}; {index} < {count} && {going:and}; {index}++) {{",
     select="select({otherwise}, {then}, {condition})",
     member="{block}.{name}",
     input="input.{name}",
@@ -105,7 +110,7 @@ WEBGPU = Profile(
     name="webgpu",
     doc="WGSL as browsers and wgpu take it.",
     single_file=True,
-    block_bytes=65536,
+    limits=Limits(block_bytes=65536),
     checkers=("naga", "tint"),
 )
 

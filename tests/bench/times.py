@@ -17,6 +17,7 @@ from burnish.compiler.frontend import Frontend
 from burnish.compiler.passes import pipeline
 from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions, emit
+from burnish.targets.legalise.legalise import legalise
 
 from .clock import Laps, milliseconds
 from .table import Row, Section
@@ -59,7 +60,9 @@ def _phases() -> list[Row]:
         staged = pipeline.stage(shader, pipeline.Options())
         laps.lap("passes")
         for target in targets:
-            emit(staged.program, target, target.profiles[0], EmitOptions())
+            legal = legalise(staged.program, target, target.profiles[0])
+            laps.lap(f"legalise {target.name}")
+            emit(legal, EmitOptions())
             laps.lap(f"emit {target.name}")
     return [{"phase": phase, **milliseconds(found)} for phase, found in laps.found.items()]
 

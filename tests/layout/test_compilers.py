@@ -34,9 +34,10 @@ from burnish.compiler.ir.types import (
     Vector,
 )
 from burnish.compiler.layout import byte_size
-from burnish.compiler.passes.storage import lower_reads
+from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.targets.emit.emitter import Emission, emit
 from burnish.targets.emit.names import Names
+from burnish.targets.legalise.legalise import legalise
 from burnish.targets.registry import select
 from burnish.targets.toolchain import (
     Job,
@@ -113,7 +114,7 @@ ROUTES = (
 
 def check(toolchain: Toolchain, program: Program) -> None:
     """All routes report the layout that the program's block says."""
-    emissions = [emit(program, *select(route.target)) for route in ROUTES]
+    emissions = [emit(legalise(program, *select(route.target))) for route in ROUTES]
     jobs = [job(route, emission) for route, emission in zip(ROUTES, emissions, strict=True)]
     verdicts = toolchain.check(jobs, keep_spirv=True)
     (block,) = program.blocks
@@ -213,7 +214,7 @@ def test_reads_at_computed_indices_are_accepted(toolchain: Toolchain) -> None:
         element = index(graph, graph.node("parameter", array.type, (), array), position)
         total = graph.node("native", VEC4, (total, colour_of(graph, element)), "add")
     program = program_of([*arrays, turn], graph, lower_reads(graph, [total])[0])
-    jobs = [job(route, emit(program, *select(route.target))) for route in ACCEPTING]
+    jobs = [job(route, emit(legalise(program, *select(route.target)))) for route in ACCEPTING]
     for verdict in toolchain.check(jobs):
         assert verdict.status == "accepted", f"{verdict.report()}\n{verdict.job.text}"
 
@@ -234,7 +235,7 @@ def test_uses_of_a_matrix_are_accepted(toolchain: Toolchain) -> None:
         for used in (at, moved, twice):
             total = graph.node("native", VEC4, (total, colour_of(graph, used)), "add")
     program = program_of([*turns, position], graph, lower_reads(graph, [total])[0])
-    jobs = [job(route, emit(program, *select(route.target))) for route in ACCEPTING]
+    jobs = [job(route, emit(legalise(program, *select(route.target)))) for route in ACCEPTING]
     for verdict in toolchain.check(jobs):
         assert verdict.status == "accepted", f"{verdict.report()}\n{verdict.job.text}"
 

@@ -30,7 +30,7 @@ from burnish.compiler.ir.types import (
 )
 from burnish.compiler.layout import byte_size, layout_blocks, stored_type
 from burnish.compiler.packing import packing
-from burnish.compiler.passes.storage import lower_reads
+from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.compiler.reference.evaluate import evaluate as meaning
 
 from .declarations import ELEMENTS, types, values

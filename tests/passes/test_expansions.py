@@ -16,9 +16,9 @@ from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.signatures import result_type
 from burnish.compiler.ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from burnish.compiler.ir.verify import verify
-from burnish.compiler.passes.expand import definition, template
+from burnish.compiler.passes.expansion_templates import definition, template
 from burnish.compiler.passes.guard import Guarding
-from burnish.compiler.passes.paths import Paths
+from burnish.compiler.passes.path_conditions import PathConditions
 from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.reference.functions import evaluate as meaning
 from burnish.compiler.reference.namespace import Lanes
@@ -70,7 +70,7 @@ def expanded(name: str, types: tuple[Type, ...]) -> tuple[Node, list[Node]]:
     result = result_type(name, types)
     assert result is not None
     ranges = Ranges(())
-    guarding = Guarding(graph, ranges, Notes(), Paths((), ranges))
+    guarding = Guarding(graph, ranges, Notes(), PathConditions((), ranges))
     return guarding.make("call", result, tuple(leaves), name), leaves
 
 
@@ -81,7 +81,7 @@ def defined(name: str, types: tuple[Type, ...]) -> tuple[Node, list[Node]]:
         graph.node("parameter", type_, (), Parameter(f"x{i}", type_, "material"))
         for i, type_ in enumerate(types)
     ]
-    guarding = Guarding(graph, ranges, Notes(), Paths((), ranges))
+    guarding = Guarding(graph, ranges, Notes(), PathConditions((), ranges))
     return guarding.written_out(definition(name, types), tuple(leaves)), leaves
 
 

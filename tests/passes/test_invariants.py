@@ -10,7 +10,7 @@ import pytest
 from burnish.compiler.ir.invariants import PATIENCE, invariants
 from burnish.compiler.ir.node import Formal, Node
 from burnish.compiler.ir.ranges import Ranges
-from burnish.compiler.passes.opening import open_binders
+from burnish.compiler.passes.open_binders import open_binders
 from burnish.stdlib.builtins.facts import Fact
 
 from .kit import calls, history, ops, shader

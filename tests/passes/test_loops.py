@@ -37,8 +37,8 @@ material M {
 def test_structures_are_taken_apart() -> None:
     past = compiled(STRUCTURES)
     assert ops(past.roots["semantics"], "struct")
-    assert not ops(past.roots["dissolve"], "struct")
-    (array,) = ops(past.roots["dissolve"], "array")
+    assert not ops(past.roots["replace_aggregates"], "struct")
+    (array,) = ops(past.roots["replace_aggregates"], "array")
     assert str(array.type) == "vec3[2]"
 
 
@@ -80,7 +80,7 @@ def test_every_loop_has_variables_of_its_own() -> None:
         color = vec3(a, b, 0)
     }
     """
-    loops = ops(compiled(text).roots["separate"], "fold")
+    loops = ops(compiled(text).roots["rename_variables"], "fold")
     assert len(loops) == 4
     assert len({formals_of(loop) for loop in loops}) == 4
 
@@ -131,7 +131,7 @@ def test_a_function_takes_along_what_a_loop_around_its_call_computes() -> None:
     rig R { a : Point, b : Directional, c : Spot }
     """
     past = compiled(text)
-    assert ops(past.roots["lift"], "apply")
+    assert ops(past.roots["lift_lambdas"], "apply")
     assert burnish.compile(text, ("wgsl",)).materials
 
 

@@ -19,6 +19,7 @@ from burnish.stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from burnish.stdlib.builtins.row import Builtin
 from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
+from burnish.targets.legalise.legalise import legalise
 from tests.golden import assert_golden
 
 from .kit import shaders
@@ -33,7 +34,7 @@ def snapshot(path: Path, *without: str) -> tuple[str, ...]:
     target = registry.load("glsl")
     (shader,) = shaders(path)
     staged = stage(shader, Options(hoist=False, without=frozenset(without)))
-    emitted = emit(staged.program, target, target.profiles[0])
+    emitted = emit(legalise(staged.program, target, target.profiles[0]))
     guards = sorted(f"{guard.builtin} {guard.span}" for guard in staged.guards)
     return (*(file.text for file in emitted.files), *guards)
 

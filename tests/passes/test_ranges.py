@@ -15,7 +15,7 @@ from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import Scalar, Vector
-from burnish.compiler.passes.opening import open_binders
+from burnish.compiler.passes.open_binders import open_binders
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, Fact

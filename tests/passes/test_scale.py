@@ -12,7 +12,7 @@ from burnish.compiler.ir.node import Folding, Formal, Graph, Node, reachable
 from burnish.compiler.ir.types import FLOAT
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference.evaluate import evaluate
-from burnish.compiler.semantics.folds import folded
+from burnish.compiler.semantics.lowering.loops import folded
 from burnish.targets.toolchain import Job, Toolchain
 
 from .kit import ops, shader, shaders

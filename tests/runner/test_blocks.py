@@ -14,7 +14,7 @@ from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.shader import ParameterInfo
 from burnish.compiler.ir.types import Array, Struct, Type
 from burnish.compiler.layout import layout_blocks
-from burnish.compiler.passes.storage import lower_reads
+from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.compiler.reflection.parameters import Places, parameter_row
 
 from ..layout.declarations import parameters, values

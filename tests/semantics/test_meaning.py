@@ -10,8 +10,9 @@ from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.meaning import RGB, Meaning
 from burnish.compiler.ir.node import reachable
 from burnish.compiler.ir.types import Type
-from burnish.compiler.semantics import algebra, fitting
-from burnish.compiler.semantics.algebra import Found, Side
+from burnish.compiler.semantics.declarations import contracts
+from burnish.compiler.semantics.types import meaning_rules
+from burnish.compiler.semantics.types.meaning_rules import Found, Side
 
 from .kit import lanes, number, shader
 
@@ -225,7 +226,7 @@ WRONG = {
 """For each rule of the algebra something that no other rule would find."""
 
 
-@pytest.mark.parametrize("name", algebra.RULES)
+@pytest.mark.parametrize("name", meaning_rules.RULES)
 def test_every_rule_finds_something(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     source = f"material M {{ {WRONG[name]} }}"
     assert _told(source)
@@ -233,14 +234,14 @@ def test_every_rule_finds_something(name: str, monkeypatch: pytest.MonkeyPatch) 
     def silent(_sides: tuple[Side, ...], _result: Type) -> Found:
         return None
 
-    monkeypatch.setattr(algebra, "RULES", {**algebra.RULES, name: silent})
-    monkeypatch.setattr("burnish.compiler.semantics.meanings.RULES", algebra.RULES)
+    monkeypatch.setattr(meaning_rules, "RULES", {**meaning_rules.RULES, name: silent})
+    monkeypatch.setattr("burnish.compiler.semantics.types.meanings.RULES", meaning_rules.RULES)
     assert not _told(source)
 
 
 def _fits_colours(found: Meaning | None, wanted: Meaning | None) -> bool:
     """As ``fits``, but anything is a colour; the library itself relies on the rest."""
-    return wanted == RGB or algebra.fits(found, wanted)
+    return wanted == RGB or meaning_rules.fits(found, wanted)
 
 
 @pytest.mark.parametrize(
@@ -256,7 +257,7 @@ def test_every_check_of_a_declaration_finds_something(
 ) -> None:
     source = f"material M {{ {equation} }}"
     assert _told(source)
-    monkeypatch.setattr(fitting, name, broken)
+    monkeypatch.setattr(contracts, name, broken)
     assert not _told(source)
 
 

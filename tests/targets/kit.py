@@ -30,7 +30,8 @@ from burnish.stdlib.builtins.facts import Fact
 from burnish.stdlib.builtins.row import Builtin
 from burnish.targets import registry
 from burnish.targets.emit.description import Profile, Target
-from burnish.targets.emit.emitter import EmitOptions, emit
+from burnish.targets.emit.emitter import Emission, EmitOptions, emit
+from burnish.targets.legalise.legalise import legalise
 
 from .programs import Maker, block, tiny
 
@@ -53,12 +54,16 @@ PROFILES = [
 ]
 
 
+def printed(program: Program, selected: Selected, options: EmitOptions | None = None) -> Emission:
+    """A program, legalised and printed."""
+    return emit(legalise(program, selected.target, selected.profile), options)
+
+
 def emitted(
     program: Program, selected: Selected, options: EmitOptions | None = None
 ) -> dict[str, str]:
     """The texts of a program by stage."""
-    emission = emit(program, selected.target, selected.profile, options)
-    return {file.stage: file.text for file in emission.files}
+    return {file.stage: file.text for file in printed(program, selected, options).files}
 
 
 KINDS: Mapping[str, tuple[ScalarKind, ...]] = {

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 import pytest
 
 from burnish.compiler.ir.program import Program
-from burnish.targets.emit.emitter import EmitOptions, emit
+from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.toolchain import Job, Toolchain
 
-from .kit import PROFILES, Selected, program_of_rows
+from .kit import PROFILES, Selected, printed, program_of_rows
 from .programs import odd, plastic
 from .test_names import program_of_words
 
@@ -35,7 +35,7 @@ def jobs(selected: Selected, program: Program) -> Iterator[Job]:
     profile = selected.profile
     for single in (False, True) if profile.single_file else (False,):
         options = EmitOptions(single_file=single)
-        for file in emit(program, selected.target, profile, options).files:
+        for file in printed(program, selected, options).files:
             for stage, entry in file.entries.items():
                 for checker in profile.checkers:
                     name = f"{selected} {program.name}"

@@ -8,13 +8,13 @@ from typing import Any
 import pytest
 
 import burnish
-from burnish.targets.emit.bindings import Slot, assign_bindings
+from burnish.targets.legalise.bindings import Slot, assign_bindings
 
 from .kit import PROFILES, Selected
 from .programs import plastic
 
-SEPARATE = [selected for selected in PROFILES if not selected.profile.combined_samplers]
-COMBINED = [selected for selected in PROFILES if selected.profile.combined_samplers]
+SEPARATE = [selected for selected in PROFILES if not selected.profile.samplers.combined]
+COMBINED = [selected for selected in PROFILES if selected.profile.samplers.combined]
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)

@@ -9,6 +9,7 @@ import pytest
 import burnish.targets
 from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
+from burnish.targets.legalise.legalise import legalise
 
 from .programs import plastic
 
@@ -65,6 +66,6 @@ def test_fourth_target(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
     assert "toy" in registry.names()
     target, profile = registry.select("toy")
-    fragment = emit(plastic(), target, profile).files[1].text
+    fragment = emit(legalise(plastic(), target, profile)).files[1].text
     assert "num3 normal_ = normalize(normal_2.xyz);" in fragment
     assert "albedo.read(albedo_sampler, uv_)" in fragment

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from burnish.compiler.ir.program import Program
-from burnish.targets.emit.emitter import EmitOptions, emit
+from burnish.targets.emit.emitter import EmitOptions
 
-from .kit import PROFILES, Selected
+from .kit import PROFILES, Selected, printed
 from .programs import odd, plastic
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -27,7 +27,7 @@ def check(name: str, text: str) -> None:
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
 def test_text(program: Program, selected: Selected) -> None:
-    for file in emit(program, selected.target, selected.profile).files:
+    for file in printed(program, selected).files:
         check(f"{program.name.lower()}.{selected.profile.name}.{file.suffix}", file.text)
 
 
@@ -37,27 +37,27 @@ def test_single_file(program: Program, selected: Selected) -> None:
     options = EmitOptions(single_file=True)
     if not selected.profile.single_file:
         with pytest.raises(ValueError, match="no single-file form"):
-            emit(program, selected.target, selected.profile, options)
+            printed(program, selected, options)
         return
-    (file,) = emit(program, selected.target, selected.profile, options).files
+    (file,) = printed(program, selected, options).files
     assert file.entries == {"vertex": "vs_main", "fragment": "fs_main"}
     check(f"{program.name.lower()}.{selected.profile.name}.{file.suffix}", file.text)
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_printing_twice_gives_the_same_text(selected: Selected) -> None:
-    first, second = (emit(plastic(), selected.target, selected.profile) for _ in range(2))
+    first, second = (printed(plastic(), selected) for _ in range(2))
     assert [file.text for file in first.files] == [file.text for file in second.files]
     assert [list(f.origins) for f in first.files] == [list(f.origins) for f in second.files]
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_flip(selected: Selected) -> None:
-    upright = emit(odd(), selected.target, selected.profile)
-    flipped = emit(odd(), selected.target, selected.profile, EmitOptions(flip_y=True))
+    upright = printed(odd(), selected)
+    flipped = printed(odd(), selected, EmitOptions(flip_y=True))
     position = "gl_Position" if selected.target.global_fields else "output.clip_position"
     negated = f"{position}.y = -{position}.y;"
     assert negated in flipped.files[0].text
     assert negated not in upright.files[0].text
-    assert bool(upright.host_uniforms) == selected.profile.rows_up
+    assert bool(upright.host_uniforms) == selected.profile.framebuffer.rows_up
     assert not flipped.host_uniforms

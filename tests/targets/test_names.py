@@ -12,11 +12,10 @@ from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.program import Let, Program, Region
 from burnish.compiler.ir.types import FLOAT
-from burnish.targets.emit.emitter import emit
 from burnish.targets.emit.namer import Namer
 from burnish.targets.emit.reserved import Reserved
 
-from .kit import PROFILES, Selected
+from .kit import PROFILES, Selected, printed
 from .programs import Maker, block, odd, plastic, tiny
 
 IDENTIFIER = st.from_regex(r"[A-Za-z_][A-Za-z0-9_]{0,12}", fullmatch=True)
@@ -59,7 +58,7 @@ def test_names_are_legal_and_differ(selected: Selected, wanted: list[str]) -> No
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_reserved_words_survive_as_something_else(selected: Selected) -> None:
     program = program_of_words(sorted(selected.target.reserved().words)[::8])
-    emission = emit(program, selected.target, selected.profile)
+    emission = printed(program, selected)
     reserved = selected.target.reserved()
     for kind in (emission.names.blocks, emission.names.members, emission.names.textures):
         assert not any(map(reserved.refuses, kind.values()))
@@ -68,7 +67,7 @@ def test_reserved_words_survive_as_something_else(selected: Selected) -> None:
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_every_name_of_the_reflection_is_in_the_text(selected: Selected) -> None:
     for program in (plastic(), odd()):
-        emission = emit(program, selected.target, selected.profile)
+        emission = printed(program, selected)
         text = "".join(file.text for file in emission.files)
         names = emission.names
         tables = (names.blocks, names.members, names.textures, names.attributes, names.varyings)

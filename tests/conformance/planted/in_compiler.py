@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from burnish.compiler.ir import ranges
-from burnish.compiler.passes import guard, rates
+from burnish.compiler.passes import guard, move_to_vertices
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, Fact
 from burnish.stdlib.builtins.row import RangeRule, everywhere
@@ -78,5 +78,5 @@ PLANTED = [
     Planted("absolute values are not zero", "integers: Unsigned", QUICKEST["glsl"],
             claimed("abs", lambda _facts, _same: Fact(1.0, 9.0))),
     Planted("everything is affine", "pipeline: Crossing", QUICKEST["glsl"],
-            replaced(rates, "_is_affine", lambda _node: True)),
+            replaced(move_to_vertices, "_is_affine", lambda _node: True)),
 ]  # fmt: skip

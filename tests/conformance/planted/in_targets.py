@@ -17,7 +17,7 @@ from .planting import (
     QUICKEST,
     Planted,
     form,
-    profile,
+    framebuffer,
     replaced,
     skeleton,
     spelling,
@@ -149,13 +149,12 @@ def _spellings() -> Iterator[Planted]:
 FLAT = "{% if field.flat %}flat {% endif %}"
 NOINTERPOLATION = "{% if field.flat %}nointerpolation {% endif %}"
 INTERPOLATE = "{% if field.flat %}@interpolate(flat) {% endif %}"
-BETWEEN = (
-    "{{% if field.flat %}}{} {{% elif (entry.stage == 'vertex') == (field in entry.outputs) %}}{} "
-    "{{% endif %}}"
-)
+BETWEEN = "{{% if field.flat %}}{} {{% elif field.crosses %}}{} {{% endif %}}"
 """Instead, for all that crosses between the stages."""
 GLSL, HLSL, WGSL = QUICKEST["glsl"], QUICKEST["hlsl"], QUICKEST["wgsl"]
 OPENGL, BROWSER = "llvmpipe:gl330", "chromium:webgl2"
+DISCARD = "{% for line in entry.discard %}\n    {{ line }}"
+NEGATED = "line.replace('if (', 'if (!(').replace(') {', ')) {') }}"
 REWRITTEN_Z = "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;"
 
 
@@ -202,9 +201,9 @@ FORMS = [
 
 PIPELINE = [
     Planted("frag_coord from below", "pipeline: Crossing", OPENGL,
-            profile("glsl", "gl330", inputs_rows_up={})),
+            framebuffer("glsl", "gl330", inputs={})),
     Planted("frag_coord from below", "pipeline: Crossing", BROWSER,
-            profile("glsl", "es300", inputs_rows_up={})),
+            framebuffer("glsl", "es300", inputs={})),
     Planted("frag_coord from below", "pipeline: Crossing", GLSL,
             supplied("glsl", "frag_coord",
                      "vec4(gl_FragCoord.x, 56.0 - gl_FragCoord.y, gl_FragCoord.zw)")),
@@ -217,9 +216,9 @@ PIPELINE = [
     Planted("front_facing always", "pipeline: Crossing", WGSL,
             supplied("wgsl", "front_facing", "(input.{name} || true)")),
     Planted("ddy upwards", "pipeline: Slopes", OPENGL,
-            profile("glsl", "gl330", natives_rows_up={})),
+            framebuffer("glsl", "gl330", natives={})),
     Planted("ddy upwards", "pipeline: Slopes", BROWSER,
-            profile("glsl", "es300", natives_rows_up={})),
+            framebuffer("glsl", "es300", natives={})),
     Planted("ddy upwards", "pipeline: Slopes", GLSL, spelling("glsl", "ddy", "(-dFdy({0}))")),
     Planted("ddx for ddy", "pipeline: Slopes", HLSL, spelling("hlsl", "ddy", "ddx")),
     Planted("half of ddx", "pipeline: Slopes", WGSL,
@@ -229,7 +228,7 @@ PIPELINE = [
     Planted("z left between 0 and w", "pipeline: Crossing", BROWSER,
             skeleton("glsl", (REWRITTEN_Z, ""))),
     Planted("z rewritten for Vulkan", "operations: Limits", GLSL,
-            profile("glsl", "vulkan", clip_depth="-1..1")),
+            framebuffer("glsl", "vulkan", clip_depth="-1..1")),
     Planted("y negated", "operations: Limits", WGSL,
             skeleton("wgsl", ("{% if flip_y %}", "{% if not flip_y %}"))),
     Planted("no perspective", "operations: Limits", GLSL,
@@ -243,9 +242,9 @@ PIPELINE = [
     Planted("not flat", "pipeline: Crossing", GLSL,
             skeleton("glsl", (FLAT, "")), "failed"),
     Planted("discard where it must not", "pipeline: Holes", GLSL,
-            skeleton("glsl", ("if ({{ entry.discard }})", "if (!({{ entry.discard }}))"))),
+            skeleton("glsl", (DISCARD, DISCARD.replace("line }}", NEGATED)))),
     Planted("no discard", "pipeline: Holes", WGSL,
-            skeleton("wgsl", ("        discard;", "        return output;"))),
+            form("wgsl", discard="return output;")),
     Planted("a comma too many", "pipeline: Holes", HLSL,
             skeleton("hlsl", ("return output;", "return output,;")), "failed"),
 ]  # fmt: skip

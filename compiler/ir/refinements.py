@@ -1,0 +1,84 @@
+"""Refinement: what a condition that holds (or does not) says about the values it compares."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+from ...frozen import frozen
+from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
+from .node import Node
+from .rulebook import ABOVE, BELOW, BOTH, DIFFERS, EQUALS, NEGATION
+
+OPPOSITES = {"lt": "ge", "ge": "lt", "gt": "le", "le": "gt", "eq": "ne", "ne": "eq"}
+MIRRORED = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le", "eq": "eq", "ne": "ne"}
+
+MOST = 32
+"""Parts of one condition that are looked at; people write far fewer."""
+
+_RULES = {"gt": ABOVE, "ge": ABOVE, "lt": BELOW, "le": BELOW, "eq": EQUALS, "ne": DIFFERS}
+
+
+@frozen
+class Refinement:
+    """A fact that holds wherever a condition does."""
+
+    about: Node
+    fact: Fact
+    rule: str
+    condition: Node
+    """The comparison that says so."""
+    holds: bool
+    """Whether the comparison is known to be true, or to be false."""
+
+
+def refinements(
+    of: Callable[[Node], Fact], condition: Node, holds: bool, without: frozenset[str]
+) -> Iterator[Refinement]:
+    """All that follows from ``condition`` being ``holds``; ``of`` gives the facts of values."""
+    pending = [(condition, holds)]
+    for _ in range(MOST):
+        if not pending:
+            return
+        node, truth = pending.pop()
+        if node.op not in ("call", "native"):
+            continue
+        name = str(node.data)
+        if name == "not":
+            if NEGATION not in without:
+                pending.append((node.operands[0], not truth))
+        elif (name, truth) in (("and", True), ("or", False)):
+            if BOTH not in without:
+                pending.extend((operand, truth) for operand in node.operands)
+        elif name in OPPOSITES:
+            yield from _compared(of, node, truth, without)
+
+
+def _compared(
+    of: Callable[[Node], Fact], node: Node, truth: bool, without: frozenset[str]
+) -> Iterator[Refinement]:
+    name = str(node.data) if truth else OPPOSITES[str(node.data)]
+    left, right = node.operands
+    for about, sign, other in ((left, name, right), (right, MIRRORED[name], left)):
+        if about.op == "constant" or _RULES[sign] in without:
+            continue
+        fact = _bounded(sign, of(other))
+        if fact is not UNKNOWN:
+            yield Refinement(about, fact, _RULES[sign], node, truth)
+
+
+def _bounded(sign: str, bound: Fact) -> Fact:
+    """What is known of a value that stands in a relation to one within ``bound``."""
+    match sign:
+        case "gt":
+            return Fact(bound.lo, math.inf, nonzero=bound.lo >= 0)
+        case "lt":
+            return Fact(-math.inf, bound.hi, nonzero=bound.hi <= 0)
+        case "ge":
+            return Fact(bound.lo, math.inf, nonzero=bound.lo >= SMALLEST_NORMAL)
+        case "le":
+            return Fact(-math.inf, bound.hi, nonzero=bound.hi <= -SMALLEST_NORMAL)
+        case "eq":
+            return bound
+        case _:
+            return Fact(nonzero=True) if (bound.lo, bound.hi) == (0.0, 0.0) else UNKNOWN

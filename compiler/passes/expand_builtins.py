@@ -1,0 +1,153 @@
+"""Builds the builtins' expansions into a graph.
+
+Some builtins no backend has: they *are* their expansion. Those are written out before guards are
+looked for, so that the conditions in an expansion count for what stands behind them.
+"""
+
+from __future__ import annotations
+
+from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.row import nowhere
+from ..ir.node import Formal, Formals, Graph, Node, reachable
+from ..ir.ranges import Ranges
+from ..ir.rewrite import rewrite
+from ..ir.shader import Notes
+from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
+from .elements import is_element
+from .expansion_templates import Template, template
+from .simplify import Simplifier
+
+VARYING = frozenset({"interpolate", "attribute", "formal", "input", "resource"})
+"""What may differ between the vertices or pixels of a draw."""
+
+OUTLINED = 3
+"""Expansions of at least so many operations become functions where they are used repeatedly."""
+
+
+class Expanding(Simplifier):
+    """Builds nodes, and on demand what they mean in terms of simpler ones."""
+
+    def __init__(self, graph: Graph, ranges: Ranges, notes: Notes) -> None:
+        super().__init__(graph, ranges, notes)
+        self.expanded: dict[int, Node] = {}
+        """By the id of the ``call`` that was expanded."""
+        self._varying: dict[int, bool] = {}
+        self._functions: dict[tuple[Template, tuple[Type | Node, ...]], tuple[Node, Formals]] = {}
+
+    def expansion(self, node: Node) -> Node:
+        """The value of a ``call`` by the expansion in its builtin's row."""
+        if node.id not in self.expanded:
+            self.expanding += 1
+            self.expanded[node.id] = self._expand(node)
+            self.expanding -= 1
+        return self.expanded[node.id]
+
+    def _expand(self, node: Node) -> Node:
+        found = template(str(node.data), tuple(operand.type for operand in node.operands))
+        if not found.lanewise:
+            return self._applied(found, node.operands)
+        assert isinstance(node.type, Vector)
+        lanes = tuple(
+            self._applied(found, tuple(self._lane(operand, i) for operand in node.operands))
+            for i in range(node.type.size)
+        )
+        return self.make("vector", with_width(node.type.kind, len(lanes)), lanes)
+
+    def _applied(self, found: Template, operands: tuple[Node, ...]) -> Node:
+        """The expansion of one operation: a function's call, or written out.
+
+        Where an operand is constant over the draw, parts of the expansion are too and may leave the
+        shader, so it is written out. So are functions that turn out to be called once (``inline``).
+        """
+        if len(found.operations) < OUTLINED or not all(map(self._varies, operands)):
+            return self._instantiate(found, operands)
+        # Textures are no arguments everywhere, so each has a function of its own.
+        named = [(Formal(n), o) for n, o in zip(found.parameters, operands, strict=True)]
+        passed = [(formal, o) for formal, o in named if not isinstance(o.type, Texture)]
+        key = found, tuple(o if isinstance(o.type, Texture) else o.type for o in operands)
+        if key not in self._functions:
+            leaves = tuple(
+                o if isinstance(o.type, Texture) else self.graph.node("formal", o.type, (), formal)
+                for formal, o in named
+            )
+            body = self._instantiate(found, leaves)
+            self.notes.functions.setdefault(body.id, f"safe_{found.name}")
+            self.notes.docs.setdefault(body.id, found.doc)
+            self._functions[key] = body, tuple(formal for formal, _ in passed)
+        body, formals = self._functions[key]
+        call = self.graph.node("apply", body.type, (body, *(o for _, o in passed)), formals)
+        self.notes.roles.setdefault(call.id, found.name)
+        return call
+
+    def _varies(self, root: Node) -> bool:
+        """Whether a value may differ between vertices or pixels; elements of arrays do not."""
+        pending = [root]
+        while pending:
+            node = pending[-1]
+            at_host = is_element(node)
+            is_leaf = at_host or node.op in VARYING
+            missing = [] if is_leaf else [o for o in node.operands if o.id not in self._varying]
+            if node.id not in self._varying and missing:
+                pending += missing
+                continue
+            pending.pop()
+            self._varying[node.id] = not at_host and (
+                node.op in VARYING or any(self._varying[operand.id] for operand in node.operands)
+            )
+        return self._varying[root.id]
+
+    def written_out(self, found: Template, operands: tuple[Node, ...]) -> Node:
+        """The value of a template for these operands, lane by lane where it is one of scalars."""
+        size = max(width(operand.type) for operand in operands)
+        if not found.lanewise:
+            return self._instantiate(found, operands)
+        lanes = tuple(
+            self._instantiate(found, tuple(self._lane(operand, i) for operand in operands))
+            for i in range(size)
+        )
+        kind = scalar_kind(lanes[0].type)
+        assert kind is not None
+        return self.make("vector", with_width(kind, size), lanes)
+
+    def _lane(self, operand: Node, lane: int) -> Node:
+        if not isinstance(operand.type, Vector):
+            return operand
+        return self.make("swizzle", Scalar(operand.type.kind), (operand,), (lane,))
+
+    def _instantiate(self, found: Template, operands: tuple[Node, ...]) -> Node:
+        values = list(operands)
+        for step in found.operations:
+            inner = tuple(values[i] for i in step.operands)
+            values.append(self.make(step.op, step.type, inner, step.data))
+            if self.at is not None:
+                self.notes.spans.setdefault(values[-1].id, self.at)
+            if step.role and values[-1].operands:
+                self.notes.roles.setdefault(values[-1].id, step.role)
+        return values[found.result]
+
+
+def expand_builtins(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
+    """The roots with every ``call`` that no backend has as its expansion, in calls again."""
+    nodes = reachable(roots)
+    if not any(map(_is_homeless, nodes)):
+        return roots
+    rule = _WritingOut(graph, ranges, notes).rule
+    return rewrite(graph, roots, rule, notes.follow, nodes=nodes)
+
+
+def _is_homeless(node: Node) -> bool:
+    return node.op == "call" and BUILTINS[str(node.data)].domain is nowhere
+
+
+class _WritingOut(Expanding):
+    def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
+        """Expand what no backend has."""
+        if operands != node.operands:
+            node = super().rule(graph, node, operands)
+        if not _is_homeless(node):
+            return node
+        self.at = self.notes.spans.get(node.id, self.at)
+        value = self.expansion(node)
+        # The builtin's range rule knows more than follows from the operations it consists of.
+        self.ranges.assume(value, self.ranges.of(node))
+        return value

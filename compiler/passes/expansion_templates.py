@@ -1,0 +1,113 @@
+"""Templates of the builtins' expansions and definitions.
+
+A template is a function of ``stdlib/meaning.burnish``, lowered once for each signature, that can be
+built into any graph. ``expand_builtins`` and ``guard`` do that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from functools import cache
+
+from ...frozen import changed, frozen
+from ...stdlib.builtins import BUILTINS
+from ..diagnostics.diagnostic import Report
+from ..diagnostics.source import Span
+from ..ir.node import Formal, Node, Op, reachable
+from ..ir.types import Scalar, Type, Vector
+from ..library import MEANING, expansions
+from ..semantics.inheritance.records import Records
+from ..semantics.lowering.applications import apply_body, best
+from ..semantics.names.modules import Named
+from ..semantics.state.context import Lowering
+from ..semantics.state.scope import Failure
+from ..semantics.types.meanings import erased
+from ..semantics.types.typenames import TypeResolver
+from ..syntax import ast
+from ..trampoline import run
+
+
+@frozen
+class Step:
+    """One node of a template; operands are numbers of earlier steps."""
+
+    op: Op
+    type: Type
+    operands: tuple[int, ...]
+    data: Hashable
+    role: str = ""
+    """The function of ``meaning.burnish`` whose value this is."""
+
+
+@frozen(eq=False)
+class Template:
+    """An expansion as steps; the first ones are its parameters."""
+
+    name: str
+    doc: str
+    parameters: tuple[str, ...]
+    steps: tuple[Step, ...]
+    result: int
+    """The step that is the value."""
+    lanewise: bool = False
+    """Declared on scalars: applies to each lane of vector operands."""
+
+    @property
+    def operations(self) -> tuple[Step, ...]:
+        """The steps that compute something."""
+        return self.steps[len(self.parameters) :]
+
+
+@cache
+def template(name: str, types: tuple[Type, ...]) -> Template:
+    """The expansion of builtin ``name`` for operands of these types."""
+    return _template_of(BUILTINS[name].expansion, types)
+
+
+@cache
+def definition(name: str, types: tuple[Type, ...]) -> Template:
+    """What builtin ``name`` is in other operations, for operands of these types."""
+    return _template_of(BUILTINS[name].definition, types)
+
+
+def _template_of(function: str, types: tuple[Type, ...]) -> Template:
+    found = _lowered(function, types)
+    if found is not None:
+        return found
+    lanes = tuple(Scalar(t.kind) if isinstance(t, Vector) else t for t in types)
+    scalar = _lowered(function, lanes)
+    assert scalar is not None, f"no {function} of {MEANING} takes {types}"
+    return changed(scalar, lanewise=True)
+
+
+def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
+    _, functions = expansions()
+    report = Report()
+    low = Lowering(report, Records(report), TypeResolver(report))
+    arguments = tuple(
+        low.graph.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
+    )
+    symbol = best(low, list(functions[name]), arguments)
+    if symbol is None:
+        return None
+    value = run(apply_body(low, symbol, arguments, Span(symbol.module.file.source, 0, 0)))
+    assert not isinstance(value, Failure), report.diagnostics
+    (value,) = erased(low.graph, (value,), low.notes.follow)
+    return _template(symbol.declaration, arguments, value, low.notes.roles)
+
+
+def _template(
+    function: Named, arguments: tuple[Node, ...], value: Node, roles: Mapping[int, str]
+) -> Template:
+    assert isinstance(function, ast.Function)
+    number = {argument.id: i for i, argument in enumerate(arguments)}
+    steps = [Step(node.op, node.type, (), None) for node in arguments]
+    for node in reachable((value,)):
+        if node.id in number:
+            continue
+        number[node.id] = len(steps)
+        operands = tuple(number[operand.id] for operand in node.operands)
+        role = "" if node is value else roles.get(node.id, "")
+        steps.append(Step(node.op, node.type, operands, node.data, role))
+    names = tuple(argument.name.text for argument in function.arguments)
+    return Template(function.name.text, function.doc, names, tuple(steps), number[value.id])

@@ -1,0 +1,132 @@
+"""Opens every binder: de Bruijn indices in bodies become ``formal`` leaves.
+
+This is the first pass. Semantics leaves bodies closed, so that equal bodies are one node; all later
+passes treat an opened body like any other part of the graph.
+
+Applies of one body share the opened body and its formals: that is what becomes a function. Loops
+have variables of their own. Structures and arrays are no arguments of functions unless they all
+come from uniform blocks as they are: elsewhere each of their parts is an argument.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...frozen import changed
+from ..ir import build
+from ..ir.binding import open_body
+from ..ir.node import (
+    BINDING,
+    Folding,
+    Formal,
+    Formals,
+    Graph,
+    Iterating,
+    Node,
+    binders,
+    bodies_of,
+    reachable,
+)
+from ..ir.rewrite import rewrite
+from ..ir.shader import Notes
+from ..ir.types import INT, Array, Struct, Type
+
+
+def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+    """The roots with every fold, loop and apply opened."""
+    wanted = list(roots)
+    nodes = reachable(wanted)
+    opener = _Opener(graph, notes, _taken_apart(nodes))
+    return rewrite(graph, wanted, opener.rule, notes.follow, BINDING, nodes)
+
+
+def _taken_apart(nodes: list[Node]) -> set[tuple[int, int]]:
+    """The arguments, by body and position, of which each part has to be an argument."""
+    return {
+        (node.operands[0].id, position)
+        for node in nodes
+        if node.op == "apply"
+        for position, argument in enumerate(node.operands[1:])
+        if isinstance(argument.type, Struct | Array) and not _is_stored(argument)
+    }
+
+
+def _is_stored(node: Node) -> bool:
+    """Whether an aggregate is read from a uniform block as it stands there."""
+    while node.op in ("member", "index"):
+        node = node.operands[0]
+    return node.op == "parameter"
+
+
+class _Opener:
+    def __init__(self, graph: Graph, notes: Notes, apart: set[tuple[int, int]]) -> None:
+        self._graph = graph
+        self._notes = notes
+        self._apart = apart
+        self._functions: dict[int, tuple[Node, Formals]] = {}
+
+    def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        """Open ``node`` if it binds; its body has been opened inside already."""
+        if not binders(node):
+            return None
+        if node.op == "apply":
+            return self._apply(node, operands)
+        states = node.data.states if isinstance(node.data, Iterating) else 0
+        types = (INT, *(start.type for start in operands[1 : 1 + states]))
+        formals = tuple(map(Formal, self._names(node, len(types))))
+        variables = self._variables(formals, types)
+        opened = list(operands)
+        for position in bodies_of(node):
+            opened[position] = self._open(node.operands[position], operands[position], variables)
+        if isinstance(node.data, Folding):
+            data: Folding | Iterating = changed(node.data, index=formals[0])
+        else:
+            assert isinstance(node.data, Iterating)
+            data = changed(node.data, formals=formals)
+        return self._graph.node(node.op, node.type, tuple(opened), data)
+
+    def _apply(self, node: Node, operands: tuple[Node, ...]) -> Node:
+        body, arguments = node.operands[0], operands[1:]
+        apart = [(body.id, position) in self._apart for position in range(len(arguments))]
+        if body.id not in self._functions:
+            self._functions[body.id] = self._function(node, operands[0], apart)
+        opened, formals = self._functions[body.id]
+        given: list[Node] = []
+        for argument, split in zip(arguments, apart, strict=True):
+            given += build.flattened(self._graph, argument) if split else (argument,)
+        return self._graph.node("apply", node.type, (opened, *given), formals)
+
+    def _function(self, node: Node, body: Node, apart: list[bool]) -> tuple[Node, Formals]:
+        names = self._names(node, len(apart))
+        values: list[Node] = []
+        formals: list[Formal] = []
+        for name, argument, split in zip(names, node.operands[1:], apart, strict=True):
+            type_ = argument.type
+            parts = tuple(build.named_parts(name, type_)) if split else ((name, type_),)
+            own = tuple(Formal(part) for part, _ in parts)
+            leaves = self._variables(own, tuple(inner for _, inner in parts))
+            whole = build.assembled(self._graph, type_, iter(leaves)) if split else leaves[0]
+            values.append(whole)
+            formals += own
+        return self._open(node.operands[0], body, tuple(values)), tuple(formals)
+
+    def _variables(self, formals: Formals, types: tuple[Type, ...]) -> tuple[Node, ...]:
+        return tuple(
+            self._graph.node("formal", type_, (), formal)
+            for type_, formal in zip(types, formals, strict=True)
+        )
+
+    def _open(self, original: Node, body: Node, variables: tuple[Node, ...]) -> Node:
+        opened = open_body(self._graph, body, variables, self._notes.follow)
+        self._notes.follow(original, opened)
+        return opened
+
+    def _names(self, node: Node, count: int) -> tuple[str, ...]:
+        notes = self._notes
+        of_body = node.op == "apply"
+        known = (
+            notes.arguments.get(node.operands[0].id, ())
+            if of_body
+            else notes.variables.get(node.id, ())
+        )
+        return tuple(known[i] if i < len(known) else "i" for i in range(count))

@@ -1,0 +1,89 @@
+"""Varying packing: the values that cross between stages share ``vec4`` slots.
+
+Whole values are packed, first fit by decreasing width, so that a reader still finds each value in
+one slot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import count
+
+from ..ir.leaves import Attribute, InterpolationMode
+from ..ir.node import Node
+from ..ir.program import Field, Varying
+from ..ir.shader import Notes
+from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
+
+SLOT_LANES = 4
+
+
+@dataclass(slots=True)
+class _Slot:
+    kind: ScalarKind
+    mode: InterpolationMode
+    values: list[Node]
+
+    @property
+    def lanes(self) -> int:
+        return sum(width(value.type) for value in self.values)
+
+    def takes(self, value: Node, kind: ScalarKind, mode: InterpolationMode) -> bool:
+        fits = self.lanes + width(value.type) <= SLOT_LANES
+        return fits and (self.kind, self.mode) == (kind, mode)
+
+
+def crossings(nodes: Iterable[Node]) -> list[Node]:
+    """The ``interpolate`` nodes among those of the fragment stage."""
+    return [node for node in nodes if node.op == "interpolate"]
+
+
+def pack_varyings(nodes: Sequence[Node], notes: Notes) -> tuple[Varying, ...]:
+    """Slots for all values that cross into the fragment stage, whose nodes are given in order."""
+    unique = list({node.operands[0].id: node for node in crossings(nodes)}.values())
+    users: dict[int, str] = {}
+    for node in reversed(nodes):
+        within = notes.names.get(node.id) or users.get(node.id)
+        if within is not None:
+            for operand in node.operands:
+                users.setdefault(operand.id, within)
+    by_width = sorted(unique, key=lambda node: (-width(node.type), node.id))
+    slots: list[_Slot] = []
+    for node in by_width:
+        (value,) = node.operands
+        kind = scalar_kind(value.type)
+        mode: InterpolationMode = "flat" if node.data == "flat" else "perspective"
+        assert kind is not None and isinstance(value.type, Scalar | Vector)
+        slot = next((slot for slot in slots if slot.takes(value, kind, mode)), None)
+        if slot is None:
+            slots.append(_Slot(kind, mode, [value]))
+        else:
+            slot.values.append(value)
+    names = {node.operands[0].id: _name(node, notes, users) for node in unique}
+    varyings: dict[str, Varying] = {}
+    for location, slot in enumerate(slots):
+        shown = "_".join(dict.fromkeys(names[value.id] for value in slot.values))
+        name = _apart(shown, varyings)
+        varyings[name] = _varying(name, location, slot)
+    return tuple(varyings.values())
+
+
+def _varying(name: str, location: int, slot: _Slot) -> Varying:
+    type_ = with_width(slot.kind, slot.lanes)
+    return Varying(Field(name, type_, location, slot.mode), tuple(slot.values))
+
+
+def _apart(name: str, taken: Collection[str]) -> str:
+    """The name itself, or with the first number that tells it from the others."""
+    numbered = (f"{name}_{number}" for number in count(2))
+    return name if name not in taken else next(n for n in numbered if n not in taken)
+
+
+def _name(node: Node, notes: Notes, users: Mapping[int, str]) -> str:
+    """The value's own name, else that of the attribute it is, else of what it is used for."""
+    (value,) = node.operands
+    named = notes.names.get(value.id) or notes.names.get(node.id)
+    if named is None and isinstance(value.data, Attribute):
+        named = value.data.name
+    return named or users.get(node.id, "varying")

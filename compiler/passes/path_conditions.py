@@ -1,0 +1,162 @@
+"""Path conditions: what the conditions of branches say about the values computed behind them.
+
+In ``if x > 0 then 1 / x else 0`` the divisor is known to be positive wherever the quotient is used.
+That holds for a node only if *all* of its uses lie behind the condition, and helps only if the node
+is computed there: so the select has to become a branch (``KnownOnPath.selects``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+from itertools import islice
+
+from ...frozen import frozen
+from ...stdlib.builtins.facts import Fact
+from ..ir import rulebook
+from ..ir.node import Node, reachable
+from ..ir.ranges import Ranges
+from ..ir.refinements import Refinement, refinements
+from ..ir.types import Scalar
+from .uniformity import needing_uniform_flow
+
+WIDEST = 24
+"""Values between an operand and a condition's; beyond that, nothing is worked out anew."""
+
+
+FARTHEST = 16
+"""Conditions looked at on the way out; farther ones rarely say anything more."""
+
+
+DEEPEST = 32
+"""Branches inside of branches, beyond which both sides are computed: front ends have limits too."""
+
+
+@frozen(eq=False)
+class Path:
+    """The region behind one side of a select."""
+
+    parent: Path | None
+    select: Node
+    holds: bool
+    depth: int
+
+    def outward(self) -> Iterator[Path]:
+        """This region and those around it."""
+        path: Path | None = self
+        while path is not None:
+            yield path
+            path = path.parent
+
+
+@frozen
+class PathRefinement:
+    """What a condition around a region says of a value, and the select that it belongs to."""
+
+    select: Node
+    refinement: Refinement
+
+
+@frozen
+class KnownOnPath:
+    """What holds of a value on a path, and what that follows from."""
+
+    fact: Fact
+    conditions: tuple[PathRefinement, ...]
+
+    @property
+    def selects(self) -> Iterator[Node]:
+        """The selects that have to become branches, if this is made use of."""
+        return (one.select for one in self.conditions)
+
+
+class PathConditions:
+    """The innermost region that encloses all uses of each node."""
+
+    def __init__(self, roots: Iterable[Node], ranges: Ranges) -> None:
+        self._ranges = ranges
+        self._of: dict[int, Path | None] = {}
+        self._refined_at: dict[Path, dict[int, list[PathRefinement]]] = {}
+        wanted = list(roots)
+        nodes = reachable(wanted)
+        if any(node.op == "select" for node in nodes):
+            self._find(wanted, nodes, needing_uniform_flow(nodes))
+
+    def known(self, user: Node, operand: Node) -> KnownOnPath:
+        """What holds of ``operand`` where ``user`` is computed.
+
+        A condition may bound the operand itself, or values from which it is computed.
+        """
+        refined = self._refined(self._of.get(user.id))
+        cone = _cone(operand, refined.keys()) if refined else []
+        facts: dict[int, Fact] = {}
+        used: list[PathRefinement] = []
+        for node in cone:
+            fact = self._ranges.of(node)
+            if any(need.id in facts for need in node.operands):
+                needs = self._ranges.needs(node)
+                inner = [facts.get(need.id, self._ranges.of(need)) for need in needs]
+                fact = fact.meet(self._ranges.derived(node, inner))
+            for one in refined.get(node.id, ()):
+                fact = fact.meet(one.refinement.fact)
+                used.append(one)
+            facts[node.id] = fact
+        return KnownOnPath(facts.get(operand.id, self._ranges.of(operand)), tuple(used))
+
+    def _refined(self, path: Path | None) -> dict[int, list[PathRefinement]]:
+        """What the conditions around a region say, by the id of the value that they bound."""
+        if path is None or rulebook.AROUND in self._ranges.without:
+            return {}
+        if path not in self._refined_at:
+            refined: dict[int, list[PathRefinement]] = {}
+            for step in islice(path.outward(), FARTHEST):
+                condition = step.select.operands[0]
+                for one in refinements(
+                    self._ranges.of, condition, step.holds, self._ranges.without
+                ):
+                    refined.setdefault(one.about.id, []).append(PathRefinement(step.select, one))
+            self._refined_at[path] = refined
+        return self._refined_at[path]
+
+    def _find(self, roots: list[Node], nodes: list[Node], together: frozenset[int]) -> None:
+        """Paths of all nodes; what needs all pixels, and its operands, come before all branches."""
+        for root in roots:
+            self._of[root.id] = None
+        for node in reversed(nodes):
+            here = self._of.get(node.id)
+            sides: list[Path | None] = [here] * len(node.operands)
+            if node.op == "select" and isinstance(node.operands[0].type, Scalar):
+                depth = 0 if here is None else here.depth + 1
+                if depth < DEEPEST:
+                    sides[1:] = [Path(here, node, holds, depth) for holds in (True, False)]
+            elif node.op == "interpolate" or node.id in together:
+                sides = [None] * len(node.operands)
+            for operand, path in zip(node.operands, sides, strict=True):
+                known = operand.id in self._of
+                self._of[operand.id] = _common(self._of[operand.id], path) if known else path
+
+
+def _cone(operand: Node, about: Collection[int]) -> list[Node]:
+    """The values between ``operand`` and what some condition bounds, operands first."""
+    near: dict[int, Node] = {operand.id: operand}
+    front = [operand]
+    while front and len(near) < WIDEST:
+        front = [o for node in front for o in node.operands if o.id not in near]
+        near |= {node.id: node for node in front}
+    chosen: dict[int, Node] = {}
+    for id_ in sorted(near):
+        node = near[id_]
+        if id_ in about or any(o.id in chosen for o in node.operands):
+            chosen[id_] = node
+    return list(chosen.values())
+
+
+def _common(left: Path | None, right: Path | None) -> Path | None:
+    """The innermost region around both."""
+    while left is not right:
+        if left is None or right is None:
+            return None
+        if left.depth >= right.depth:
+            left = left.parent
+        else:
+            right = right.parent
+    return left

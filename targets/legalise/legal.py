@@ -1,0 +1,21 @@
+"""The form in which one profile prints a program."""
+
+from __future__ import annotations
+
+from ...compiler.ir.program import Program
+from ...frozen import frozen
+from ..emit.description import Profile, Target
+from .bindings import Bindings
+from .definitions import Definitions
+
+
+@frozen
+class Legal:
+    """A program that ``emit`` only has to print, with what was decided for the profile."""
+
+    program: Program
+    target: Target
+    profile: Profile
+    definitions: Definitions
+    """The function that stands for each builtin that the profile does not have as it is meant."""
+    bindings: Bindings

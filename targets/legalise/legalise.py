@@ -1,0 +1,23 @@
+"""The step between the passes and emission: makes a program legal in one profile.
+
+The passes know no language: they leave operations with Burnish's meaning, globals that any function
+reads, and blocks, textures and samplers without a place. What a profile has otherwise is a row in
+its ``Profile``, and each step here reads some of these rows. ``emit`` prints what comes out.
+
+``api.py`` calls this once for every profile that a material is compiled for. A step that has
+nothing to do in a profile or a program returns what it was given.
+"""
+
+from __future__ import annotations
+
+from ...compiler.ir.program import Program
+from ..emit.description import Profile, Target
+from .bindings import assign_bindings
+from .definitions import with_definitions
+from .legal import Legal
+
+
+def legalise(program: Program, target: Target, profile: Profile) -> Legal:
+    """``program`` as ``profile`` prints it."""
+    program, definitions = with_definitions(program, profile)
+    return Legal(program, target, profile, definitions, assign_bindings(program, profile))

@@ -1,0 +1,55 @@
+"""What a program may need of a profile that it has not got, or not so many of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...compiler.ir.program import Program, TextureRead
+from ...frozen import frozen
+from ..emit.description import Lack, Profile
+from ..emit.textures import sampler_use
+
+
+@frozen
+class Excess:
+    """More of something than every device of the profile is guaranteed to have."""
+
+    what: str
+    count: int
+    limit: int
+
+
+def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
+    """The limits that a program does not keep."""
+    textures = max(len(stage.resources) for stage in (program.vertex, program.fragment))
+    # A location counts also where nothing is read at those before it.
+    inputs = max((field.location + 1 for field in program.vertex.inputs), default=0)
+    block = max((block.size for block in program.blocks), default=0)
+    for what, count, limit in (
+        ("varyings", len(program.varyings), profile.limits.varyings),
+        ("vertex inputs", inputs, profile.limits.attributes),
+        ("textures", textures, profile.limits.textures),
+        ("bytes in a uniform block", block, profile.limits.block_bytes),
+        ("render targets", len(program.fragment.outputs), profile.limits.render_targets),
+    ):
+        if count > limit:
+            yield Excess(what, count, limit)
+
+
+COMPARED_AND_LOADED = Lack(
+    "texture that is both compared and loaded", "declare a second `map` for one of the two"
+)
+
+
+def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
+    """What the profile cannot do, each with the id of a node that wants it."""
+    for read in program.reads:
+        if read.builtin in profile.cannot:
+            yield profile.cannot[read.builtin], read.node
+        compared = _is_depth(read) and read.resource in program.sampled
+        if profile.samplers.combined and compared and read.builtin == "load":
+            yield COMPARED_AND_LOADED, read.node
+
+
+def _is_depth(read: TextureRead) -> bool:
+    return sampler_use(read.resource) == "comparison"
