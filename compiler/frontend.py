@@ -12,11 +12,11 @@ from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
 from .ir.shader import Shader
 from .library import FOLDER, parse_library
-from .semantics.elaborate import elaborate
-from .semantics.modules import Loader, Module, Symbol
-from .semantics.records import Records, records_of
-from .semantics.setting import Parts, Setting, set_up
-from .semantics.unused import Surroundings, UnusedDeclarations
+from .semantics.inheritance.records import Records, records_of
+from .semantics.names.modules import Loader, Module, Symbol
+from .semantics.shading.assembly import Parts, Setting, set_up
+from .semantics.shading.elaborate import elaborate
+from .semantics.shading.unused import Surroundings, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import load_source
 from .syntax.parser import parse

@@ -141,9 +141,8 @@ class Ranges:
         return fact.as_kind(_kind(node))
 
     def assume(self, node: Node, fact: Fact) -> None:
-        """Take over what is known of a node's value otherwise than through its operands."""
-        known = self._facts.get(node)
-        self._facts[node] = fact if known is None else known.meet(fact)
+        """Add what is known of a node's value otherwise than through its operands."""
+        self._facts[node] = self.of(node).meet(fact)
 
     def reason(self, node: Node) -> str | None:
         """The name of the rule that gives the fact of ``node``."""

@@ -147,4 +147,7 @@ class _WritingOut(Expanding):
         if not _is_homeless(node):
             return node
         self.at = self.notes.spans.get(node.id, self.at)
-        return self.expansion(node)
+        value = self.expansion(node)
+        # The builtin's range rule knows more than follows from the operations it consists of.
+        self.ranges.assume(value, self.ranges.of(node))
+        return value

@@ -16,13 +16,13 @@ from ..diagnostics.source import Span
 from ..ir.node import Formal, Node, Op, reachable
 from ..ir.types import Scalar, Type, Vector
 from ..library import MEANING, expansions
-from ..semantics.applications import apply_body, best
-from ..semantics.lower import Lowering
-from ..semantics.meanings import erased
-from ..semantics.modules import Named
-from ..semantics.records import Records
-from ..semantics.scope import Failure
-from ..semantics.typenames import TypeResolver
+from ..semantics.inheritance.records import Records
+from ..semantics.lowering.applications import apply_body, best
+from ..semantics.names.modules import Named
+from ..semantics.state.context import Lowering
+from ..semantics.state.scope import Failure
+from ..semantics.types.meanings import erased
+from ..semantics.types.typenames import TypeResolver
 from ..syntax import ast
 from ..trampoline import run
 

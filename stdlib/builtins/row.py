@@ -101,7 +101,7 @@ class Builtin:
     range: RangeRule = anything
     accuracy: Accuracy = INHERITED
     meaning: MeaningRule = "lanes"
-    """How the operands' meanings make that of the result: a rule of ``semantics/algebra.py``."""
+    """How the operands' meanings make that of the result: a rule of ``meaning_rules.py``."""
     cost: int = 1
     """Rough price in ALU operations a lane, for choosing between a branch and a select."""
     uniform_control_flow: bool = False

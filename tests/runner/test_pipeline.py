@@ -7,7 +7,7 @@ from typing import Any, get_args
 import pytest
 
 import burnish
-from burnish.compiler.semantics.elaborate import FORMATS as TARGET_FORMATS
+from burnish.compiler.semantics.shading.elaborate import FORMATS as TARGET_FORMATS
 from burnish.targets.runner.codes import Codes
 from burnish.targets.runner.drivers import draw
 from burnish.targets.runner.drivers.draw import (

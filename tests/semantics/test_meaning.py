@@ -9,9 +9,11 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.meaning import RGB, Meaning
 from burnish.compiler.ir.node import reachable
+from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import Type
-from burnish.compiler.semantics import algebra, fitting
-from burnish.compiler.semantics.algebra import Found, Side
+from burnish.compiler.semantics.declarations import contracts
+from burnish.compiler.semantics.types import meaning_rules
+from burnish.compiler.semantics.types.meaning_rules import Found, Side
 
 from .kit import lanes, number, shader
 
@@ -83,7 +85,7 @@ def test_a_light_sees_its_own_transform_before_the_surface() -> None:
     material M { color = shown() }
     """
     whole = shader(source)
-    assert whole.targets
+    assert whole.results_of(TARGET)
 
 
 GENERICS = """
@@ -225,7 +227,7 @@ WRONG = {
 """For each rule of the algebra something that no other rule would find."""
 
 
-@pytest.mark.parametrize("name", algebra.RULES)
+@pytest.mark.parametrize("name", meaning_rules.RULES)
 def test_every_rule_finds_something(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     source = f"material M {{ {WRONG[name]} }}"
     assert _told(source)
@@ -233,14 +235,14 @@ def test_every_rule_finds_something(name: str, monkeypatch: pytest.MonkeyPatch) 
     def silent(_sides: tuple[Side, ...], _result: Type) -> Found:
         return None
 
-    monkeypatch.setattr(algebra, "RULES", {**algebra.RULES, name: silent})
-    monkeypatch.setattr("burnish.compiler.semantics.meanings.RULES", algebra.RULES)
+    monkeypatch.setattr(meaning_rules, "RULES", {**meaning_rules.RULES, name: silent})
+    monkeypatch.setattr("burnish.compiler.semantics.types.meanings.RULES", meaning_rules.RULES)
     assert not _told(source)
 
 
 def _fits_colours(found: Meaning | None, wanted: Meaning | None) -> bool:
     """As ``fits``, but anything is a colour; the library itself relies on the rest."""
-    return wanted == RGB or algebra.fits(found, wanted)
+    return wanted == RGB or meaning_rules.fits(found, wanted)
 
 
 @pytest.mark.parametrize(
@@ -256,13 +258,13 @@ def test_every_check_of_a_declaration_finds_something(
 ) -> None:
     source = f"material M {{ {equation} }}"
     assert _told(source)
-    monkeypatch.setattr(fitting, name, broken)
+    monkeypatch.setattr(contracts, name, broken)
     assert not _told(source)
 
 
 def test_no_ascription_is_left() -> None:
     whole = shader("material M { color = (vec3(normal) as rgb) + #fff * sin(20deg) }")
-    roots = [whole.clip_position, *(target.value for target in whole.targets)]
+    roots = whole.roots
     assert all(node.op != "as" for node in reachable(roots))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
-from burnish.compiler.semantics.typenames import described
+from burnish.compiler.semantics.types.typenames import described
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 

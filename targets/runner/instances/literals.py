@@ -24,7 +24,7 @@ def color_channels(text: str) -> tuple[int, ...] | None:
 
 def color_lanes(text: str) -> tuple[float, ...] | None:
     """Three or four lanes in 0..1, the colours in linear light; ``None`` if it is no literal."""
-    from ....compiler.semantics.expressions import linear
+    from ....compiler.semantics.lowering.expressions import linear
 
     channels = color_channels(text)
     if channels is None:

@@ -1,0 +1,109 @@
+"""Declared textures, each with the state of the sampler that reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from ....frozen import EMPTY, frozen
+from ...diagnostics import rules
+from ...diagnostics.nearest import suggestion
+from ...ir.leaves import Resource
+from ...ir.shader import ResourceInfo
+from ...ir.types import Array, Texture
+from ...syntax import ast
+from ..inheritance.records import Definition
+from ..names.duplicates import check_once
+from .written_types import declared_type
+
+if TYPE_CHECKING:
+    from ..state.context import Lowering
+
+Settings = Mapping[str, tuple[str, ...]]
+"""What can be said of a sampler; the first of each is the default."""
+
+COLOR_DEFAULTS = ("white", "black", "gray", "transparent", "flat_normal")
+WRAP = ("repeat", "clamp", "mirror")
+FILTERED: Settings = {"filter": ("linear", "nearest"), "mip": ("linear", "nearest", "none")}
+
+
+@frozen
+class Kind:
+    """What can be said of the maps of one kind of texture."""
+
+    defaults: tuple[str, ...]
+    """What a host may bind that has no picture; the first where nothing is said."""
+    settings: Settings = EMPTY
+    fixed: Mapping[str, str] = EMPTY
+    """State that goes without saying."""
+
+
+COLORS = Kind(COLOR_DEFAULTS, {**FILTERED, "wrap": WRAP})
+CUBES = Kind(COLOR_DEFAULTS, FILTERED, {"wrap": "clamp"})
+COMPARED: Settings = {
+    "filter": ("linear", "nearest"),
+    "compare": ("less_equal", "less", "greater_equal", "greater"),
+}
+DEPTHS = Kind(("far", "near"), {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
+DEPTH_CUBES = Kind(("far", "near"), COMPARED, {"mip": "none", "wrap": "clamp"})
+INTEGERS = Kind(("zero",))
+"""Nothing filters them, so they have no sampler."""
+
+
+def kind_of(texture: Texture) -> Kind:
+    """What can be said of a map of this type."""
+    is_cube = texture.dimension == "cube"
+    match texture.sample:
+        case "float":
+            return CUBES if is_cube else COLORS
+        case "depth":
+            return DEPTH_CUBES if is_cube else DEPTHS
+        case _:
+            return INTEGERS
+
+
+def resource(low: Lowering, definition: Definition, name: str, group: str) -> ResourceInfo | None:
+    """The texture that a ``map`` declares; ``None`` after reporting why it is none."""
+    member = definition.member
+    assert isinstance(member, ast.Map)
+    declared = declared_type(low, member.type, definition.owner.module)
+    if declared is None:
+        return None
+    if not isinstance(declared.type, Texture):
+        low.report.add(
+            rules.WRONG_TYPE, member.type.span, expected="a texture type", found=declared.text,
+            hint="layers of one texture are a `texture2d_array`"
+            if isinstance(declared.type, Array)
+            else "`texture2d` is one",
+        )  # fmt: skip
+        return None
+    kind = kind_of(declared.type)
+    default = kind.defaults[0] if member.default is None else member.default.text
+    if member.default is not None and default not in kind.defaults:
+        unknown_word(low, "texture default", member.default, kind.defaults)
+    state = _sampler_state(low, member, kind, declared.text)
+    found = Resource(name, declared.type, group, default, tuple(sorted(state.items())))
+    return ResourceInfo(found, member.doc, member.name.span)
+
+
+def _sampler_state(low: Lowering, member: ast.Map, kind: Kind, type_: str) -> dict[str, str]:
+    check_once(low.report, (key for key, _ in member.state))
+    state = {**kind.fixed, **{key: values[0] for key, values in kind.settings.items()}}
+    known = {**COLORS.settings, **DEPTHS.settings}
+    for key, value in member.state:
+        if key.text not in known and kind.settings:
+            unknown_word(low, "sampler setting", key, kind.settings)
+        elif key.text not in kind.settings:
+            low.report.add(rules.SETTING_WITHOUT_USE, key.span, name=key.text, type=type_)
+        elif value.text not in kind.settings[key.text]:
+            unknown_word(low, f"value for `{key.text}`", value, kind.settings[key.text])
+        else:
+            state[key.text] = value.text
+    return state
+
+
+def unknown_word(low: Lowering, kind: str, name: ast.Name, known: Iterable[str]) -> None:
+    """Report a word that is none of those which can stand in its place."""
+    listed = ", ".join(f"`{word}`" for word in known)
+    hint = suggestion(name.text, known) or f"one of {listed}"
+    low.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)

@@ -1,0 +1,93 @@
+"""The transforms that are in scope, as ways from space to space.
+
+Every slot declared as a ``transform`` or ``basis`` leads from its first space to its second.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ....frozen import frozen
+from ...ir.meaning import GEOMETRY, MAPS, Meaning
+from ..state.scope import Instance, Scope
+from ..types.typenames import HOMOGENEOUS, NAMED
+from .written_types import declared_type
+
+if TYPE_CHECKING:
+    from ..state.context import Lowering
+
+
+@frozen
+class Way:
+    """A transform in scope, and the way in which it is taken."""
+
+    instance: Instance
+    name: str
+    meaning: Meaning
+    back: bool = False
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """From where to where."""
+        return self.meaning.spaces[::-1] if self.back else self.meaning.spaces
+
+
+def transforms(low: Lowering, scope: Scope) -> Iterator[Way]:
+    """The transforms that an expression could name, the nearest first."""
+    seen: list[Instance] = []
+    passing = low.passing if scope.surface is not None else None
+    for instance in (scope.instance, scope.surface, passing):
+        if instance is None or instance in seen:
+            continue
+        seen.append(instance)
+        for name in instance.record.definitions:
+            typing = instance.record.typing(name)
+            if typing is None or typing.member.type is None:
+                continue
+            named = NAMED.get(typing.member.type.name.text)
+            if named is None or named.meaning not in MAPS:
+                continue
+            declared = declared_type(low, typing.member.type, typing.owner.module)
+            if declared is not None and declared.meaning is not None:
+                yield Way(instance, name, declared.meaning)
+
+
+def _leads(way: Way, kind: str) -> bool:
+    """Whether a way is one for points, or for vectors and normals."""
+    if kind == "point":
+        return way.meaning.kind == "transform" and way.ends[0] != HOMOGENEOUS
+    return HOMOGENEOUS not in way.ends
+
+
+def path(low: Lowering, meaning: Meaning, space: str, scope: Scope) -> list[Way] | None:
+    """The shortest way into a space, backwards along a transform only where there is no other."""
+    forth = list(transforms(low, scope))
+    back = [Way(way.instance, way.name, way.meaning, back=True) for way in forth]
+    for ways in (forth, forth + back):
+        usable = [way for way in ways if _leads(way, meaning.kind)]
+        found = _shortest(usable, meaning.spaces[0], space)
+        if found is not None:
+            return found
+    return None
+
+
+def _shortest(ways: list[Way], start: str, end: str) -> list[Way] | None:
+    reached: dict[str, list[Way]] = {start: []}
+    front = [start]
+    while front and end not in reached:
+        ahead: list[str] = []
+        for way in ways:
+            source, target = way.ends
+            if source in front and target not in reached:
+                reached[target] = [*reached[source], way]
+                ahead.append(target)
+        front = ahead
+    return reached.get(end)
+
+
+def offered(low: Lowering, meaning: Meaning, space: str, text: str, scope: Scope) -> str:
+    """How a value is brought into a space; empty where no way leads there."""
+    if meaning.kind not in GEOMETRY or path(low, meaning, space, scope) is None:
+        return ""
+    return f"`{text} in {space}`"

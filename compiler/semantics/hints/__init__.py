@@ -1,0 +1,1 @@
+"""The way out of mistakes, as messages tell it."""

@@ -1,0 +1,199 @@
+"""The way out of a mistake about types and names, as messages tell it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from ....stdlib.builtins import BUILTINS
+from ...diagnostics.nearest import suggestion
+from ...diagnostics.source import Span
+from ...ir.node import Node, bare
+from ...ir.types import Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
+from ...syntax import ast
+from ..types.typenames import NAMED
+from .wording import counted, operand, spanned
+
+if TYPE_CHECKING:
+    from ..names.modules import Symbol
+    from ..state.scope import RigEntry, Scope
+
+_FEW = 8
+"""As many names can be listed."""
+
+READ = "a texture is read: `name(coordinate)`"
+_LANES = "xyzw"
+_COLORS = "rgba"
+
+
+def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> str:
+    """How to make the value at ``span``, whose type is not the wanted one, fit."""
+    text, tight = spanned(span), operand(span)
+    match found, wanted:
+        case Texture(), _:
+            return "" if isinstance(wanted, Texture) else READ
+        case _, Texture():
+            return "what is read from a texture needs a slot with a name of its own"
+        case Vector(kind="bool"), Scalar(kind="bool"):
+            one = f"`all({text})` or `any({text})` makes one truth"
+            return f"{one}; `choose(c, x, y)` chooses in each lane"
+        case _, Scalar(kind="bool"):
+            return "a truth is a comparison, as in `x > 0`"
+        case Scalar(), Vector():
+            return f"write `{wanted}({text})` for equal lanes"
+        case Scalar(kind="float"), Scalar(kind="int" | "uint") if _is_literal(text):
+            whole = f"{float(text):.0f}"
+            return f"write `{whole}`" if float(text) == float(whole) else "it is a whole number"
+        case Scalar(), Scalar():
+            return f"write `{wanted}({text})`"
+        case Array(), Vector():
+            lanes = ", ".join(_LANES[: wanted.size])
+            return f"brackets make an array; a vector is `{wanted}({lanes})`"
+        case Array(), Array() if found.element == wanted.element:
+            return f"{counted(found.count, 'element')} here: write them all, or `{found}`"
+        case Vector(), Scalar() | Vector():
+            return _of_lanes(found, wanted, declared, text, tight)
+    return ""
+
+
+def _is_literal(text: str) -> bool:
+    """Whether a text is one number in decimals."""
+    return text.replace(".", "", 1).isdecimal()
+
+
+def cut_quotient(operands: Iterable[Node]) -> str:
+    """About a quotient of two whole literals, ``1 / 3``, where a float is wanted."""
+    for node in map(bare, operands):
+        if node.op != "call" or node.data != "div" or scalar_kind(node.type) != "int":
+            continue
+        x, y = (bare(part).data for part in node.operands)
+        if isinstance(x, int) and isinstance(y, int):
+            return f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
+    return ""
+
+
+def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, text: str, tight: str) -> str:
+    if scalar_kind(wanted) != found.kind:
+        return f"write `{wanted}({text})`" if width(wanted) == found.size else ""
+    if isinstance(wanted, Scalar):
+        return f"read one lane, as in `{tight}.x`"
+    if wanted.size < found.size:
+        letters = _COLORS if declared.startswith("rgb") else _LANES
+        return f"read {wanted.size} lanes: `{tight}.{letters[: wanted.size]}`"
+    filled = "".join((", 0", ", 0", ", 0", ", 1")[found.size : wanted.size])
+    return f"say what the other lanes are: `{wanted}({text}{filled})`"
+
+
+def joined_types(operator: str, left: Type, right: Type) -> str:
+    """How to mend an operator between truths and numbers, or a vector in front of a matrix."""
+    kinds = [scalar_kind(type_) for type_ in (left, right) if isinstance(type_, Scalar | Vector)]
+    if isinstance(left, Texture) or isinstance(right, Texture):
+        return READ
+    if operator in ("and", "or"):
+        return "`and` and `or` join truths: a comparison, as in `x > 0`, makes one of a number"
+    if len(kinds) == 2 and "bool" in kinds and kinds != ["bool", "bool"]:
+        return "`float(…)` makes 0 or 1 of a truth"
+    if isinstance(left, Vector) and isinstance(right, Matrix):
+        return "vectors are columns: the matrix stands first, `m * v`"
+    return ""
+
+
+def _is_called(name: str) -> bool:
+    """Whether a name is that of a builtin function."""
+    row = BUILTINS.get(name)
+    return row is not None and not row.operator and row.method is None
+
+
+def is_read(name: str) -> bool:
+    """Whether textures are read by a method of this name."""
+    return any(row.method == name for row in BUILTINS.values())
+
+
+def missing_member(type_: Type, name: str) -> str:
+    """What to write in place of ``v.name``, which there is not."""
+    if isinstance(type_, Texture):
+        return f"reads are called: `{name}(…)`" if is_read(name) else READ
+    if isinstance(type_, Array):
+        return "elements are read by their number, `a[i]`; the length is that of the declared type"
+    if _is_called(name):
+        return f"functions are called with what they are of: `{name}(…)`"
+    if isinstance(type_, Matrix):
+        return "columns are read by their number, `m[i]`, and rows of them behind that, `m[i][j]`"
+    if isinstance(type_, Scalar):
+        return f"{type_} is one number" + (", called `x` if need be" if set(name) != {"x"} else "")
+    lanes = width(type_) if isinstance(type_, Vector) else 0
+    names = f"its lanes are `{_LANES[:lanes]}`, or `{_COLORS[:lanes]}`"
+    return f"{names}: up to four of them, and not mixed" if lanes else ""
+
+
+def nearest_or_all(name: str, known: Iterable[str]) -> str:
+    """The nearest of the known names, or all, where they are few."""
+    names = list(dict.fromkeys(known))
+    hint = suggestion(name, names)
+    if hint or not 0 < len(names) <= _FEW:
+        return hint
+    return f"there is {', '.join(f'`{each}`' for each in names)}"
+
+
+def of_a_record(name: str, scope: Scope) -> str:
+    """About a slot that is named outside of all records: in a function, a constant or a default."""
+    if name == "inherited":
+        return "only the equations of a material, light, pass or rig build on what a base says"
+    if scope.surface is not None or scope.instance is not None:
+        term = name == "material" and scope.instance is None
+        return "a term reads the slots of the surface by their own names" if term else ""
+    if not any(name in slots for slots in _slots(scope)):
+        return ""
+    return (
+        f"`{name}` belongs to a record: functions see their arguments and constants, terms also "
+        "the surface, and constants and defaults see constants only"
+    )
+
+
+def _slots(scope: Scope) -> Iterable[Collection[str]]:
+    """The names of the slots of each record that is visible."""
+    for visible in scope.module.visible():
+        for symbol in scope.module.known(visible):
+            if isinstance(symbol.declaration, ast.Record | ast.Mixin):
+                members = symbol.declaration.members
+                yield {member.name.text for member in members if ast.is_named(member)}
+
+
+def of_a_light(name: str, rig: Iterable[RigEntry]) -> str:
+    """About a light of the rig that is named like a value."""
+    if all(entry.name != name for entry in rig):
+        return ""
+    return "lights are read in a `term … per light`, which is summed over them: `light.diffuse`"
+
+
+def unshaded(symbol: Symbol) -> str:
+    """About a record that is named like a value; empty for anything else."""
+    declaration = symbol.declaration
+    if not isinstance(declaration, ast.Record):
+        return ""
+    shared = f"a function, or a base, `: {symbol.name}`"
+    return f"a {declaration.kind} is no value: what several share is {shared}"
+
+
+_DECLARED_AS: Mapping[str, str] = MappingProxyType(
+    {
+        "name": "nothing declares it: `{0} = …` does, or `param {0} : type` if the host sets it",
+        "function": "nothing declares it: a function is `fn {0}(…) = …`, "
+        "a texture `map {0} : texture2d`",
+    }
+)
+
+
+def undeclared(kind: str, name: str) -> str:
+    """How to declare what nothing does."""
+    return _DECLARED_AS.get(kind, "").format(name)
+
+
+def uncalled(name: str) -> str:
+    """What to write for a function or type without arguments; empty if it is neither."""
+    if name in NAMED:
+        return f"`{name}` is a type: `{name}(…)` makes a value of it"
+    if _is_called(name):
+        return f"`{name}` is a function: `{name}(…)`"
+    return ""

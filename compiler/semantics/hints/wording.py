@@ -1,0 +1,54 @@
+"""Expressions as messages quote them."""
+
+from __future__ import annotations
+
+from ...diagnostics.source import Span
+from ...syntax import ast
+
+LONGEST = 60
+
+_TIGHT = (
+    ast.Reference, ast.Call, ast.Field, ast.Index, ast.Number, ast.Color, ast.Ascription,
+)  # fmt: skip
+"""What needs no parentheses before a word."""
+
+
+def quoted(expression: ast.Expression) -> str:
+    """The expression as it is written, where that is short; otherwise ``…``."""
+    return spanned(expression.span)
+
+
+def spanned(span: Span) -> str:
+    """The text at a place, where that is short; otherwise ``…``."""
+    text = span.source.text[span.start : span.end]
+    return text if len(text) <= LONGEST and "\n" not in text else "…"
+
+
+def operand(span: Span) -> str:
+    """The expression at a place as something can be written behind it: ``(a + b)``, ``f(x)``."""
+    text = spanned(span)
+    return text if _is_closed(text) else f"({text})"
+
+
+def _is_closed(text: str) -> bool:
+    """Whether a text is a name, a number, or what ends in brackets that began behind a name."""
+    depth, opened = 0, False
+    for character in text:
+        if character in "([":
+            depth, opened = depth + 1, True
+        elif character in ")]":
+            depth -= 1
+        elif not depth and not (character.isalnum() or character in "_.#…"):
+            return False
+    return not opened or not text.startswith("(")
+
+
+def tight(expression: ast.Expression) -> str:
+    """The same where a word follows: in parentheses, if need be."""
+    text = quoted(expression)
+    return text if isinstance(expression, _TIGHT) or text == "…" else f"({text})"
+
+
+def counted(count: int | str, thing: str) -> str:
+    """``1 argument``, ``no arguments``, ``2 or 3 arguments``."""
+    return f"{count or 'no'} {thing}" + ("" if str(count) == "1" else "s")

@@ -1,0 +1,58 @@
+"""Marks the values of calls, so that ``outlining`` can let calls of one function share its body."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypeAlias
+
+from ....frozen import frozen
+from ...ir import build
+from ...ir.meaning import Meaning
+from ...ir.node import Node, bare
+from ...ir.types import Array, Matrix, Scalar, Struct, Texture, Type, Vector
+from ..names.modules import Symbol
+
+if TYPE_CHECKING:
+    from ..state.context import Lowering
+
+Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
+"""What a body knows of an argument: its value, or what kind of value it is."""
+
+
+@frozen
+class Callee:
+    """What was called: calls of one callee may share a body."""
+
+    symbol: Symbol
+    given: tuple[Given, ...]
+
+
+def marked(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], value: Node) -> Node:
+    """``value`` as what a function gives for ``arguments``: a node ``called``."""
+    if not isinstance(value.type, Scalar | Vector | Matrix) or not value.operands:
+        return value
+    given: list[Given] = []
+    parts: list[Node] = []
+    for argument in arguments:
+        if not _is_kept(argument):
+            given.append((argument.type, low.meanings.of(argument)))
+            whole = bare(argument) if isinstance(argument.type, Struct) else argument
+            parts += build.flattened(low.graph, whole)
+        elif argument.variables:
+            return value
+        else:
+            given.append(argument)
+    if not parts:
+        return value
+    callee = Callee(symbol, tuple(given))
+    return low.graph.node("called", value.type, (value, *parts), callee)
+
+
+def _is_kept(argument: Node) -> bool:
+    """Whether each value of an argument has a body of its own.
+
+    Textures are no arguments everywhere, arrays would be copied, and what a block holds can be read
+    by every function.
+    """
+    if isinstance(argument.type, Texture | Array):
+        return True
+    return isinstance(argument.type, Struct) and bare(argument).op == "parameter"

@@ -1,0 +1,83 @@
+"""What is said of operations between values that have no common meaning."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...diagnostics.source import Span
+from ...ir.meaning import Meaning
+from ...ir.node import Node
+from ...syntax import ast
+from ..declarations import transform_paths
+from ..hints.wording import tight
+from ..state.scope import FAILURE, Failure, Scope
+from ..types.meaning_rules import Clash, chosen, gathered, side
+from ..types.meanings import combined
+
+if TYPE_CHECKING:
+    from ..state.context import Lowering
+
+Written = tuple[ast.Expression, ...]
+
+
+def checked(
+    low: Lowering, node: Node, shown: str, span: Span, written: Written, scope: Scope | None
+) -> Node | Failure:
+    """A call or a choice, provided that it means something; otherwise a report of both sides."""
+    meanings = [low.meanings.of(operand) for operand in node.operands]
+    if not any(meanings):
+        return node
+    if node.op == "select":
+        operands, meanings, written = node.operands[1:], meanings[1:], written[1:]
+        found = chosen((side(operands[0], meanings[0]), side(operands[1], meanings[1])))
+    elif node.op == "array":
+        found = gathered([side(o, m) for o, m in zip(node.operands, meanings, strict=True)])
+    else:
+        found = combined(node, meanings)
+    if not isinstance(found, Clash):
+        low.meanings.keep(node, found)
+        return node
+    return complain(low, found, meanings, shown, span, written, scope)
+
+
+def complain(
+    low: Lowering,
+    clash: Clash,
+    meanings: list[Meaning | None],
+    shown: str,
+    span: Span,
+    written: Written,
+    scope: Scope | None,
+) -> Failure:
+    """Report operands that do not belong together, each where it stands."""
+    left, right = meanings[clash.left], meanings[clash.right]
+    assert left is not None and right is not None
+    places = sorted({clash.left, clash.right})
+    low.report.add(
+        clash.rule, span, operator=shown, left=left, right=right,
+        labels=[Label(written[i].span, f"this is `{meanings[i]}`") for i in places if written],
+        hint=clash.hint or _hint(low, clash, left, right, written, scope),
+    )  # fmt: skip
+    return FAILURE
+
+
+def _hint(
+    low: Lowering,
+    clash: Clash,
+    left: Meaning,
+    right: Meaning,
+    written: Written,
+    scope: Scope | None,
+) -> str:
+    if clash.rule is rules.NOT_OF_A_POINT:
+        return "subtract the point that it is seen from; `vec3(p)` is its bare coordinates"
+    if clash.rule is not rules.MIXED_SPACES or not written or scope is None:
+        return ""
+    offers = [
+        transform_paths.offered(low, left, right.spaces[0], tight(written[clash.left]), scope),
+        transform_paths.offered(low, right, left.spaces[0], tight(written[clash.right]), scope),
+    ]
+    known = " or ".join(offer for offer in offers if offer)
+    return f"write {known}" if known else ""

@@ -1,0 +1,154 @@
+"""``x in S``: from one space to another, by the transforms that are in scope.
+
+The arithmetic is written in ``stdlib/spaces.burnish``; here it is chosen and put together.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ...diagnostics import rules
+from ...diagnostics.nearest import suggestion
+from ...diagnostics.source import Span
+from ...ir.meaning import ARROWS, GEOMETRY, Meaning
+from ...ir.node import Node
+from ...ir.types import VEC3, Matrix
+from ...library import conversions as library
+from ...syntax import ast
+from ...trampoline import Step
+from ..declarations import transform_paths
+from ..hints.wording import tight
+from ..names.modules import Module
+from ..state.scope import FAILURE, Failure, Scope, Value
+from ..types import meaning_rules
+from ..types.typenames import HOMOGENEOUS, SPACES
+from . import applications, combinations, lookup
+from .operands import listed
+
+if TYPE_CHECKING:
+    from ..state.context import Lowering
+
+
+def convert(low: Lowering, e: ast.Conversion, scope: Scope) -> Step[Value]:
+    """The value of ``x in S``."""
+    node = yield low.node(e.operand, scope)
+    space = _space(low, e.space, scope)
+    if isinstance(node, Failure) or space is None:
+        return FAILURE
+    meaning = low.meanings.of(node)
+    if meaning is None or meaning.kind not in GEOMETRY:
+        text = tight(e.operand)
+        low.report.add(
+            rules.IN_NO_SPACE, e.operand.span, found=meaning or node.type,
+            hint=f"say what it is: `({text} as vector<object>) in {space}`",
+        )  # fmt: skip
+        return FAILURE
+    path = transform_paths.path(low, meaning, space, scope)
+    if path is None:
+        _no_way(low, e, meaning, space, scope)
+        return FAILURE
+    result: Value = yield _taken(low, node, meaning, path, e.span)
+    return result
+
+
+def _space(low: Lowering, name: ast.Name, scope: Scope) -> str | None:
+    known = scope.variables.get(name.text)
+    if isinstance(known, str):
+        return known
+    found = scope.module.find(name.text)
+    if name.text in SPACES or (found and isinstance(found[0].declaration, ast.Space)):
+        return name.text
+    spaces = [*SPACES, *(s for s in scope.module.visible() if _is_space(scope.module, s))]
+    hint = suggestion(name.text, spaces) or f"declare it: `space {name.text}`"
+    low.report.add(rules.UNKNOWN_NAME, name.span, kind="space", name=name.text, hint=hint)
+    return None
+
+
+def _is_space(module: Module, name: str) -> bool:
+    return any(isinstance(symbol.declaration, ast.Space) for symbol in module.known(name))
+
+
+def _no_way(low: Lowering, e: ast.Conversion, meaning: Meaning, space: str, scope: Scope) -> None:
+    there = ", ".join(
+        f"`{way.name} : {way.meaning}`" for way in transform_paths.transforms(low, scope)
+    )
+    low.report.add(
+        rules.NO_CONVERSION, e.span, found=meaning, space=space,
+        hint=f"there is {there}" if there else "there is no transform in scope",
+    )  # fmt: skip
+
+
+def _taken(
+    low: Lowering, node: Node, meaning: Meaning, path: list[transform_paths.Way], span: Span
+) -> Step[Value]:
+    """A value carried along a path; a direction is one in the end, too."""
+    for way in path:
+        matrix = yield lookup.slot(low, way.instance, way.name, span)
+        if isinstance(matrix, Failure):
+            return FAILURE
+        matrix = low.meanings.ascribed(matrix, way.meaning)
+        step = yield _step(low, node, meaning.kind, matrix, way, span)
+        if isinstance(step, Failure):
+            return FAILURE
+        node = step
+    if path and meaning.kind == "direction":
+        return low.builtin("normalize", (node,), span, "normalize")
+    return node
+
+
+def _step(
+    low: Lowering, node: Node, kind: str, matrix: Node, way: transform_paths.Way, span: Span
+) -> Step[Node | Failure]:
+    if kind == "normal":
+        name = "upright_back" if way.back else "upright"
+        turned = yield _library(low, name, (matrix, node), span)
+        if isinstance(turned, Failure):
+            return FAILURE
+        return low.meanings.ascribed(turned, Meaning("normal", way.ends[1:]))
+    if way.back:
+        inverse = low.builtin("inverse", (matrix,), span, "inverse")
+        assert isinstance(inverse, Node)
+        matrix = inverse
+    carried: Node | Failure = yield _library(low, "moved", (matrix, node), span)
+    return carried
+
+
+def _library(
+    low: Lowering, name: str, arguments: tuple[Node, ...], span: Span
+) -> Step[Node | Failure]:
+    """A function of ``spaces.burnish``."""
+    symbol = applications.best(low, list(library().find(name)), arguments)
+    assert symbol is not None, f"{name} does not take {listed(arguments)}"
+    result: Node | Failure = yield applications.library_call(low, symbol, arguments, span)
+    return result
+
+
+# --- transform * point ---------------------------------------------------------------------------
+
+
+def moves(low: Lowering, left: Node, right: Node) -> bool:
+    """Whether ``left * right`` is a transform that moves a point or vector of three lanes."""
+    by, what = low.meanings.of(left), low.meanings.of(right)
+    return (
+        left.type == Matrix(4) and right.type == VEC3
+        and by is not None and by.kind == "transform"
+        and what is not None and what.kind in GEOMETRY
+    )  # fmt: skip
+
+
+def moved(low: Lowering, left: Node, right: Node, e: ast.Binary, scope: Scope) -> Step[Value]:
+    """The value of ``transform * point`` or ``transform * vector``."""
+    by, what = low.meanings.of(left), low.meanings.of(right)
+    assert by is not None and what is not None
+    found = meaning_rules.moved(by, what)
+    if isinstance(found, meaning_rules.Clash):
+        written = (e.left, e.right)
+        return combinations.complain(low, found, [by, what], e.operator, e.span, written, scope)
+    if found.kind in ARROWS and HOMOGENEOUS in by.spaces:
+        low.report.add(
+            rules.NO_CONVERSION, e.span, found=what, space=by.spaces[1],
+            hint="only points go into clip space",
+        )  # fmt: skip
+        return FAILURE
+    result: Value = yield _library(low, "moved", (left, right), e.span)
+    return result

@@ -1,0 +1,197 @@
+"""Operands that no signature of a builtin takes, and the edit that mends them.
+
+An edit is offered where the builtin is known to take what comes of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from ....stdlib.builtins import BUILTINS
+from ...diagnostics import rules
+from ...diagnostics.source import Span
+from ...ir.node import Node
+from ...ir.signatures import FAMILIES
+from ...ir.types import (
+    VEC3,
+    Array,
+    Matrix,
+    Scalar,
+    Struct,
+    Texture,
+    Vector,
+    scalar_kind,
+    width,
+    with_width,
+)
+from ...syntax import ast
+from ..hints import advice
+from ..hints.wording import counted, operand, spanned
+from ..state.scope import FAILURE, Failure
+from ..types import overloads
+from ..types.overloads import Operand
+
+if TYPE_CHECKING:
+    from ..state.context import Lowering
+
+_INTEGERS = frozenset(FAMILIES["I"].kinds)
+_LANES = "xyzw"
+
+Written = Sequence[ast.Expression]
+Edit = tuple[Operand, str]
+"""An operand as it would be, and how that is written; the text is empty where nothing changes."""
+
+
+def listed(operands: Sequence[Node]) -> str:
+    """The operands' types for a message."""
+    return ", ".join(str(node.type) for node in operands)
+
+
+def no_signature(
+    low: Lowering, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
+) -> Failure:
+    """Report operands that no signature of a builtin takes."""
+    row = BUILTINS[name]
+    if row.operator:
+        types = [str(node.type) for node in operands]
+        low.report.add(
+            rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
+            operator=shown, left=types[0], right=types[-1],
+            hint=advice.cut_quotient(operands) or _operator_hint(low, name, operands, written),
+        )  # fmt: skip
+        return FAILURE
+    candidates = f"candidates: {overloads.signatures(row)}"
+    if not overloads.takes(name, len(operands)):
+        counts = sorted({len(s.split("->")[0].split(",")) for s in row.signatures})
+        low.report.add(
+            rules.WRONG_COUNT, span, name=shown,
+            expected=counted(" or ".join(map(str, counts)), "argument"), found=len(operands),
+            hint=_of_another_count(name, written) or candidates,
+        )  # fmt: skip
+        return FAILURE
+    edit = _parts(operands) or advice.cut_quotient(operands) or _edited(name, operands, written)
+    hint = edit or candidates
+    low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
+    return FAILURE
+
+
+def _of_another_count(name: str, written: Written) -> str:
+    """The builtin for two operands of which this one is for one, as ``atan2`` is of ``atan``."""
+    other = f"{name}{len(written)}"
+    if other not in BUILTINS or not overloads.takes(other, len(written)):
+        return ""
+    arguments = ", ".join(spanned(each.span) for each in written)
+    return f"of {len(written)} arguments it is `{other}({arguments})`"
+
+
+def _parts(operands: Sequence[Node]) -> str:
+    """Builtins are of numbers: of textures, structures and arrays they take the parts."""
+    for node in operands:
+        if isinstance(node.type, Struct):
+            return f"name the members that count: `a.{node.type.members[0][0]}`"
+        if isinstance(node.type, Array):
+            return "name the elements that count: `a[0]`, or `sum i in 0..n : a[i]`"
+        if isinstance(node.type, Texture):
+            return advice.READ
+    return ""
+
+
+# --- edits ---------------------------------------------------------------------------------------
+
+
+def _edited(name: str, operands: Sequence[Node], written: Written) -> str:
+    """The smallest edits after which a builtin takes the operands."""
+    if len(written) != len(operands):
+        return ""
+    for edit in (_as_floats, _of_one_length):
+        edits = edit(operands, written)
+        if any(text for _, text in edits) and overloads.resolve(name, tuple(o for o, _ in edits)):
+            return f"write {' and '.join(f'`{text}`' for _, text in edits if text)}"
+    return ""
+
+
+def _as_floats(operands: Sequence[Node], written: Written) -> list[Edit]:
+    """Every integer as a float, but for literals, which adapt by themselves."""
+    edits = []
+    for node, expression in zip(operands, written, strict=True):
+        known = overloads.operand(node)
+        if known.constant or scalar_kind(node.type) not in _INTEGERS:
+            edits.append((known, ""))
+            continue
+        type_ = with_width("float", width(node.type))
+        edits.append((Operand(type_), f"{type_}({spanned(expression.span)})"))
+    return edits
+
+
+def _of_one_length(operands: Sequence[Node], written: Written) -> list[Edit]:
+    """Every vector with as many lanes as the shortest."""
+    sizes = [node.type.size for node in operands if isinstance(node.type, Vector)]
+    edits = []
+    for node, expression in zip(operands, written, strict=True):
+        known = overloads.operand(node)
+        if not isinstance(node.type, Vector) or node.type.size == min(sizes):
+            edits.append((known, ""))
+            continue
+        type_ = with_width(node.type.kind, min(sizes))
+        edits.append((Operand(type_), f"{operand(expression.span)}.{_LANES[: min(sizes)]}"))
+    return edits
+
+
+# --- operators -----------------------------------------------------------------------------------
+
+
+def _operator_hint(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> str:
+    """How to mend ``x * i`` between a float and an integer, and the like."""
+    of_bits = all(signature.startswith("I") for signature in BUILTINS[name].signatures)
+    ways: tuple[Callable[[], str], ...] = (
+        lambda: _parts(operands),
+        lambda: _bits(name, operands) if of_bits else "",
+        lambda: _edited(name, operands, written),
+        lambda: _integers(operands, written),
+        lambda: _of_matrices(low, name, operands, written),
+        lambda: advice.joined_types(name, operands[0].type, operands[-1].type),
+    )
+    return next((hint for way in ways if (hint := way())), "")
+
+
+def _bits(name: str, operands: Sequence[Node]) -> str:
+    """How to mend an operator that takes integers only."""
+    kinds = {scalar_kind(node.type) for node in operands}
+    if "float" in kinds:
+        power = "a power is written `pow(x, y)`; " if name == "bit_xor" else ""
+        return f"{power}bits are those of integers: convert with `int(…)`, or see `bits_of`"
+    if "bool" in kinds:
+        return "truths are joined by `and` and `or`, and turned over by `not`"
+    return ""
+
+
+def _integers(operands: Sequence[Node], written: Written) -> str:
+    """How to mend an operator between an ``int`` and a ``uint``."""
+    if {scalar_kind(node.type) for node in operands} != _INTEGERS:
+        return ""
+    types = [node.type for node in operands]
+    if len(written) != 2 or not all(isinstance(type_, Scalar) for type_ in types):
+        return "convert one with `int(…)` or `uint(…)`, which keep the bits"
+    left, right = (spanned(each.span) for each in written)
+    return f"write `{types[1]}({left})` or `{types[0]}({right})`, which keeps the bits"
+
+
+def _of_matrices(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> str:
+    """How to mend ``matrix * vector`` of different sizes, and ``matrix / number``."""
+    if len(operands) != 2 or not isinstance(operands[0].type, Matrix):
+        return ""
+    matrix, vector = (operand(each.span) for each in written) if written else ("m", "v")
+    size, type_ = operands[0].type.size, operands[1].type
+    if name == "div" and isinstance(type_, Scalar):
+        return f"a matrix is multiplied: `{matrix} * (1.0 / {vector})`"
+    by = low.meanings.of(operands[0])
+    if type_ == VEC3 and by is not None and by.kind == "transform":
+        space = by.spaces[0]
+        return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
+    if name != "mul" or not isinstance(type_, Vector) or type_.size >= size:
+        return ""
+    longer = ", 0" * (size - type_.size - 1) + ", 1"
+    place = f"({matrix} * vec{size}({vector}{longer})).{_LANES[: type_.size]}"
+    along = f"mat{type_.size}({matrix}) * {vector}"
+    return f"a place is moved by `{place}`, a direction turned by `{along}`"

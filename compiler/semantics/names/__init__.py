@@ -1,0 +1,1 @@
+"""Files, their imports, and the names that each file can see."""

@@ -1,0 +1,1 @@
+"""A material, a pass and a rig put together into a shader."""

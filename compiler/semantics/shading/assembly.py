@@ -1,0 +1,139 @@
+"""A material under a pass and under lights, before anything of it has been lowered."""
+
+from __future__ import annotations
+
+from typing import TypeVar
+
+from ....frozen import changed, frozen
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label, Report
+from ...ir.leaves import Parameter, Resource
+from ...syntax import ast
+from ..declarations.parameters import Leaves, leaves_of
+from ..inheritance.records import Record, Records
+from ..names.modules import Module, Symbol
+from ..state.context import Lowering
+from ..state.scope import Instance, Replacement
+from ..types.typenames import TypeResolver
+from .instances import instance_of
+from .placeholders import stand_in
+from .rigs import Entry, entries_of
+
+
+@frozen
+class Parts:
+    """What is multiplied."""
+
+    material: Symbol
+    rig: Symbol
+    """A rig; or a light, for checking what is meant for lights that no rig has."""
+    pass_: Symbol
+    module: Module
+    """The file being compiled."""
+
+
+@frozen(eq=False)
+class Setting:
+    """Instances of the parts, and the leaves that they read."""
+
+    low: Lowering
+    parts: Parts
+    entries: list[Entry]
+    leaves: tuple[Leaves, Leaves]
+    """Of the pass and of the material."""
+    surface: Instance
+    passing: Instance
+
+
+def set_up(parts: Parts, report: Report, records: Records) -> Setting:
+    """The parts put together; what they lack because they are abstract has stand-ins."""
+    low = Lowering(report, records, TypeResolver(report))
+    entries = entries_of(low, parts.rig)
+    low.rig = tuple(entry for entry, _, _ in entries)
+    return _put_together(low, parts, entries, None)
+
+
+def set_up_beside(setting: Setting, parts: Parts) -> Setting:
+    """Other parts under the same lights, which share all that has been lowered already."""
+    if parts == setting.parts:
+        return setting
+    same = parts.material == setting.parts.material and not setting.surface.replaced
+    return _put_together(setting.low, parts, setting.entries, setting.surface if same else None)
+
+
+def _put_together(
+    low: Lowering, parts: Parts, entries: list[Entry], known: Instance | None
+) -> Setting:
+    """``known`` is an instance of the material as it is under a pass that overrides nothing."""
+    material, drawn = low.records.of(parts.material), low.records.of(parts.pass_)
+    material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
+    pass_leaves = _apart(pass_leaves, material_leaves, drawn)
+    _check_attributes(low, pass_leaves, material_leaves, material)
+    passing = instance_of(low, drawn, pass_leaves)
+    overrides = _overrides(material, drawn, passing)
+    reused = known is not None and not overrides
+    surface = known if known is not None and reused else instance_of(low, material, material_leaves)
+    surface.replaced.update(overrides)
+    passing.surface = surface
+    low.passing = passing
+    for instance in (passing,) if reused else (surface, passing):
+        if is_declared_abstract(instance.record):
+            stand_in(low, instance)
+    return Setting(low, parts, entries, (pass_leaves, material_leaves), surface, passing)
+
+
+def is_declared_abstract(record: Record) -> bool:
+    """Whether a record is there for its heirs only."""
+    declaration = record.symbol.declaration
+    return isinstance(declaration, ast.Record) and declaration.abstract
+
+
+def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:
+    """A pass's parameters and textures under names that its material does not use."""
+    taken = {info.parameter.name for info in others.parameters}
+    taken |= {info.resource.name for info in others.resources}
+    parameters = tuple(
+        changed(info, parameter=_prefixed(info.parameter, drawn))
+        if info.parameter.name in taken
+        else info
+        for info in leaves.parameters
+    )
+    resources = tuple(
+        changed(info, resource=_prefixed(info.resource, drawn))
+        if info.resource.name in taken
+        else info
+        for info in leaves.resources
+    )
+    return changed(leaves, parameters=parameters, resources=resources)
+
+
+Leaf = TypeVar("Leaf", Parameter, Resource)
+
+
+def _prefixed(leaf: Leaf, drawn: Record) -> Leaf:
+    return changed(leaf, name=f"{drawn.name}.{leaf.name}")
+
+
+def _check_attributes(low: Lowering, leaves: Leaves, others: Leaves, material: Record) -> None:
+    """A vertex input that a pass and its material declare is one."""
+    known = {info.attribute.name: info for info in others.attributes}
+    for info in leaves.attributes:
+        other = known.get(info.attribute.name)
+        if other is not None and other.attribute != info.attribute:
+            low.report.add(
+                rules.OVERRIDE_CHANGES_TYPE, info.span,
+                name=info.attribute.name, base=material.name,
+                expected=other.declared_type, found=info.declared_type,
+                labels=[Label(other.span, "declared here")],
+            )  # fmt: skip
+
+
+def _overrides(material: Record, drawn: Record, passing: Instance) -> dict[str, Replacement]:
+    """A pass's slots that the material's abstract root declares override the material's."""
+    root = material.root
+    given = {}
+    for name, definitions in drawn.definitions.items():
+        shared = name in material.definitions and material.declaration(name).owner is root
+        if shared and isinstance(definitions[0].member, ast.Slot):
+            given[name] = Replacement(definition=definitions[0], within=passing)
+    return given

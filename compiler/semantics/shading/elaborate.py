@@ -1,0 +1,171 @@
+"""material × pass × rig = shader."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from ....frozen import changed
+from ...diagnostics import rules
+from ...ir.node import Node
+from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
+from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT, TARGET, VERTEX
+from ...ir.types import BOOL, FLOAT, VEC2, VEC4, Type
+from ...syntax import ast
+from ...trampoline import run
+from ..declarations.parameters import Leaves
+from ..inheritance.records import Record
+from ..lowering import lookup
+from ..names.modules import Symbol
+from ..state.context import Lowering
+from ..state.scope import Failure, Instance, Scope
+from .assembly import Setting, is_declared_abstract
+from .host_names import check_host_names
+from .outlining import shared
+from .rigs import Entry
+from .slot_checks import check_rig, check_slots
+
+FORMATS: Mapping[str, Type] = {
+    "r8": FLOAT, "r16f": FLOAT, "r32f": FLOAT,
+    "rg8": VEC2, "rg16f": VEC2, "rg32f": VEC2,
+    "rgba8": VEC4, "rgba8_srgb": VEC4, "bgra8": VEC4, "bgra8_srgb": VEC4, "rgb10a2": VEC4,
+    "rgba16f": VEC4, "rgba32f": VEC4,
+}  # fmt: skip
+"""Render target formats and what a pass writes to one of them."""
+
+BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
+
+
+def results_of(setting: Setting) -> tuple[Result, ...]:
+    """Lower what the pass delivers, and everything else that the parts say.
+
+    What is wrong has been reported, and is not among the results.
+    """
+    low, surface, passing = setting.low, setting.surface, setting.passing
+    found = (
+        *_clip_position(low, passing, surface),
+        *_targets(low, passing.record, passing),
+        *_discard(low, passing.record, passing),
+    )
+    check_slots(low, surface, passing)
+    low.externs.learn(setting.parts.module)
+    check_host_names(low.report, setting.leaves, setting.entries, low.externs.blocks)
+    return found
+
+
+def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
+    """The shader of a material under a pass and a rig, or ``None`` after reporting why not.
+
+    ``reached`` gets every declaration that was checked on the way. The setting can be used on:
+    what is lowered in it later is no part of the shader's graph.
+    """
+    low, parts = setting.low, setting.parts
+    results = results_of(setting)
+    check_rig(low, setting.surface)
+    reached.update((parts.material, parts.rig, parts.pass_, *low.reached()))
+    if low.report.failed or not places_vertices(results):
+        return None
+    declaration = parts.material.declaration
+    assert isinstance(declaration, ast.Record)
+    leaves, entries = setting.leaves, setting.entries
+    values = shared(low, [result.value for result in results])
+    return Shader(
+        name=setting.surface.record.name,
+        doc=declaration.doc,
+        pass_name=setting.passing.record.name,
+        rig_name=parts.rig.name,
+        graph=low.graph.copy(),
+        notes=low.notes.copy(),
+        parameters=_all_parameters(leaves, entries, low.externs.blocks),
+        resources=tuple(r for ls in leaves for r in ls.resources)
+        + tuple(r for _, _, resources in entries for r in resources),
+        attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
+        results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
+        externs=low.externs.blocks,
+    )
+
+
+def places_vertices(results: Iterable[Result]) -> bool:
+    """Whether there is a clip position, without which a pass draws nothing."""
+    return any(result.kind == CLIP_POSITION for result in results)
+
+
+def _all_parameters(
+    leaves: Iterable[Leaves], entries: Iterable[Entry], externs: Iterable[ExternInfo]
+) -> tuple[ParameterInfo, ...]:
+    own = [info for group in leaves for info in group.parameters]
+    of_lights = [info for _, infos, _ in entries for info in infos]
+    return (*own, *of_lights, *(member.info for block in externs for member in block.members))
+
+
+def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
+    surface = passing.surface
+    assert surface is not None
+    return Scope(symbol.module, passing, level, surface, {"material": surface})
+
+
+def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Iterator[Result]:
+    """The slot that every pass (or its material) has to define."""
+    holder = passing if passing.has(CLIP_POSITION) else surface
+    declared = passing.record.symbol.declaration.name.span
+    if not holder.has(CLIP_POSITION):
+        if not is_declared_abstract(passing.record):
+            low.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
+        return
+    span = holder.record.definitions[CLIP_POSITION][0].member.name.span
+    node = low.fit(run(lookup.slot(low, holder, CLIP_POSITION, declared)), VEC4, "vec4", span)
+    placed = node if isinstance(node, Failure) else low.stages.checked_at_vertex(node, span)
+    if isinstance(placed, Node):
+        yield Result(CLIP_POSITION, VERTEX, placed)
+
+
+def _targets(low: Lowering, drawn: Record, passing: Instance) -> Iterator[Result]:
+    written = list(drawn.every(ast.Target))
+    if not written and not drawn.baseless and not is_declared_abstract(drawn):
+        low.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
+    found = (_target(low, drawn, passing, *row) for row in written)
+    return (target for target in found if target is not None)
+
+
+def _target(
+    low: Lowering, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
+) -> Result | None:
+    format_, blend = target.format.text, _blend(low, drawn, target)
+    if format_ not in FORMATS:
+        lookup.unknown(low, "format", format_, target.format.span, FORMATS)
+        return None
+    scope = _scope(owner, passing, level)
+    value = run(
+        low.typed(target.value, scope, FORMATS[format_], f"{FORMATS[format_]} for {format_}")
+    )
+    if isinstance(value, Failure):
+        return None
+    name = target.name.text
+    low.notes.names.setdefault(value.id, name)
+    state = RenderTarget(name, format_, blend, target.doc, target.span)
+    return Result(TARGET, FRAGMENT, value, state)
+
+
+def _blend(low: Lowering, drawn: Record, target: ast.Target) -> str:
+    """The target's own blending, or the nearest that its pass's header names."""
+    headers = (symbol.declaration for symbol in drawn.chain)
+    named = [target.blend, *(h.blend for h in headers if isinstance(h, ast.Record))]
+    chosen = next((name for name in named if name is not None), None)
+    if chosen is None:
+        return BLENDS[0]
+    if chosen.text not in BLENDS:
+        lookup.unknown(low, "blending", chosen.text, chosen.span, BLENDS)
+    return chosen.text
+
+
+def _discard(low: Lowering, drawn: Record, passing: Instance) -> Iterator[Result]:
+    combined: Node | None = None
+    for discard, owner, level in drawn.every(ast.Discard):
+        scope = _scope(owner, passing, level)
+        condition = run(low.typed(discard.condition, scope, BOOL, "bool"))
+        if isinstance(condition, Failure):
+            continue
+        combined = condition if combined is None else low.graph.node(
+            "call", BOOL, (combined, condition), "or"
+        )  # fmt: skip
+    if combined is not None:
+        yield Result(DISCARD, FRAGMENT, combined)

@@ -1,0 +1,206 @@
+"""Functions whose body serves several calls.
+
+A call is lowered with its own arguments, so that everything is checked where it is called. Its
+value is marked (``call_marks.py``). When all is lowered, each function that is called repeatedly
+gets a body in which variables stand for the arguments. A call becomes an ``apply`` of that body
+where this is the same value: with the arguments in place of the variables they are one node. Where
+they are not, the arguments had a say in how the body was lowered, and the call stays written out.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+from ...ir import build
+from ...ir.binding import close, freed, open_body
+from ...ir.leaves import Resource
+from ...ir.node import Formal, Graph, Node, reachable
+from ...ir.rewrite import rewrite
+from ...syntax import ast
+from ...trampoline import run
+from ..lowering.applications import apply_body
+from ..lowering.call_marks import Callee
+from ..types.meanings import erased
+
+if TYPE_CHECKING:
+    from ..state.context import Lowering
+
+Fixed: TypeAlias = tuple[Node | None, ...]
+"""For each argument of a call the constant that it is in the body, if it is one there."""
+
+
+def shared(low: Lowering, roots: Iterable[Node]) -> list[Node]:
+    """The roots as bare numbers, in which functions that are called repeatedly are applied."""
+    return _Sharing(low).roots(list(roots))
+
+
+@dataclass(slots=True, eq=False)
+class _Group:
+    """Calls that may share a body."""
+
+    callee: Callee
+    fixed: Fixed
+    formals: tuple[Formal, ...]
+    body: Node
+    """As lowered, with marks of its own."""
+    applied: Node | None = None
+    """The body, closed, once it is known to serve several calls."""
+
+    def varying(self, arguments: tuple[Node, ...]) -> tuple[Node, ...]:
+        """The arguments for which the body has variables."""
+        return tuple(a for a, fixed in zip(arguments, self.fixed, strict=True) if fixed is None)
+
+
+class _Sharing:
+    def __init__(self, low: Lowering) -> None:
+        self._low = low
+        self._graph = low.graph
+        self._moved = low.notes.follow
+        self._groups: dict[tuple[Callee, Fixed], _Group] = {}
+        """Callees before those that call them: a mark is younger than the marks in its value."""
+        self._group_of: dict[int, _Group] = {}
+        """By the ids of the marks of calls."""
+        self._names: set[str] = set()
+
+    def roots(self, roots: list[Node]) -> list[Node]:
+        """As ``shared`` says."""
+        for callee, marks in _by_callee(roots).items():
+            if len(marks) > 1:
+                self._find_bodies(callee, marks)
+        self._find_calls([*roots, *(group.body for group in self._groups.values())])
+        uses = Counter(self._group_of.values())
+        for group in self._groups.values():
+            if uses[group] > 1:
+                group.applied = self._at_rest(group)
+        return self._rewritten(roots)
+
+    # --- bodies ----------------------------------------------------------------------------------
+
+    def _find_bodies(self, callee: Callee, marks: list[Node]) -> None:
+        """One body for all calls; where constants have to be known, one for those with the same."""
+        if self._add(callee, (None,) * len(marks[0].operands[1:])):
+            return
+        for fixed, count in Counter(map(_constants, marks)).items():
+            if count > 1 and any(fixed):
+                self._add(callee, fixed)
+
+    def _add(self, callee: Callee, fixed: Fixed) -> bool:
+        """Lower the body of a group; whatever is wrong with it has been reported of its calls."""
+        low, found = self._low, self._low.report.count
+        formals: list[Formal] = []
+        arguments = tuple(self._stand_ins(callee, fixed, formals))
+        span = callee.symbol.declaration.name.span
+        value = run(apply_body(low, callee.symbol, arguments, span))
+        failed = low.report.count > found
+        low.report.forget(found)
+        if failed or not isinstance(value, Node) or not formals:
+            return False
+        body = value.operands[0] if value.op == "called" else value
+        self._groups[callee, fixed] = _Group(callee, fixed, tuple(formals), body)
+        return True
+
+    def _stand_ins(self, callee: Callee, fixed: Fixed, formals: list[Formal]) -> Iterator[Node]:
+        """The arguments with which a body is lowered; its variables are added to ``formals``."""
+        function = callee.symbol.declaration
+        assert isinstance(function, ast.Function)
+        constants = iter(fixed)
+        for argument, given in zip(function.arguments, callee.given, strict=True):
+            if isinstance(given, Node):
+                yield given
+                continue
+            type_, meaning = given
+            leaves: list[Node] = []
+            for name, inner in build.named_parts(argument.name.text, type_):
+                leaf = next(constants)
+                if leaf is None:
+                    formals.append(Formal(name))
+                    leaf = self._graph.node("formal", inner, (), formals[-1])
+                leaves.append(leaf)
+            whole = build.assembled(self._graph, type_, iter(leaves))
+            yield self._low.meanings.ascribed(whole, meaning)
+
+    def _at_rest(self, group: _Group) -> Node:
+        """The body of a group, closed, with what texts show of the function."""
+        (body,) = self._rewritten([group.body])
+        closed = close(self._graph, body, group.formals, self._moved)
+        notes, function = self._low.notes, group.callee.symbol.declaration
+        notes.functions.setdefault(closed.id, self._name(group))
+        notes.arguments.setdefault(closed.id, tuple(formal.name for formal in group.formals))
+        if function.doc:
+            notes.docs.setdefault(closed.id, function.doc)
+        return closed
+
+    def _name(self, group: _Group) -> str:
+        """The function's name, with its textures; further ones are told apart by their types."""
+        kept = (given.data for given in group.callee.given if isinstance(given, Node))
+        maps = [leaf.name for leaf in kept if isinstance(leaf, Resource)]
+        name = "_".join([group.callee.symbol.name, *maps])
+        if name in self._names:
+            types = [given[0] for given in group.callee.given if not isinstance(given, Node)]
+            name = "_".join([name, *dict.fromkeys(map(str, types))])
+        self._names.add(name)
+        return name
+
+    # --- calls -----------------------------------------------------------------------------------
+
+    def _find_calls(self, roots: list[Node]) -> None:
+        """Find the calls whose values are those of a group's body."""
+        groups = self._groups.values()
+        marks = [mark for marks in _by_callee(roots).values() for mark in marks]
+        bodies = {
+            group: close(self._graph, body, group.formals)
+            for group, body in zip(groups, self._plain([g.body for g in groups]), strict=True)
+        }
+        flat = self._plain([operand for mark in marks for operand in mark.operands])
+        start = 0
+        for mark in marks:
+            end = start + len(mark.operands)
+            group = self._group(mark)
+            if group is not None and self._agrees(group, bodies[group], flat[start:end]):
+                self._group_of[mark.id] = group
+            start = end
+
+    def _group(self, mark: Node) -> _Group | None:
+        assert isinstance(mark.data, Callee)
+        nothing: Fixed = (None,) * len(mark.operands[1:])
+        whole = self._groups.get((mark.data, nothing))
+        return whole or self._groups.get((mark.data, _constants(mark)))
+
+    def _agrees(self, group: _Group, body: Node, plain: list[Node]) -> bool:
+        """Whether a call's value is what the body is for its arguments."""
+        value, *arguments = freed(self._graph, plain)
+        opened = open_body(self._graph, body, group.varying(tuple(arguments)))
+        return self._plain([opened])[0] is value
+
+    def _plain(self, roots: list[Node]) -> list[Node]:
+        """The roots without marks, with members of what was put together as what was put there."""
+        return rewrite(self._graph, erased(self._graph, roots), _member, ops=("member",))
+
+    def _rewritten(self, roots: list[Node]) -> list[Node]:
+        return rewrite(self._graph, roots, self._rule, self._moved, ("as", "called"))
+
+    def _rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
+        group = self._group_of.get(node.id)
+        if group is None or group.applied is None:
+            return operands[0]
+        return graph.node("apply", node.type, (group.applied, *group.varying(operands[1:])))
+
+
+def _by_callee(roots: list[Node]) -> dict[Callee, list[Node]]:
+    """The marks of calls."""
+    found: dict[Callee, list[Node]] = {}
+    for node in reachable(roots):
+        if isinstance(node.data, Callee):
+            found.setdefault(node.data, []).append(node)
+    return found
+
+
+def _constants(mark: Node) -> Fixed:
+    return tuple(o if o.op == "constant" else None for o in mark.operands[1:])
+
+
+def _member(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
+    return build.member(graph, operands[0], str(node.data))

@@ -1,0 +1,132 @@
+"""A rig as lights with places for their parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ....frozen import changed
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...ir.shader import ParameterInfo, ResourceInfo
+from ...syntax import ast
+from ..declarations.parameters import DEFAULT_GROUPS, as_array, count_parameter, leaves_of
+from ..declarations.written_types import count_of
+from ..hints.advice import nearest_or_all
+from ..inheritance.records import Definition, Record
+from ..lowering import lookup
+from ..names.modules import Symbol
+from ..state.scope import Replacement, RigEntry
+
+if TYPE_CHECKING:
+    from ..state.context import Lowering
+
+Entry = tuple[RigEntry, tuple[ParameterInfo, ...], tuple[ResourceInfo, ...]]
+
+
+def entries_of(low: Lowering, rig: Symbol) -> list[Entry]:
+    """The lights of a rig, in order; what is wrong with one is reported and leaves it out.
+
+    A light stands for a rig that has nothing else.
+    """
+    declaration = rig.declaration
+    if not isinstance(declaration, ast.Rig):
+        alone = light_entry(low, low.records.of(rig))
+        return [] if alone is None else [alone]
+    entries: list[Entry] = []
+    seen: dict[str, ast.Name] = {}
+    for written in declaration.entries:
+        name = written.name
+        if name.text in seen:
+            first = Label(seen[name.text].span, "first defined here")
+            low.report.add(rules.DUPLICATE_NAME, name.span, name=name.text, labels=[first])
+            continue
+        seen[name.text] = name
+        record = _light(low, rig, written.light)
+        entry = None if record is None else _entry(low, rig, written, record)
+        if entry is not None:
+            entries.append(entry)
+    return entries
+
+
+def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
+    found = rig.module.find(name.text)
+    declaration = found[0].declaration if found else None
+    if not isinstance(declaration, ast.Record) or declaration.kind != "light":
+        if declaration is not None:
+            labels = [Label(declaration.name.span, "declared here")]
+            low.report.add(rules.UNKNOWN_LIGHT, name.span, name=name.text, labels=labels)
+            return None
+        lights = [
+            visible
+            for visible in rig.module.visible()
+            if isinstance(d := rig.module.known(visible)[0].declaration, ast.Record)
+            and d.kind == "light"
+        ]
+        if name.text in rig.module.missing:
+            return None
+        low.report.add(
+            rules.UNKNOWN_NAME, name.span, kind="light", name=name.text,
+            hint=rig.module.hint(name.text, lights),
+        )  # fmt: skip
+        return None
+    if declaration.abstract:
+        low.report.add(
+            rules.ABSTRACT_USE, name.span, name=name.text,
+            labels=[Label(declaration.name.span, "declared abstract here")],
+        )  # fmt: skip
+        return None
+    return low.records.of(found[0])
+
+
+def light_entry(low: Lowering, light: Record) -> Entry | None:
+    """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
+    name = light.symbol.declaration.name
+    written = ast.RigEntry(name.span, "", name, name, None, at_most=False, overrides=())
+    return _entry(low, light.symbol, written, light)
+
+
+def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:
+    given = _overrides(low, rig, written, record)
+    replaced = {slot: Replacement(definition=definition) for slot, definition in given.items()}
+    name = written.name.text
+    leaves = leaves_of(low, record, f"{name}.", given)
+    infos = tuple(changed(info, light=name) for info in leaves.parameters)
+    resources = tuple(info.resource for info in leaves.resources)
+    if written.count is None:
+        parameters = tuple(info.parameter for info in leaves.parameters)
+        entry = RigEntry(
+            name, written.name.span, record, "single", parameters, resources, replaced=replaced
+        )
+        return entry, infos, leaves.resources
+    bound = count_of(low, written.count, rig.module)
+    if bound is None:
+        return None
+    if leaves.resources or not leaves.parameters:
+        low.report.add(rules.NO_ARRAY_OF, written.name.span, light=record.name)
+        return None
+    group = DEFAULT_GROUPS["light"]
+    array = as_array(low, name, record.name, leaves.parameters, bound, group)
+    array = changed(array, span=written.name.span, light=name)
+    count = count_parameter(name, bound, group, array) if written.at_most else None
+    entry = RigEntry(
+        name, written.name.span, record, "array", (array.parameter,), (), bound,
+        count.parameter if count is not None else None, replaced,
+    )  # fmt: skip
+    return entry, (array,) if count is None else (array, count), ()
+
+
+def _overrides(
+    low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record
+) -> dict[str, Definition]:
+    """``torch : Beam { inner = 10deg }``: equations lowered as the light's own."""
+    given: dict[str, Definition] = {}
+    for slot in written.overrides:
+        if slot.name.text not in record.definitions:
+            low.report.add(
+                rules.UNKNOWN_NAME, slot.name.span,
+                kind=f"slot of light `{record.name}`", name=slot.name.text,
+                hint=nearest_or_all(slot.name.text, record.definitions),
+            )  # fmt: skip
+            continue
+        given[slot.name.text] = Definition(slot, rig, lookup.OUTERMOST)
+    return given

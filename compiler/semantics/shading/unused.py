@@ -1,0 +1,304 @@
+"""Checks of what a file declares and its shaders do not use, so that a library is checked, too.
+
+What reads slots of a surface or of a light can be told right or wrong only together with one. It is
+right if it is right with any of those that the file declares; otherwise what is told is what is
+wrong with it in the setting where the least is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from itertools import islice, product
+
+from ....frozen import changed, frozen
+from ...diagnostics.diagnostic import Diagnostic, Report
+from ...ir.node import Node
+from ...ir.types import BOOL
+from ...syntax import ast
+from ...trampoline import run
+from ..declarations.parameters import leaves_of
+from ..declarations.written_types import struct_of
+from ..inheritance.records import Records
+from ..lowering import lookup
+from ..lowering.applications import apply_body
+from ..lowering.lights import light_instance, per_light
+from ..names.modules import Module, Symbol
+from ..state.scope import Scope
+from ..types.generics import examples, unfounded, untold
+from ..types.typenames import Variables
+from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
+from .elaborate import places_vertices, results_of
+from .instances import instance_of
+from .placeholders import some, stand_in
+from .rigs import light_entry
+from .slot_checks import check_instance, check_rig
+
+MOST_EXAMPLES = 256
+"""So many ways to fill in type parameters are tried."""
+
+Check = Callable[[Setting], bool]
+"""Reports what it finds, and says whether it came to values."""
+
+
+@frozen
+class Attempt:
+    """What one try of checking a declaration led to."""
+
+    found: tuple[Diagnostic, ...]
+    right: bool
+    reached: frozenset[Symbol] = frozenset()
+    """What else was checked by that."""
+
+    @property
+    def errors(self) -> int:
+        """How many errors it found."""
+        return sum(diagnostic.severity == "error" for diagnostic in self.found)
+
+
+@frozen
+class Surroundings:
+    """What a file's declarations can be checked with, the likeliest first; none is empty."""
+
+    materials: tuple[Symbol, ...]
+    lights: tuple[Symbol, ...]
+    """Rigs, and lights that stand for one."""
+    rigs: tuple[Symbol, ...]
+    passes: tuple[Symbol, ...]
+    drawn: tuple[tuple[Symbol, Symbol], ...]
+    """Rigs and passes with one of which a concrete material has to agree."""
+
+
+class UnusedDeclarations:
+    """The declarations of a file that its shaders have not ``reached``."""
+
+    def __init__(
+        self,
+        module: Module,
+        around: Surroundings,
+        settings: Iterable[Setting],
+        reached: set[Symbol],
+        report: Report,
+        records: Records,
+    ) -> None:
+        """What has been lowered in ``settings`` already is not lowered once more."""
+        self._module = module
+        self._around = around
+        self._reached = reached
+        self._report = report
+        self._records = records
+        self._trials = {setting.parts: _Trial(setting) for setting in settings}
+
+    def check(self) -> None:
+        """Report what is wrong with them; what records use counts as checked with them."""
+        self._check(ast.Record)
+        self._check(ast.Rig, ast.Mixin)
+        self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
+
+    def _check(self, *kinds: type) -> None:
+        for symbol in self._declared():
+            if isinstance(symbol.declaration, kinds) and symbol not in self._reached:
+                self._tell(self._attempts(symbol))
+
+    def _declared(self) -> list[Symbol]:
+        """All declarations of the file, materials first.
+
+        What is wrong with a light, found while others are tried with it, would not be found again.
+        """
+        found = [symbol for symbols in self._module.declared.values() for symbol in symbols]
+        return sorted(found, key=lambda symbol: not _is_material(symbol))
+
+    def _tell(self, attempts: Iterable[Attempt]) -> None:
+        """Take over what the first right attempt found, or that with the fewest errors.
+
+        A wrong one without errors says nothing: what is wrong was told by another.
+        """
+        best: Attempt | None = None
+        for attempt in attempts:
+            if attempt.right:
+                best = attempt
+                break
+            if attempt.errors and (best is None or attempt.errors < best.errors):
+                best = attempt
+        if best is not None:
+            self._report.extend(best.found)
+            self._reached.update(best.reached)
+
+    def _attempts(self, symbol: Symbol) -> Iterator[Attempt]:
+        """What is wrong with a declaration, in one setting after the other."""
+        around = self._around
+        match symbol.declaration:
+            case ast.Record(kind="material", abstract=abstract):
+                offered = product(around.rigs, around.passes)
+                for rig, pass_ in offered if abstract else around.drawn:
+                    yield self._drawn(symbol, rig, pass_)
+            case ast.Record(kind="pass"):
+                for material, rig in product(around.materials, around.rigs):
+                    yield self._drawn(material, rig, symbol)
+            case ast.Record(kind="light"):
+                yield from self._tried(partial(_check_light, symbol))
+            case ast.Rig():
+                for material in around.materials:
+                    trial = self._trial(material, symbol)
+                    yield trial.attempt(_check_rig, whole=True)
+            case ast.Mixin() as mixin if not self._is_in_a_chain(symbol):
+                yield from self._tried(partial(_check_mixin, symbol, mixin))
+            case ast.Function() as function if not (unfounded(function) or untold(function)):
+                yield from self._of_function(symbol, function)
+            case ast.Constant():
+                yield from islice(self._tried(partial(_check_constant, symbol)), 1)
+            case ast.StructDeclaration():
+                yield from islice(self._tried(partial(_check_structure, symbol)), 1)
+            case ast.ExternBlock():
+                yield from islice(self._tried(partial(_check_block, symbol)), 1)
+
+    def _drawn(self, material: Symbol, rig: Symbol, pass_: Symbol) -> Attempt:
+        trial = self._trial(self._around.materials[0], rig)
+        return trial.beside(Parts(material, rig, pass_, self._module))
+
+    def _is_in_a_chain(self, mixin: Symbol) -> bool:
+        """Whether some record of the file has a mixin, and has been checked with it."""
+        return any(
+            mixin in self._records.of(symbol).chain
+            for symbol in self._declared()
+            if isinstance(symbol.declaration, ast.Record)
+        )
+
+    def _of_function(self, symbol: Symbol, function: ast.Function) -> Iterator[Attempt]:
+        """A plain function is right or wrong whatever is shaded, a term only with a surface."""
+        filled = examples(function)
+        for variables in islice(filled, MOST_EXAMPLES):
+            check = partial(_check_function, symbol, function, variables)
+            yield from islice(self._tried(check), None if function.kind == "term" else 1)
+        if next(filled, None) is not None:  # One of those that were not tried may be right.
+            yield Attempt((), right=True)
+
+    def _tried(self, check: Check) -> Iterator[Attempt]:
+        for material, lights in product(self._around.materials, self._around.lights):
+            yield self._trial(material, lights).attempt(check)
+
+    def _trial(self, material: Symbol, lights: Symbol) -> _Trial:
+        parts = Parts(material, lights, self._around.passes[0], self._module)
+        if parts not in self._trials:
+            setting = set_up(parts, self._report.apart(), self._records)
+            self._trials[parts] = _Trial(setting)
+        return self._trials[parts]
+
+
+def _is_material(symbol: Symbol) -> bool:
+    declaration = symbol.declaration
+    return isinstance(declaration, ast.Record) and declaration.kind == "material"
+
+
+class _Trial:
+    """A setting with a report of its own."""
+
+    def __init__(self, setting: Setting) -> None:
+        self._setting = setting
+        self._report = setting.low.report
+        self._from_start = self._report.since(0)
+
+    def attempt(self, check: Check, whole: bool = False) -> Attempt:
+        """What a check finds that none before it has found.
+
+        As a ``whole``, what was wrong with the setting from the start belongs to it.
+        """
+        before = self._report.count
+        self._setting.low.passing = self._setting.passing
+        came_to_values = check(self._setting)
+        found = self._report.since(before)
+        if whole:
+            found = (*self._from_start, *found)
+        attempt = Attempt(found, came_to_values)
+        return attempt if came_to_values and not attempt.errors else changed(attempt, right=False)
+
+    def beside(self, parts: Parts) -> Attempt:
+        """What is wrong with other parts under the same lights."""
+        known = set(self._setting.low.reached())
+        check = partial(_check_parts, parts)
+        attempt = self.attempt(check, whole=parts == self._setting.parts)
+        found = (parts.material, parts.pass_, *self._setting.low.reached())
+        return changed(attempt, reached=frozenset(found) - known)
+
+
+def _check_parts(parts: Parts, setting: Setting) -> bool:
+    other = set_up_beside(setting, parts)
+    delivered = places_vertices(results_of(other))
+    return delivered or is_declared_abstract(other.passing.record)
+
+
+def _check_constant(symbol: Symbol, setting: Setting) -> bool:
+    span = symbol.declaration.name.span
+    value = run(lookup.value(setting.low, symbol.name, span, Scope(symbol.module)))
+    return isinstance(value, Node)
+
+
+def _check_structure(symbol: Symbol, setting: Setting) -> bool:
+    return struct_of(setting.low, symbol) is not None
+
+
+def _check_block(symbol: Symbol, setting: Setting) -> bool:
+    setting.low.externs.learn(symbol.module)
+    return True
+
+
+def _check_rig(setting: Setting) -> bool:
+    check_rig(setting.low, setting.surface)
+    return True
+
+
+def _check_light(symbol: Symbol, setting: Setting) -> bool:
+    low = setting.low
+    record = low.records.of(symbol)
+    entry = light_entry(low, record)
+    if entry is None:
+        return False
+    instance = light_instance(low, entry[0], setting.surface)[0]
+    if is_declared_abstract(record):
+        stand_in(low, instance)
+    check_instance(low, instance)
+    return True
+
+
+def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
+    """Lower what a mixin says, with stand-ins for what it needs of the records it is for."""
+    low, surface = setting.low, setting.surface
+    record = low.records.alone(symbol)
+    if mixin.kind == "light":
+        entry = light_entry(low, record)
+        if entry is None:
+            return False
+        instance = light_instance(low, entry[0], surface)[0]
+    else:
+        instance = instance_of(low, record, leaves_of(low, record))
+        instance.surface = surface if mixin.kind == "pass" else None
+    stand_in(low, instance)
+    check_instance(low, instance)
+    scope = Scope(symbol.module, instance, 0, surface, {"material": surface})
+    for target, _, level in record.every(ast.Target):
+        if level == 0:
+            run(low.node(target.value, scope))
+    for discard, _, level in record.every(ast.Discard):
+        if level == 0:
+            run(low.typed(discard.condition, scope, BOOL, "bool"))
+    return True
+
+
+def _check_function(
+    symbol: Symbol, function: ast.Function, variables: Variables, setting: Setting
+) -> bool:
+    """Lower a body for arguments of the declared types."""
+    low, span = setting.low, function.name.span
+    found = [
+        some(low, argument.name, argument.type, symbol.module, variables)
+        for argument in function.arguments
+    ]
+    arguments = tuple(argument for argument in found if isinstance(argument, Node))
+    if len(arguments) < len(found):
+        return False
+    if function.per is not None:
+        scope = Scope(symbol.module, surface=setting.surface)
+        return isinstance(run(per_light(low, symbol, arguments, span, scope)), Node)
+    within = setting.surface if function.kind == "term" else None
+    value = run(apply_body(low, symbol, arguments, span, within, "for example"))
+    return isinstance(value, Node)

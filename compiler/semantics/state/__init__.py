@@ -1,0 +1,1 @@
+"""What the elaboration of one shader has built so far."""

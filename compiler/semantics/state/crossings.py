@@ -1,0 +1,129 @@
+"""Crossing from the vertex to the fragment stage, as a node.
+
+``interpolate(mode, e)`` is a value in the fragment domain; ``e`` lives in the vertex domain. Where
+a value that contains crossings is itself wanted in the vertex domain (it feeds ``clip_position`` or
+stands under ``@vertex``), the crossings in it are taken out: there is nothing to cross.
+"""
+
+from __future__ import annotations
+
+from ....stdlib.builtins import BUILTINS
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label, Report
+from ...diagnostics.source import Span
+from ...ir import build
+from ...ir.leaves import Attribute, InterpolationMode
+from ...ir.node import Graph, Node, reachable
+from ...ir.shader import Notes
+from ...ir.stages import SYSTEM_INPUTS, VERTEX, SystemInput
+from ...ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
+from .scope import FAILURE, Failure
+
+
+class Stages:
+    """Makes and removes crossings in one graph."""
+
+    def __init__(self, graph: Graph, report: Report, notes: Notes) -> None:
+        self._graph = graph
+        self._report = report
+        self._notes = notes
+        self._vertex: dict[int, Node] = {}
+        self._varies: dict[int, bool] = {}
+        self._varies_within: dict[int, bool] = {}
+
+    def attribute(self, leaf: Node) -> Node:
+        """A vertex input as the fragment stage sees it; a matrix crosses column by column."""
+        if leaf.op != "matrix":
+            return self._crossing(leaf)
+        columns = tuple(self._crossing(column) for column in leaf.operands)
+        return self._graph.node("matrix", leaf.type, columns)
+
+    def supplied(self, row: SystemInput) -> Node:
+        """A value of the pipeline's own as the fragment stage sees it."""
+        leaf = self._graph.node("input", row.type, (), row.name)
+        return self._crossing(leaf) if row in VERTEX.inputs else leaf
+
+    def interpolated(self, node: Node, span: Span) -> Node | Failure:
+        """``@vertex node``; the node itself where it is the same at every vertex."""
+        inner = self.checked_at_vertex(node, span)
+        if isinstance(inner, Failure):
+            return FAILURE
+        if not self._varying(inner):
+            return node
+        if not isinstance(inner.type, Scalar | Vector):
+            self._report.add(rules.CANNOT_CROSS, span, type=inner.type)
+            return FAILURE
+        return self._crossing(inner)
+
+    def checked_at_vertex(self, root: Node, span: Span) -> Node | Failure:
+        """``root`` as the vertex stage computes it, or a report of what it cannot compute."""
+        inner = self.at_vertex(root)
+        found = next(filter(_fragment_only, reachable((inner,))), None)
+        if found is None:
+            return inner
+        read = found.op == "call" and BUILTINS[str(found.data)].sampler is not None
+        what = "a texture read without a level" if read else f"`{found.data}`"
+        labels = [Label(self._notes.spans.get(found.id, span), "read here")]
+        hint = "say which level is read: `name.level(coordinate, 0)`" if read else ""
+        self._report.add(rules.NOT_AT_VERTEX, span, what=what, labels=labels, hint=hint)
+        return FAILURE
+
+    def at_vertex(self, root: Node) -> Node:
+        """``root`` as the vertex stage computes it."""
+        for node in reachable((root,)):
+            if node.id in self._vertex:
+                continue
+            operands = tuple(self._vertex[operand.id] for operand in node.operands)
+            if node.op == "interpolate":
+                self._vertex[node.id] = operands[0]
+            elif operands == node.operands:
+                self._vertex[node.id] = node
+            else:
+                new = self._graph.node(node.op, node.type, operands, node.data)
+                self._vertex[node.id] = new
+                self._notes.follow(node, new)
+        return self._vertex[root.id]
+
+    def _crossing(self, inner: Node) -> Node:
+        kind = scalar_kind(inner.type)
+        if kind == "bool":
+            return self._bool_crossing(inner)
+        smooth = kind == "float" and self._varying(inner, within_instance=True)
+        mode: InterpolationMode = "perspective" if smooth else "flat"
+        return self._graph.node("interpolate", inner.type, (inner,), mode)
+
+    def _bool_crossing(self, inner: Node) -> Node:
+        """Booleans cross as 0 and 1, which is all that a stage interface can carry."""
+        lanes = []
+        for lane in range(width(inner.type)):
+            one, zero = (build.constant(self._graph, UINT, n) for n in (1, 0))
+            flag = build.swizzle(self._graph, inner, (lane,)) if width(inner.type) > 1 else inner
+            number = self._graph.node("select", UINT, (flag, one, zero))
+            crossed = self._graph.node("interpolate", UINT, (number,), "flat")
+            lanes.append(self._graph.node("call", with_width("bool", 1), (crossed, zero), "ne"))
+        return build.vector(self._graph, tuple(lanes))
+
+    def _varying(self, root: Node, *, within_instance: bool = False) -> bool:
+        """Whether a vertex-domain value depends on the vertex, or just on the instance."""
+        known = self._varies_within if within_instance else self._varies
+        for node in reachable((root,)):
+            if node.id not in known:
+                own = node.op in ("attribute", "input")
+                if own and within_instance:
+                    own = not _of_instance(node)
+                known[node.id] = own or any(known[operand.id] for operand in node.operands)
+        return known[root.id]
+
+
+def _of_instance(leaf: Node) -> bool:
+    """Whether an input is the same at all vertices of an instance."""
+    if isinstance(leaf.data, Attribute):
+        return leaf.data.step == "instance"
+    return SYSTEM_INPUTS[str(leaf.data)].per_instance
+
+
+def _fragment_only(node: Node) -> bool:
+    """Whether a value exists in the fragment stage alone."""
+    if node.op == "call":
+        return BUILTINS[str(node.data)].uniform_control_flow
+    return node.op == "input" and SYSTEM_INPUTS[str(node.data)] not in VERTEX.inputs

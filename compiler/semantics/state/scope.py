@@ -1,0 +1,135 @@
+"""What names stand for while an expression is being lowered."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from ....frozen import changed, frozen
+from ...diagnostics.source import Span
+from ...ir.leaves import Parameter, Resource
+from ...ir.node import Node
+from ...syntax import ast
+from ..inheritance.records import Definition, Record
+from ..names.modules import Module, Symbol
+from ..types.typenames import Variables
+
+
+@frozen
+class Failure:
+    """The value of an expression about which something has been reported already."""
+
+
+FAILURE = Failure()
+
+
+@dataclass(slots=True, eq=False)
+class Instance:
+    """A record whose names have values: the surface being shaded, one rig entry, the pass.
+
+    Values are lowered on demand and once. ``replaced`` holds slots given from outside (a pass's
+    overrides, ``with { … }``, a rig entry's own settings).
+    """
+
+    record: Record
+    prefix: str = ""
+    """Put before names in the output: ``sun`` gives ``sun_to_light``."""
+    surface: Instance | None = None
+    """The material instance whose slots are visible behind this record's own names."""
+    parameters: Mapping[str, Node] = field(default_factory=dict)
+    """What reads each ``param``; for one light of many, a member of an array element."""
+    resources: Mapping[str, Node] = field(default_factory=dict)
+    attributes: Mapping[str, Node] = field(default_factory=dict)
+    replaced: dict[str, Replacement] = field(default_factory=dict)
+    values: dict[tuple[str, int], Node | Failure] = field(default_factory=dict)
+
+    def has(self, name: str) -> bool:
+        """Whether the record defines ``name``."""
+        return name in self.record.definitions or name in self.replaced
+
+    def with_replaced(self, replaced: Mapping[str, Replacement]) -> Instance:
+        """The same instance with slots given from outside, and nothing lowered yet."""
+        return changed(self, replaced={**self.replaced, **replaced}, values={})
+
+
+@frozen
+class Replacement:
+    """A slot's value given from outside its record: already lowered, or to be lowered there."""
+
+    value: Node | Failure | None = None
+    definition: Definition | None = None
+    within: Instance | None = None
+    """The instance in whose scope ``definition`` is lowered."""
+
+
+@frozen
+class LightVariable:
+    """``light`` inside a ``per light`` term: its slots become the variables of a shared body."""
+
+    variables: dict[str, Node]
+    record: Record
+    """A light of the rig, from which the slots' types are taken."""
+    instance: Instance
+
+
+@frozen
+class Inherited:
+    """``inherited``: the names of an instance as the levels above ``level`` define them."""
+
+    instance: Instance
+    level: int
+
+
+Value = Node | Failure | Instance | LightVariable | Inherited
+
+Application = tuple[Symbol, tuple[int, ...], Instance | None]
+"""A function, the ids of its arguments, and the surface that it shades."""
+
+
+@dataclass(slots=True, eq=False)
+class FunctionParts:
+    """The equations behind a function's ``where``, for one application of it; lowered on demand."""
+
+    declared: Mapping[str, ast.Slot]
+    scope: Scope
+    """The arguments' scope, in which the equations themselves are lowered."""
+    values: dict[str, Node | Failure] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """Where a name is looked up: locals, the record's own names, the file's names, the surface."""
+
+    module: Module
+    instance: Instance | None = None
+    level: int = 0
+    """The level of ``instance``'s chain whose text is being lowered."""
+    surface: Instance | None = None
+    locals: Mapping[str, Value] = field(default_factory=dict)
+    variables: Variables = field(default_factory=dict)
+    """What the type parameters of the function stand for whose body this is."""
+    parts: FunctionParts | None = None
+    """What that function names behind ``where``."""
+
+    def binding(self, locals_: Mapping[str, Value]) -> Scope:
+        """This scope with further local names."""
+        return changed(self, locals={**self.locals, **locals_})
+
+
+@dataclass(frozen=True, slots=True)
+class RigEntry:
+    """One line of a rig: its light and where its parameters are kept."""
+
+    name: str
+    span: Span
+    """Of the name."""
+    record: Record
+    kind: Literal["single", "array"]
+    parameters: tuple[Parameter, ...]
+    """Single: one for each ``param``. Array: the array of structs."""
+    resources: tuple[Resource, ...]
+    bound: int = 1
+    count: Parameter | None = None
+    """Of ``[<= N]``: the run-time count."""
+    replaced: Mapping[str, Replacement] = field(default_factory=dict)

@@ -1,0 +1,1 @@
+"""Written types, overloads, generics, coercion, and meanings with their rules."""

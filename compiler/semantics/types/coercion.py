@@ -1,0 +1,102 @@
+"""The few conversions that happen by themselves.
+
+A constant adapts: ``2`` may stand for ``2.0``, and one number for a vector of equal lanes. Nothing
+else converts without being asked to.
+"""
+
+from __future__ import annotations
+
+from ...ir.build import constant, splat
+from ...ir.node import Graph, Node, bare
+from ...ir.types import Array, Scalar, Type, Vector, scalar_kind, width
+
+
+def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -> Node | None:
+    """``node`` as a value of type ``wanted``, or ``None`` where it cannot be.
+
+    ``broadcast`` lets any scalar, not only a constant, stand for a vector of equal lanes.
+    """
+    if node.type == wanted:
+        return node
+    node = bare(node)
+    kind = scalar_kind(wanted)
+    if isinstance(wanted, Array):
+        return _elements(graph, node, wanted)
+    if node.op == "select" and scalar_kind(node.type) != kind:
+        return _choice(graph, node, wanted, broadcast=broadcast)
+    if not isinstance(node.type, Scalar) or not isinstance(wanted, Scalar | Vector):
+        return None
+    lane = _as_kind(graph, node, kind)
+    if lane is None or not (is_constant(node) or broadcast or isinstance(wanted, Scalar)):
+        return None
+    return splat(graph, lane, width(wanted))
+
+
+def _elements(graph: Graph, node: Node, wanted: Array) -> Node | None:
+    """``[1, 2]`` as two floats: what is put together of constants adapts as they do."""
+    if node.op != "array" or len(node.operands) != wanted.count:
+        return None
+    fitted = [coerce(graph, element, wanted.element) for element in node.operands]
+    elements = tuple(element for element in fitted if element is not None)
+    return graph.node("array", wanted, elements) if len(elements) == wanted.count else None
+
+
+def _choice(graph: Graph, root: Node, wanted: Type, *, broadcast: bool) -> Node | None:
+    """``if c then 1 else 0`` as a float: a choice between constants adapts as they do."""
+    fitted: dict[int, Node] = {}
+    for node in _choices(root):
+        condition, *sides = node.operands
+        for side in sides:
+            if side.id not in fitted:
+                adapted = coerce(graph, side, wanted, broadcast=broadcast)
+                if adapted is None:
+                    return None
+                fitted[side.id] = adapted
+        then, otherwise = (fitted[side.id] for side in sides)
+        fitted[node.id] = graph.node("select", wanted, (condition, then, otherwise))
+    return fitted[root.id]
+
+
+def _choices(root: Node) -> list[Node]:
+    """A choice and those that it chooses between, the innermost first."""
+    found = {root.id: root}
+    pending = [root]
+    while pending:
+        for side in pending.pop().operands[1:]:
+            if side.op == "select" and side.id not in found:
+                found[side.id] = side
+                pending.append(side)
+    return [found[number] for number in sorted(found)]
+
+
+def is_constant(node: Node) -> bool:
+    """Whether a value is written in the program: a literal, one with a sign, or a choice."""
+    node = bare(node)
+    if node.op == "select":
+        sides = (side for choice in _choices(node) for side in choice.operands[1:])
+        return all(side.op == "select" or _is_literal(side) for side in sides)
+    return _is_literal(node)
+
+
+def _is_literal(node: Node) -> bool:
+    node = bare(node)
+    while node.op == "call" and node.data == "neg":
+        node = bare(node.operands[0])
+    return node.op == "constant"
+
+
+def _as_kind(graph: Graph, node: Node, kind: str | None) -> Node | None:
+    if scalar_kind(node.type) == kind:
+        return node
+    if scalar_kind(node.type) != "int" or not is_constant(node):
+        return None
+    negative = False
+    while node.op == "call":
+        node, negative = node.operands[0], not negative
+    assert isinstance(node.data, int)
+    value = -node.data if negative else node.data
+    if kind == "float":
+        return constant(graph, Scalar("float"), float(value))
+    if kind == "uint" and value >= 0:
+        return constant(graph, Scalar("uint"), value)
+    return None

@@ -1,0 +1,207 @@
+"""Written types to representation types.
+
+Geometry types name a space (``point<world>``), which has to exist. A written type says what a value
+is on the machine, what it means beyond that, and what holds of it by contract.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from ....frozen import changed, frozen
+from ....stdlib.builtins.facts import UNIT, UNKNOWN, Fact
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Report
+from ...diagnostics.nearest import suggestion
+from ...ir.meaning import Meaning, MeaningKind
+from ...ir.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    TEXTURES,
+    UINT,
+    VEC3,
+    VEC4,
+    Array,
+    Matrix,
+    Scalar,
+    ScalarKind,
+    Struct,
+    Type,
+    Vector,
+)
+from ...syntax import ast
+from ..hints.wording import counted
+
+SCALAR_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
+SPACES = frozenset({"object", "world", "view", "clip", "tangent", "light"})
+
+
+HOMOGENEOUS = "clip"
+"""The space whose points have four lanes."""
+
+
+@frozen
+class Named:
+    """A type with a name: representation, how many spaces it names, and what holds by contract."""
+
+    representation: Type
+    spaces: int = 0
+    fact: Fact = UNKNOWN
+    meaning: MeaningKind | None = None
+
+
+NAMED: Mapping[str, Named] = {
+    "bool": Named(BOOL),
+    "int": Named(INT),
+    "uint": Named(UINT),
+    "float": Named(FLOAT),
+    **{
+        str(vector): Named(vector)
+        for vector in (Vector(kind, size) for kind in SCALAR_KINDS for size in (2, 3, 4))
+    },
+    **{f"mat{size}": Named(Matrix(size)) for size in (2, 3, 4)},
+    "rgb": Named(VEC3, meaning="rgb"),
+    "rgba": Named(VEC4, meaning="rgba"),
+    "angle": Named(FLOAT, meaning="angle"),
+    "point": Named(VEC3, spaces=1, meaning="point"),
+    "vector": Named(VEC3, spaces=1, meaning="vector"),
+    "normal": Named(VEC3, spaces=1, fact=UNIT, meaning="normal"),
+    "covector": Named(VEC3, spaces=1, meaning="normal"),
+    "direction": Named(VEC3, spaces=1, fact=UNIT, meaning="direction"),
+    "transform": Named(Matrix(4), spaces=2, meaning="transform"),
+    "basis": Named(Matrix(3), spaces=2, meaning="basis"),
+    **{str(texture): Named(texture) for texture in TEXTURES},
+}
+
+GENERIC_VECTOR = "vec"
+"""``vec<K, N>`` in a function with such type parameters."""
+
+
+@frozen
+class Declared:
+    """A resolved written type."""
+
+    type: Type
+    text: str
+    """As the user wrote it, for the reflection and for messages."""
+    fact: Fact = UNKNOWN
+    """What holds by contract; of a structure's or array's vectors, too."""
+    meaning: Meaning | None = None
+    members: tuple[tuple[str, Declared], ...] = ()
+    """Of a struct."""
+
+
+Variable = Declared | str | int
+"""What a type parameter stands for: a type, a space (empty where none is known), or a number."""
+Variables = Mapping[str, Variable]
+
+
+def described(name: ast.TypeName, count: int | None = None) -> str:
+    """The written type as one line of text."""
+    spaces = ", ".join(argument.text for argument in name.arguments)
+    text = f"{name.name.text}<{spaces}>" if spaces else name.name.text
+    return f"{text}[{count}]" if count is not None else text
+
+
+class TypeResolver:
+    """Looks written types up; reports what it cannot find."""
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+
+    def resolve(
+        self,
+        name: ast.TypeName,
+        structs: Mapping[str, Declared],
+        spaces: frozenset[str],
+        variables: Variables,
+    ) -> Declared | None:
+        """The written type without its array count, or ``None`` after reporting."""
+        text = name.name.text
+        known = variables.get(text)
+        if isinstance(known, Declared):
+            return known
+        if text == GENERIC_VECTOR and len(name.arguments) == 2:
+            return self._generic_vector(name, variables)
+        if text in structs:
+            return structs[text]
+        named = NAMED.get(text)
+        if named is None:
+            visible = [*NAMED, *structs, *variables]
+            self._unknown("type", name.name, visible, _elsewhere(text))
+            return None
+        if not self._check_spaces(name, named, spaces, variables):
+            return None
+        return _spatial(name, named, variables)
+
+    def _generic_vector(self, name: ast.TypeName, variables: Variables) -> Declared | None:
+        kind, size = name.arguments
+        lane = variables.get(kind.text, NAMED.get(kind.text))
+        scalar = lane.type if isinstance(lane, Declared) else getattr(lane, "representation", None)
+        lanes = variables.get(size.text)
+        if not isinstance(scalar, Scalar):
+            self._unknown("kind of lanes", kind, [*SCALAR_KINDS, *variables])
+            return None
+        if not isinstance(lanes, int):
+            self._unknown("width", size, variables)
+            return None
+        vector = Vector(scalar.kind, lanes)
+        return Declared(vector, str(vector))
+
+    def _check_spaces(
+        self, name: ast.TypeName, named: Named, spaces: frozenset[str], variables: Variables
+    ) -> bool:
+        if name.arguments and len(name.arguments) != named.spaces:
+            self._report.add(
+                rules.SPACE_COUNT, name.span, type=name.name.text,
+                expected=counted(named.spaces, "space"), found=len(name.arguments),
+            )  # fmt: skip
+            return False
+        for argument in name.arguments:
+            is_variable = isinstance(variables.get(argument.text), str)
+            if not is_variable and argument.text not in SPACES | spaces:
+                known = [*SPACES, *spaces]
+                near = suggestion(argument.text, known) or f"declare it: `space {argument.text}`"
+                self._unknown("space", argument, known, near)
+                return False
+        return True
+
+    def _unknown(
+        self, kind: str, name: ast.Name, known: Iterable[str], elsewhere: str = ""
+    ) -> None:
+        hint = elsewhere or suggestion(name.text, known)
+        self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
+
+
+def _spatial(name: ast.TypeName, named: Named, variables: Variables) -> Declared:
+    """A type with the spaces that it names; where a space is not known there is no meaning."""
+    found = (variables.get(argument.text, argument.text) for argument in name.arguments)
+    spaces = tuple(space for space in found if isinstance(space, str) and space)
+    meaning = None
+    if named.meaning is not None and len(spaces) == named.spaces:
+        meaning = Meaning(named.meaning, spaces)
+    homogeneous = named.meaning == "point" and spaces == (HOMOGENEOUS,)
+    type_ = VEC4 if homogeneous else named.representation
+    text = str(meaning) if spaces and meaning is not None else described(name)
+    return Declared(type_, text, named.fact, meaning)
+
+
+def structure(type_: Struct, name: str, members: tuple[tuple[str, Declared], ...]) -> Declared:
+    """A structure as the written type ``name``."""
+    meanings = tuple((name, member.meaning) for name, member in members)
+    meaning = Meaning("struct", members=meanings) if any(m for _, m in meanings) else None
+    return Declared(type_, name, meaning=meaning, members=members)
+
+
+def _elsewhere(name: str) -> str:
+    """What a type of another shading language is called here."""
+    from ....stdlib.builtins.elsewhere import TYPES
+
+    return f"it is `{TYPES[name]}` here" if name in TYPES else ""
+
+
+def array_of(declared: Declared, count: int) -> Declared:
+    """An array of ``count`` elements of a resolved type."""
+    text = f"{declared.text}[{count}]"
+    return changed(declared, type=Array(declared.type, count), text=text)

@@ -1,0 +1,83 @@
+"""Declarations as other languages write them, type first, and how they are written here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from .ast import MEMBERS
+from .forms import DECLARATIONS
+
+_DECLARATORS = frozenset(("let", "var", "const", "auto", "local", "mut", "override"))
+_QUALIFIERS = _DECLARATORS | frozenset(
+    (
+        "static", "inline", "precise", "highp", "mediump", "lowp", "invariant", "flat", "in", "out",
+        "inout", "uniform", "varying", "public", "private", "pub", "export", "extern", "readonly",
+    )
+)  # fmt: skip
+"""What stands in front of a type, or in the place of one, elsewhere."""
+_SAMPLERS = frozenset(("SamplerState", "SamplerComparisonState", "sampler_comparison"))
+_WORDS_OF_MEMBERS = frozenset(word for word, kind in MEMBERS.items() if kind.is_named)
+"""What stands in front of a member that has a name, here and elsewhere."""
+
+
+def types() -> Mapping[str, str]:
+    """Types by what they are called, here and elsewhere."""
+    from ...stdlib.builtins.elsewhere import TYPES
+
+    here = dict.fromkeys(("float", "int", "uint", "bool", "angle", *TYPES.values()))
+    return {**{name: name for name in here}, **TYPES}
+
+
+class Row(NamedTuple):
+    """Names that stand in a row, with what follows them on the line."""
+
+    words: Sequence[str]
+    length: str
+    """What stands in brackets behind them: the length of an array."""
+    has_value: bool
+
+
+def rewritten(row: Row) -> str:
+    """What to write for ``const vec3 name = …`` and its like; empty where nothing comes to mind."""
+    word = f"{row.words[0]} " if row.words[0] in _WORDS_OF_MEMBERS else ""
+    words = list(row.words[1:] if word else row.words)
+    qualifiers: list[str] = []
+    while len(words) > 1 and words[0] in _QUALIFIERS:
+        qualifiers.append(words.pop(0))
+    if len(words) == 1:
+        declarator = next(filter(_DECLARATORS.__contains__, qualifiers), "")
+        return f"equations need no `{declarator}`: write `{words[0]} = …`" if declarator else ""
+    if len(words) != 2:
+        return ""
+    return _typed(word, words[0], words[1], row, is_uniform="uniform" in qualifiers)
+
+
+def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> str:
+    """What to write for a type and a name."""
+    known = types()
+    if word and name in known and type_ not in known:
+        return f"a type stands behind a colon: write `{word}{type_} : {known[name]}`"
+    if type_ in _SAMPLERS:
+        return "a sampler belongs to its texture: `map name : texture2d with { filter = nearest }`"
+    if type_ not in known and not type_[0].isupper():
+        return "" if _begins_elsewhere(type_) else f"a name is one word: `{type_}_{name}`"
+    if _begins_elsewhere(type_):
+        return ""
+    here = known.get(type_, type_)
+    if here.startswith(("texture", "itexture", "utexture", "depth")) and not word:
+        return f"a texture is a member: `map {name} : {here}`"
+    if row.length:
+        here += f"[{row.length}]"
+    if is_uniform:
+        return f"a value from the host is a parameter of a material: `param {name} : {here}`"
+    may_have_value = not word or MEMBERS[word.rstrip()].has_default
+    value = " = …" if row.has_value and may_have_value else ""
+    return f"a type stands behind the name: write `{word}{name} : {here}{value}`"
+
+
+def _begins_elsewhere(word: str) -> bool:
+    """Whether a word begins a declaration here or elsewhere, so that it is no type."""
+    from ...stdlib.builtins.elsewhere import KEYWORDS
+
+    return word in DECLARATIONS or word in KEYWORDS

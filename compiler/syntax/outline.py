@@ -1,0 +1,221 @@
+"""Splits a file into its declarations before anything is parsed.
+
+Each declaration is then parsed on its own, so that a mistake in one leaves the others whole.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from .ast import MEMBERS
+from .forms import DECLARATIONS
+from .tokens import RESERVED, Token
+
+NESTING_LIMIT = 200
+
+_TWO_WORDS = frozenset(("abstract", "extern"))
+"""What another word of the declaration's own follows before its name."""
+_AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
+_AWAITS_VALUE = frozenset(("from", "to", "while"))
+"""Words of a loop's head; elsewhere they are names, and so may end an equation."""
+_HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
+_CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
+_CLOSERS = frozenset(_CLOSED_BY.values())
+_CAN_END = frozenset(
+    ("NAME", "NUMBER", "COLOR", "STRING", "true", "false", "FOREIGN", ")", "]", "}", ";", ",")
+)
+
+
+@dataclass(slots=True)
+class Chunk:
+    """The tokens of one declaration, or of a few where only parsing could tell them apart."""
+
+    start: int
+    end: int = 0
+    unclosed: list[int] = field(default_factory=list)
+    """Opening brackets that nothing closes, in order."""
+    too_deep: int | None = None
+    """The bracket that goes beyond the limit, if any."""
+
+
+class Outline:
+    """Brackets matched, depths known, declarations told apart."""
+
+    def __init__(self, text: str, tokens: list[Token]) -> None:
+        self._text = text
+        self.tokens = tokens
+        self.depths: list[int] = []
+        """How many brackets each token stands in; a bracket that is never closed does not count."""
+        self.chunks: list[Chunk] = [Chunk(0)] if tokens else []
+        self._open: list[int] = []
+        self._split()
+
+    def begins_member(self, index: int) -> bool:
+        """Whether ``index`` looks like the first token of a member or of a simple equation."""
+        token, following = self.tokens[index], self._kind(index + 1)
+        if self.is_member(index):
+            return True
+        if not self._may_follow(index) or self._is_in_head(index):
+            return False
+        if following in ("=", ":"):
+            return token.kind == "NAME" or token.kind in RESERVED
+        return token.text in MEMBERS and (following == "NAME" or following in RESERVED)
+
+    def is_member(self, index: int) -> bool:
+        """Whether a line begins here as only a member does, whatever is unfinished above it."""
+        kind = MEMBERS.get(self.tokens[index].text)
+        if kind is None or not self.begins_line(index) or self.begins_line(index + 1):
+            return False
+        following = self.tokens[index + 1 : index + 1 + len(kind.opening)]
+        return len(following) == len(kind.opening) and all(
+            symbol in (token.kind, token.text)
+            for symbol, token in zip(kind.opening, following, strict=True)
+        )
+
+    def begins_equation(self, index: int) -> bool:
+        """Whether a line begins with a name that is given something, even in an expression."""
+        names = self.tokens[index].kind == "NAME" and self._kind(index + 1) in ("=", ":")
+        return names and self.begins_line(index)
+
+    def begins_property(self, index: int) -> bool:
+        """Whether a line begins with a property as other languages have it: ``_Gloss ("Gloss"``."""
+        kinds = [self._kind(index + step) for step in range(3)]
+        return kinds == ["NAME", "(", "STRING"] and self.begins_line(index)
+
+    def begins_line(self, index: int) -> bool:
+        """Whether a token is the first of its line."""
+        if index == 0 or index >= len(self.tokens):
+            return True
+        before = self.tokens[index - 1].end
+        return "\n" in self._text[before : self.tokens[index].start]
+
+    def can_end(self, index: int) -> bool:
+        """Whether an expression or declaration can end with the token at ``index``."""
+        token = self.tokens[index]
+        return token.kind in _CAN_END and token.text not in _AWAITS_NAME
+
+    def _is_in_head(self, index: int) -> bool:
+        """Whether a name is the last of a loop's head: ``sum i in 0..n up to m : i``."""
+        before = self._text_of(index - 1) if index else ""
+        ends = before in _AWAITS_VALUE and self._text_of(index + 1) == ":"
+        return ends and not self.begins_line(index)
+
+    def _may_follow(self, index: int) -> bool:
+        return index == 0 or self.can_end(index - 1)
+
+    def _kind(self, index: int) -> str:
+        return self.tokens[index].kind if index < len(self.tokens) else ""
+
+    def _split(self) -> None:
+        named_until = 0
+        for index, token in enumerate(self.tokens):
+            if token.kind in _CLOSED_BY:
+                self.depths.append(len(self._open))
+                self._enter(index)
+                continue
+            if token.kind in _CLOSERS:
+                self._leave(index, token.kind)
+            elif token.kind == "NAME" and index >= named_until:
+                header = self._header(index)
+                if self._open and not header and self._ends_parentheses(index):
+                    self._abandon_open(index, down_to="{")
+                if header or (not self._open and self._begins_constant(index)):
+                    self._begin(index)
+                    named_until = index + max(header, 1)
+            self.depths.append(len(self._open))
+        self._abandon_open(len(self.tokens))
+        for chunk in self.chunks:
+            chunk.end = chunk.end or len(self.tokens)
+            chunk.unclosed.sort()
+
+    def _begins_constant(self, index: int) -> bool:
+        """Whether an equation of the file begins here, and no further type parameter of a head."""
+        before = self._text_of(index - 1) if index else ""
+        is_placed = self._text_of(index + 1) == ":" and self._text_of(index + 3) == "("
+        begins = self.begins_member(index) and before not in (",", *MEMBERS)
+        return begins and not is_placed  # `cbuffer Name : register(b0)`, as elsewhere.
+
+    def _header(self, index: int) -> int:
+        """How many tokens a declaration's word and name take here; 0 where none begins."""
+        word = self.tokens[index].text
+        if word not in DECLARATIONS or self._kind(index + 1) in ("=", ":"):
+            return 0
+        in_line = not self.begins_line(index)
+        if word == "import" and in_line and self._text_of(self.chunks[-1].start) == "from":
+            return 0  # `from file import name`, as elsewhere.
+        length = 3 if word in _TWO_WORDS else 2
+        if not self._open and self._may_follow(index):
+            return 1 if self._is_unfinished(index) else length
+        complete = (
+            self._kind(index + length - 1) == "NAME"
+            and self._text_of(index + length - 1) != "in"
+            and self._text_of(index + length) in _HEADER_ENDS
+        )
+        fits = self._may_follow(index) or self._is_at_margin(index)
+        return length if complete and fits else 0
+
+    def _is_unfinished(self, index: int) -> bool:
+        """Whether a declaration's word is followed by another declaration instead of a name."""
+        return (
+            self._text_of(index + 1) in DECLARATIONS.keys() - _TWO_WORDS
+            and self._is_at_margin(index + 1)
+            and self._kind(index + 2) == "NAME"
+        )
+
+    def _text_of(self, index: int) -> str:
+        return self.tokens[index].text if index < len(self.tokens) else ""
+
+    def _is_at_margin(self, index: int) -> bool:
+        """Whether the token is the first of an unindented line."""
+        start = self.tokens[index].start
+        return start == 0 or self._text[start - 1] == "\n"
+
+    def _ends_parentheses(self, index: int) -> bool:
+        """Whether a member begins here, although parentheses are still open."""
+        if self.tokens[self._open[-1]].kind == "{":
+            return False
+        following = self._kind(index + 1)
+        starts_member = self.tokens[index].text in MEMBERS and following == "NAME"
+        if self._text_of(index - 1) in ("(", ",") and not self.begins_line(index):
+            return False  # An argument that is given by its name, as elsewhere.
+        if self._text_of(self._open[-1] - 1) == "for" and not self.begins_line(index):
+            return False  # A loop's head, as elsewhere.
+        return following == "=" or (starts_member and self._may_follow(index))
+
+    def _begin(self, index: int) -> None:
+        """A declaration begins here, whatever is still open."""
+        self._abandon_open(index)
+        if index > self.chunks[-1].start:
+            self.chunks[-1].end = index
+            self.chunks.append(Chunk(index))
+
+    def _enter(self, index: int) -> None:
+        self._open.append(index)
+        if len(self._open) > NESTING_LIMIT and self.chunks[-1].too_deep is None:
+            self.chunks[-1].too_deep = index
+
+    def _leave(self, index: int, closer: str) -> None:
+        """Close the innermost bracket of this kind; a brace also ends what is open inside it."""
+        kinds = [self.tokens[opener].kind for opener in self._open[-NESTING_LIMIT:]]
+        while kinds and _CLOSED_BY[kinds[-1]] != closer:
+            if kinds[-1] == "{":
+                return
+            kinds.pop()
+        if not kinds:
+            return
+        while _CLOSED_BY[self.tokens[self._open[-1]].kind] != closer:
+            self._abandon(self._open.pop(), index)
+        self._open.pop()
+
+    def _abandon_open(self, index: int, down_to: str = "") -> None:
+        """Nothing that is still open will be closed, or nothing inside the innermost brace."""
+        while self._open and self.tokens[self._open[-1]].kind != down_to:
+            self._abandon(self._open.pop(), index)
+
+    def _abandon(self, opener: int, index: int) -> None:
+        """``opener`` is never closed: what follows it up to ``index`` does not count as inside."""
+        chunk = self.chunks[-1]
+        chunk.unclosed.append(opener)
+        if self.tokens[opener].kind != "{" and chunk.too_deep is None:
+            for inner in range(opener + 1, min(index, len(self.depths))):
+                self.depths[inner] -= 1
