@@ -11,7 +11,7 @@ from typing import Literal
 
 from ...stdlib.builtins import texture
 from . import (
-    bits,
+    bit_functions,
     derivatives,
     floats,
     hyperbolic,
@@ -19,7 +19,7 @@ from . import (
     logic,
     matrices,
     scalars,
-    textures,
+    texture_reads,
     vectors,
 )
 from .namespace import Lane, Lanes, Namespace
@@ -77,9 +77,9 @@ _FLOATS: Mapping[str, Function] = {
     "asinh": hyperbolic.asinh,
     "acosh": hyperbolic.acosh,
     "atanh": hyperbolic.atanh,
-    "mantissa": bits.mantissa,
-    "ldexp": bits.ldexp,
-    "quantize_half": bits.quantize_half,
+    "mantissa": bit_functions.mantissa,
+    "ldexp": bit_functions.ldexp,
+    "quantize_half": bit_functions.quantize_half,
 }
 
 _INTEGERS: Mapping[str, Function] = {
@@ -87,17 +87,17 @@ _INTEGERS: Mapping[str, Function] = {
     "div": integers.div,
     "mod": integers.mod,
     "sign": integers.sign,
-    "bit_and": bits.bit_and,
-    "bit_or": bits.bit_or,
-    "bit_xor": bits.bit_xor,
-    "bit_not": bits.bit_not,
-    "shift_left": bits.shift_left,
-    "shift_right": bits.shift_right,
-    "reverse_bits": bits.reverse_bits,
-    "extract_bits": bits.extract_bits,
-    "insert_bits": bits.insert_bits,
+    "bit_and": bit_functions.bit_and,
+    "bit_or": bit_functions.bit_or,
+    "bit_xor": bit_functions.bit_xor,
+    "bit_not": bit_functions.bit_not,
+    "shift_left": bit_functions.shift_left,
+    "shift_right": bit_functions.shift_right,
+    "reverse_bits": bit_functions.reverse_bits,
+    "extract_bits": bit_functions.extract_bits,
+    "insert_bits": bit_functions.insert_bits,
 }
-_SIGNED: Mapping[str, Function] = {"extract_bits": bits.extract_signed_bits}
+_SIGNED: Mapping[str, Function] = {"extract_bits": bit_functions.extract_signed_bits}
 """Functions whose definition for ``int`` differs from that for ``uint``."""
 
 _OF_ANOTHER_KIND: Mapping[str, Function] = {
@@ -111,12 +111,12 @@ _OF_ANOTHER_KIND: Mapping[str, Function] = {
     "or": logic.or_,
     "not": logic.not_,
     "choose": logic.choose,
-    "count_bits": bits.count_bits,
-    "first_leading_bit": bits.first_leading_bit,
-    "first_trailing_bit": bits.first_trailing_bit,
-    "bits_of": bits.bits_of,
-    "float_of_bits": bits.float_of_bits,
-    "exponent": bits.exponent,
+    "count_bits": bit_functions.count_bits,
+    "first_leading_bit": bit_functions.first_leading_bit,
+    "first_trailing_bit": bit_functions.first_trailing_bit,
+    "bits_of": bit_functions.bits_of,
+    "float_of_bits": bit_functions.float_of_bits,
+    "exponent": bit_functions.exponent,
 }
 """Functions whose results need no wrapping, for operands of any type."""
 
@@ -143,18 +143,18 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "determinant": matrices.determinant,
     "outer": matrices.outer,
     "hadamard": matrices.hadamard,
-    "pack_unorm4x8": bits.pack_unorm,
-    "pack_unorm2x16": bits.pack_unorm,
-    "pack_snorm4x8": bits.pack_snorm,
-    "pack_snorm2x16": bits.pack_snorm,
-    "pack_half2x16": bits.pack_half2x16,
-    "unpack_unorm4x8": bits.unpack_unorm4x8,
-    "unpack_unorm2x16": bits.unpack_unorm2x16,
-    "unpack_snorm4x8": bits.unpack_snorm4x8,
-    "unpack_snorm2x16": bits.unpack_snorm2x16,
-    "unpack_half2x16": bits.unpack_half2x16,
+    "pack_unorm4x8": bit_functions.pack_unorm,
+    "pack_unorm2x16": bit_functions.pack_unorm,
+    "pack_snorm4x8": bit_functions.pack_snorm,
+    "pack_snorm2x16": bit_functions.pack_snorm,
+    "pack_half2x16": bit_functions.pack_half2x16,
+    "unpack_unorm4x8": bit_functions.unpack_unorm4x8,
+    "unpack_unorm2x16": bit_functions.unpack_unorm2x16,
+    "unpack_snorm4x8": bit_functions.unpack_snorm4x8,
+    "unpack_snorm2x16": bit_functions.unpack_snorm2x16,
+    "unpack_half2x16": bit_functions.unpack_half2x16,
     "inverse": matrices.inverse,
-    **{row.name: textures.reading(row.name) for row in texture.ROWS},
+    **{row.name: texture_reads.reading(row.name) for row in texture.ROWS},
 }
 """Functions of whole values, which do not work lane by lane."""
 
