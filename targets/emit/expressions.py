@@ -19,10 +19,9 @@ from ...compiler.ir.types import (
 from .context import Context
 from .leaves import Leaves
 from .literals import literal
-from .natives import Natives, Operand
+from .natives import Natives
 from .precedence import Binding, Text, choice
 
-_ASSIGNING = {"add": "+=", "mul": "*="}
 DEEPEST = 200
 """Expressions nested deeper are refused by naga; the scheduler stays far below."""
 
@@ -89,12 +88,13 @@ class Expressions:
 
     def accumulated(self, operator: str, name: str, value: Node) -> str:
         """The statement by which a turn of a fold adds its value to a variable."""
-        if operator in _ASSIGNING:
-            return f"{name} {_ASSIGNING[operator]} {self.text(value)};"
+        short = self._forms.accumulate.get(operator)
+        if short is not None:
+            return short.format(name=name, value=self.text(value))
         # The value comes first: what may leave its second operand out shall not leave that out.
         operands = self.operand(value), Text(name, Binding.NAME)
         combined = self._natives.combined(operator, value.type, operands)
-        return f"{name} = {combined.text};"
+        return self._forms.assign.format(name=name, value=combined.text)
 
     def _arguments(self, nodes: tuple[Node, ...]) -> str:
         return ", ".join(map(self.text, nodes))
@@ -145,7 +145,7 @@ class Expressions:
     def _splatted(self, operand: Text, type_: Type) -> Text:
         return Text(
             self._forms.splat.format(
-                type=self._types.type(type_), value=Operand(operand), lanes="x" * width(type_)
+                type=self._types.type(type_), value=operand, lanes="x" * width(type_)
             )
         )
 

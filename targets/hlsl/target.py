@@ -12,7 +12,6 @@ from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..emit.description import (
     FieldRole,
-    Forms,
     Limits,
     PipelineInput,
     Profile,
@@ -23,6 +22,7 @@ from ..emit.description import (
     TextureNames,
     TypeNames,
 )
+from ..emit.forms import Forms
 from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -46,6 +46,7 @@ FORMS = Forms(
     constant_array="static const {typed} = {value};",
     column="transpose({matrix})[{position}]",
     input="input.{name}",
+    lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
 TEXTURES = TextureNames(
@@ -87,7 +88,7 @@ NATIVES: Spellings = {
         "{0}.SampleGrad({sampler}, float3({1}, {2}), {3}, {4})",
     ),
     "gather": Read(
-        "{0}.Gather{2:lane}({sampler}, {1})", "{0}.Gather{3:lane}({sampler}, float3({1}, {2}))"
+        "{0}.Gather{lane}({sampler}, {1})", "{0}.Gather{lane}({sampler}, float3({1}, {2}))"
     ),
     "compare": Read(
         "{0}.SampleCmpLevelZero({sampler}, {1}, {2})",
@@ -120,11 +121,11 @@ COUNTS: Mapping[Dimension, tuple[str, str]] = {
 def asking(head: str, level: str, answer: str) -> Mapping[Dimension, str]:
     """A function that calls `GetDimensions`, which is no expression, for each dimension."""
     return {
-        dimension: f"{head} {{\n"
+        dimension: f"{head} {{{{\n"
         f"    uint {counts}, levels;\n"
         f"    texels.GetDimensions({level}, {counts}, levels);\n"
         f"    return {answer or size};\n"
-        "}"
+        "}}"
         for dimension, (counts, size) in COUNTS.items()
     }
 
@@ -183,7 +184,7 @@ SM6 = Profile(
 
 TARGET = Target(
     name="hlsl",
-    registers=True,
+    registers={"block": "b{binding}", "texture": "t{binding}", "sampler": "s{binding}"},
     line_directive='#line {line} "{name}"',
     title="HLSL",
     folder=FOLDER,

@@ -39,14 +39,13 @@ def with_definitions(program: Program, profile: Profile) -> tuple[Program, Defin
     if not (profile.lacks or profile.agrees):
         return program, {}
     made: dict[Use, Function] = {}
-    vertex, fragment = (_defined(stage, profile, made) for stage in program.stages)
-    return changed(program, vertex=vertex, fragment=fragment), made
+    stages = tuple(_defined(stage, profile, made) for stage in program.stages)
+    return changed(program, stages=stages), made
 
 
 def _defined(stage: Stage, profile: Profile, made: dict[Use, Function]) -> Stage:
     roots = [statement.node for statement in stage.region.statements]
-    roots += [*stage.results, *(function.value for function in stage.functions)]
-    roots += [root for root in (stage.position, stage.discard) if root is not None]
+    roots += [*stage.roots, *(function.value for function in stage.functions)]
     needed: dict[Use, None] = {}
     pending = list(_lacking(roots, profile))
     while pending:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import hypot
 from typing import TYPE_CHECKING
 
@@ -43,9 +43,9 @@ STEPS = ("vertex", "instance")
 class Leaves:
     """A record's leaves in declaration order."""
 
-    parameters: tuple[ParameterInfo, ...]
-    resources: tuple[ResourceInfo, ...]
-    attributes: tuple[AttributeInfo, ...]
+    parameters: tuple[ParameterInfo, ...] = ()
+    resources: tuple[ResourceInfo, ...] = ()
+    attributes: tuple[AttributeInfo, ...] = ()
 
 
 def leaves_of(
@@ -56,21 +56,40 @@ def leaves_of(
     One that an heir, or a rig entry (``given``), has set by an equation is none any more, unless an
     equation builds on it.
     """
-    parameters, resources, attributes = [], [], []
-    for name, definition in leaf_definitions(record, given):
-        member = definition.member
-        if isinstance(member, ast.Param):
-            info = parameter_of(low, definition, prefix + name)
-            if info is not None:
-                parameters.append(info)
-        elif isinstance(member, ast.Map):
-            group = _group(low, definition, member.group)
-            texture = resource(low, definition, prefix + name, group)
-            if texture is not None:
-                resources.append(texture)
-        elif isinstance(member, ast.Attribute):
-            attributes += _attribute(low, definition, name)
-    return Leaves(tuple(parameters), tuple(resources), tuple(attributes))
+    found = [
+        _LEAVES_OF[type(definition.member)](low, definition, prefix + name)
+        for name, definition in leaf_definitions(record, given)
+    ]
+    return Leaves(
+        tuple(info for each in found for info in each.parameters),
+        tuple(info for each in found for info in each.resources),
+        tuple(info for each in found for info in each.attributes),
+    )
+
+
+def _of_param(low: Lowering, definition: Definition, name: str) -> Leaves:
+    info = parameter_of(low, definition, name)
+    return Leaves() if info is None else Leaves(parameters=(info,))
+
+
+def _of_map(low: Lowering, definition: Definition, name: str) -> Leaves:
+    member = definition.member
+    assert isinstance(member, ast.Map)
+    info = resource(low, definition, name, _group(low, definition, member.group))
+    return Leaves() if info is None else Leaves(resources=(info,))
+
+
+def _of_attribute(low: Lowering, definition: Definition, name: str) -> Leaves:
+    return Leaves(attributes=tuple(_attribute(low, definition, name)))
+
+
+_LEAVES_OF: Mapping[type, Callable[[Lowering, Definition, str], Leaves]] = {
+    ast.Param: _of_param,
+    ast.Map: _of_map,
+    ast.Attribute: _of_attribute,
+}
+"""What a definition contributes as the leaf of a name, by the class of its member: one row for each
+kind whose contribution is a parameter, a resource or an attribute."""
 
 
 def _group(low: Lowering, definition: Definition, named: ast.Name | None) -> str:

@@ -7,8 +7,9 @@ heir. ``inherited.x`` is what the rest of the chain says.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import Generic, NamedTuple, TypeVar
 
 from ....frozen import changed, frozen
 from ...diagnostics import rules
@@ -18,32 +19,25 @@ from ...syntax import ast
 from ..names.modules import Module, Symbol
 from .inherited import inherited_names
 
-_WORDS: Mapping[type, str] = {
-    ast.Param: "param",
-    ast.Map: "map",
-    ast.Attribute: "attribute",
-    ast.Slot: "an equation",
-    ast.Target: "target",
-    ast.Discard: "discard",
-}
-_MISPLACED: Mapping[str, frozenset[str]] = {
-    "material": frozenset({"target", "discard"}),
-    "light": frozenset({"target", "discard", "attribute"}),
-    "pass": frozenset(),
-}
-"""What a kind of record cannot have: targets and what is not drawn are a pass's to say."""
-
-NamedMember = ast.Param | ast.Map | ast.Attribute | ast.Slot
+M = TypeVar("M", bound=ast.Member)
 
 
 @frozen
 class Definition:
     """What a name is defined to be at one level of an inheritance chain."""
 
-    member: NamedMember
+    member: ast.ReadMember
     owner: Symbol
     level: int
     """0 for the most derived record."""
+
+
+class Statement(NamedTuple, Generic[M]):
+    """A member that expressions cannot read, such as a target, with where it stands."""
+
+    member: M
+    owner: Symbol
+    level: int
 
 
 @dataclass(slots=True, eq=False)
@@ -57,9 +51,8 @@ class Record:
     """Of each name, most derived first; names in order of first declaration, ancestors first."""
     requirements: list[Definition] = field(default_factory=list)
     """What mixins ask for that the chain behind them has: slots with a type and no value."""
-    targets: tuple[tuple[ast.Target, Symbol, int], ...] = ()
-    """Of a pass: its targets, each with its record and level."""
-    discards: tuple[tuple[ast.Discard, Symbol, int], ...] = ()
+    statements: tuple[Statement[ast.Member], ...] = ()
+    """The members of the chain that count and have no definition, as nothing reads them."""
     baseless: bool = False
     """Whether a base is wrong, so that no name can be said to be missing."""
 
@@ -72,6 +65,12 @@ class Record:
     def root(self) -> Symbol:
         """The ancestor without a base."""
         return self.chain[-1]
+
+    def every(self, node: type[M]) -> Iterator[Statement[M]]:
+        """The statements of one kind, ancestors first."""
+        for member, owner, level in self.statements:
+            if isinstance(member, node):
+                yield Statement(member, owner, level)
 
     def declaration(self, name: str) -> Definition:
         """Where ``name`` was first declared (the furthest ancestor)."""
@@ -130,7 +129,7 @@ class Records:
 
     def _flattened(self, symbol: Symbol, chain: tuple[Symbol, ...]) -> Record:
         record = Record(symbol, chain, baseless=not self._astray.isdisjoint(chain))
-        targets: dict[str, tuple[ast.Target, Symbol, int]] = {}
+        statements: dict[object, Statement[ast.Member]] = {}
         for level in reversed(range(len(chain))):
             owner = chain[level]
             declaration = owner.declaration
@@ -141,34 +140,39 @@ class Records:
             for member in declaration.members:
                 if not self._in_place(declaration, member):
                     continue
-                if isinstance(member, ast.Discard):
-                    record.discards += ((member, owner, level),)
-                elif self._first(member.name, seen):
-                    if isinstance(member, ast.Target):
-                        targets[member.name.text] = (member, owner, level)
-                    else:
-                        self._define(record, Definition(member, owner, level))
-        record.targets = tuple(targets.values())
+                name = member.name if ast.is_named(member) else None
+                if name is not None and not self._first(name, seen):
+                    continue
+                if ast.is_read(member):
+                    self._define(record, Definition(member, owner, level))
+                else:
+                    replaced = member if name is None else (type(member), name.text)
+                    statements[replaced] = Statement(member, owner, level)
+        record.statements = tuple(statements.values())
         return record
 
     def _in_place(self, declaration: ast.Record | ast.Mixin, member: ast.Member) -> bool:
         """Whether a kind of member belongs into a kind of record."""
-        word = _WORDS[type(member)]
-        if word not in _MISPLACED[declaration.kind]:
+        kind = ast.kind_of(member)
+        if declaration.kind in kind.records:
             return True
-        self._report.add(
-            rules.MISPLACED_MEMBER, member.span, member=word, record=f"a {declaration.kind}"
-        )
-        if not isinstance(member, ast.Discard):
+        self._report_misplaced(kind, kind.word, declaration, member.span)
+        if ast.is_named(member):
             self._report.unread((member.name.text,))
         return False
 
+    def _report_misplaced(
+        self, kind: ast.MemberKind, word: str, declaration: ast.Record | ast.Mixin, span: Span
+    ) -> None:
+        self._report.add(
+            rules.MISPLACED_MEMBER, span, member=word, record=f"a {declaration.kind}",
+            hint=f"`{word}` belongs in {kind.places}",
+        )  # fmt: skip
+
     def _check_blend(self, declaration: ast.Record) -> None:
-        if declaration.blend is not None and declaration.kind != "pass":
-            self._report.add(
-                rules.MISPLACED_MEMBER, declaration.blend.span,
-                member="blend", record=f"a {declaration.kind}",
-            )  # fmt: skip
+        target = ast.MEMBERS["target"]
+        if declaration.blend is not None and declaration.kind not in target.records:
+            self._report_misplaced(target, "blend", declaration, declaration.blend.span)
 
     def _first(self, name: ast.Name, seen: dict[str, ast.Name]) -> bool:
         if name.text in seen:
@@ -342,12 +346,12 @@ class Records:
         return None if root is symbol else root
 
 
-def is_abstract(member: NamedMember) -> bool:
+def is_abstract(member: ast.ReadMember) -> bool:
     """Whether a member is a slot with a type and no value."""
     return isinstance(member, ast.Slot) and member.value is None
 
 
-def _belong_together(later: NamedMember, first: Definition) -> bool:
+def _belong_together(later: ast.ReadMember, first: Definition) -> bool:
     """Whether a mixin's definition means to continue, or to share, what another one declares."""
     if isinstance(later, ast.Slot) and later.value is not None:
         return later.name.text in inherited_names(later.value)
