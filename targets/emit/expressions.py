@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from ...compiler.ir.node import Formal, Node, Op
-from ...compiler.ir.program import Function
 from ...compiler.ir.types import (
     Matrix,
     Scalar,
@@ -19,7 +18,7 @@ from ...compiler.ir.types import (
 from .context import Context
 from .leaves import Leaves
 from .literals import literal
-from .natives import Natives
+from .natives import Callee, Natives
 from .precedence import Binding, Text, choice
 
 DEEPEST = 200
@@ -33,7 +32,7 @@ class Expressions:
         self,
         context: Context,
         leaves: Leaves,
-        functions: Mapping[Node, tuple[str, Function]],
+        functions: Mapping[Node, Callee],
     ) -> None:
         self.bound: dict[int, str] = {}
         """Names of bound nodes, by id."""
@@ -195,8 +194,7 @@ class Expressions:
         )
 
     def _call(self, node: Node) -> Text:
-        name, _function = self._functions[node.operands[0]]
-        return Text(f"{name}({self._arguments(node.operands[1:])})")
+        return self._functions[node.operands[0]].call(map(self.text, node.operands[1:]))
 
     def _formal(self, node: Node) -> Text:
         assert isinstance(node.data, Formal)
