@@ -23,7 +23,7 @@ class Request(NamedTuple):
 
     file: Path
     targets: tuple[str, ...]
-    """Empty for all there are."""
+    """Empty for those that are written by default."""
     output: str
     """A folder, or ``-``."""
     validate: bool
@@ -50,8 +50,8 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
     metavar="NAME[:PROFILE],…",
     multiple=True,
     callback=_split,
-    help="What to write; see `burnish targets`. By default each target's first profile; `all` "
-    "is every profile.",
+    help="What to write; see `burnish targets`. By default the first profile of every target that "
+    "is not marked as unproven there; `all` is every profile.",
 )
 @click.option(
     "-o",
@@ -113,11 +113,10 @@ def _succeeds(request: Request) -> bool:
 
 def _compiled(request: Request) -> CompileResult:
     from .. import api
-    from ..targets import registry
 
     return api.compile(
         request.file,
-        request.targets or registry.names(),
+        request.targets or None,
         material=request.material,
         rig=request.rig,
         pass_=request.pass_,
