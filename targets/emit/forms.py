@@ -95,6 +95,8 @@ class Forms:
     """An array from its elements."""
     member: str = "{name}"
     """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
+    stored: str = "{value}"
+    """A member of a block of one of the types in ``TypeNames.stored``, as the plain ``{type}``."""
     texture: str = "{texture}"
     """A texture read by its sampler, called ``{sampler}``; ``{type}`` is that of both in one."""
     input: str = "{name}"
@@ -129,6 +131,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "array": "type elements",
             "member": "block name",
             "block_argument": "type name",
+            "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",
         }.items()
