@@ -1,8 +1,9 @@
-"""The value of a graph whose leaves are known: the definition of what a program means.
+"""Evaluates a graph whose leaves have values: this is the definition of what a program means.
 
-Works on graphs at every stage of the compiler, with binders closed (de Bruijn) or open (formals),
-so that a pass can be checked by evaluating before and after it; on Python numbers or, for pictures,
-on arrays. Graphs and the nesting of binders may be as deep as they like.
+Constant folding and semantics use it while compiling, the reference's pictures use it with arrays
+instead of numbers, and tests use it to compare a graph before and after a pass. It accepts graphs
+of every phase of the compiler, with binders closed (de Bruijn indices) or open (formals). Graphs
+and binders may be nested without limit.
 """
 
 from __future__ import annotations
@@ -21,22 +22,23 @@ from .operations import NotConstantError, apply, chosen, constant_lanes
 __all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "evaluate"]
 
 Leaves = Callable[[Node], Lanes | None]
-"""The value of a leaf; ``None`` where it has none. Textures have a ``textures.Reader``.
+"""Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
+``texture_reads.Reader``.
 
-It is asked about crossings (``interpolate``) too: one without a value has that of its operand.
+It is also called for crossings (``interpolate``); one without a value has that of its operand.
 """
 
 Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
-"""Sees every operation that is computed, with the values of its operands and its own; the answer is
-the value to go on with."""
+"""Called for every operation that is computed, with the values of its operands and its own value.
+Evaluation continues with the value that it returns."""
 
 _LEAVES = frozenset({"parameter", "resource", "attribute", "input", "interpolate"})
 
 
 def evaluate(root: Node, leaves: Leaves | None = None, xp: Namespace = scalars) -> Lanes:
-    """The lanes of ``root`` (a matrix: its columns), in float64.
+    """The lanes of ``root`` in float64; of a matrix, its columns.
 
-    Raises ``NotConstantError`` at a leaf without a value.
+    Raises ``NotConstantError`` if a leaf has no value.
     """
     if root.op == "constant":
         return constant_lanes(root.type, root.data)
@@ -45,17 +47,18 @@ def evaluate(root: Node, leaves: Leaves | None = None, xp: Namespace = scalars) 
 
 @dataclass(eq=False, slots=True)
 class _Frame:
-    """One evaluation of a binder's body, or (without parent) of what is under no binder."""
+    """One evaluation of a binder's body; without a parent, of everything that is under no
+    binder."""
 
     parent: _Frame | None = None
     bound: tuple[Lanes, ...] = ()
-    """Values of the de Bruijn variables, of all binders around, the innermost first."""
+    """The values of the de Bruijn variables of all binders around the body, the innermost first."""
     formals: Mapping[Formal, Lanes] = field(default_factory=dict)
     values: dict[int, Lanes] = field(default_factory=dict)
 
 
 class Evaluator:
-    """Evaluates roots that share nodes; each node once for each value of the variables in it."""
+    """Evaluates several roots that share nodes; each node once for each value of its variables."""
 
     def __init__(
         self,
@@ -74,7 +77,7 @@ class Evaluator:
         return run(self._value(root, frame))
 
     def _home(self, node: Node, frame: _Frame) -> _Frame:
-        """The outermost frame in which ``node`` has the value that it has in ``frame``."""
+        """The outermost frame in which ``node`` has the same value as in ``frame``."""
         wanted = node.variables
         while frame.parent is not None and not node.free and wanted.isdisjoint(frame.formals):
             frame = frame.parent
@@ -103,7 +106,7 @@ class Evaluator:
         return self._home(root, frame).values[root.id]
 
     def _given(self, node: Node, frame: _Frame) -> Lanes | None:
-        """The value of a variable or a leaf."""
+        """The value of a variable or a leaf, or ``None`` for any other node."""
         if node.op in _LEAVES:
             return self._leaves(node) if self._leaves is not None else None
         if node.op == "bound" and isinstance(node.data, int):
@@ -130,7 +133,10 @@ class Evaluator:
         return result
 
     def _folded(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
-        """One turn after the other; where counts differ, in an array, some take no part."""
+        """Evaluate a fold, one iteration after the other.
+
+        If the count is an array, elements that have finished keep their totals.
+        """
         assert isinstance(node.data, Folding)
         (count,), total = operands
         kind = scalar_kind(node.type) or "float"
@@ -144,7 +150,7 @@ class Evaluator:
         return total
 
     def _iterated(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
-        """Likewise: where values differ, in an array, those that have stopped keep their states."""
+        """Evaluate an iteration. With arrays, elements that have stopped keep their states."""
         assert isinstance(node.data, Iterating)
         (count,), *states = operands
         going, *nexts = (node.operands[i] for i in bodies_of(node))
@@ -164,7 +170,7 @@ class Evaluator:
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:
-    """Whether all of them hold, as a plain bool where it is one."""
+    """Whether all conditions hold; a plain ``bool`` unless one of them is an array."""
     found: Lane = True
     for condition in conditions:
         found = xp.logical_and(found, condition)
@@ -176,7 +182,7 @@ def _anywhere(condition: Lane) -> bool:
 
 
 def _needed_first(node: Node) -> tuple[Node, ...]:
-    """The operands that are evaluated where the node is: not the bodies under its binder."""
+    """The operands that are evaluated before the node: all but the bodies under its binder."""
     inside = bodies_of(node)
     if not inside:
         return node.operands
@@ -184,7 +190,7 @@ def _needed_first(node: Node) -> tuple[Node, ...]:
 
 
 def _inner(node: Node, frame: _Frame, variables: tuple[Lanes, ...]) -> _Frame:
-    """A frame for the body of ``node``."""
+    """A frame for the body of ``node``, with values for the variables that it binds."""
     if binders(node):
         return _Frame(frame, variables + frame.bound)
     return _Frame(frame, frame.bound, dict(zip(formals_of(node), variables, strict=True)))

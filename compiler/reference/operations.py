@@ -1,4 +1,4 @@
-"""The value of one operation for the values of its operands."""
+"""The value of one operation from the values of its operands; ``evaluate.py`` calls it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .namespace import Lane, Lanes, Namespace
 
 
 class NotConstantError(Exception):
-    """The graph has a leaf without a value."""
+    """The graph has a leaf without a value, so it is not a constant."""
 
     def __init__(self, node: Node) -> None:
         super().__init__(f"{node} has no value")
@@ -22,9 +22,10 @@ class NotConstantError(Exception):
 
 
 def apply(node: Node, operands: list[Lanes], xp: Namespace = scalars) -> Lanes:
-    """The value of an operation that neither binds variables nor is a leaf without a value.
+    """The value of an operation that binds no variables. Raises ``NotConstantError`` for a leaf.
 
-    The value of an array is the tuple of its elements', that of a struct the tuple of its members'.
+    The value of an array is the tuple of its elements, and that of a struct the tuple of its
+    members.
     """
     step = _STEPS.get(node.op)
     if step is None:
@@ -33,14 +34,14 @@ def apply(node: Node, operands: list[Lanes], xp: Namespace = scalars) -> Lanes:
 
 
 def constant_lanes(type_: Type, data: Any) -> Lanes:
-    """A constant node's data as lanes."""
+    """The data of a constant node as lanes."""
     if isinstance(type_, Scalar):
         return (data,)
     return tuple(data)
 
 
 def chosen(xp: Namespace, condition: Lane, then: Any, otherwise: Any) -> Any:
-    """``then`` where the condition holds, else ``otherwise``; of values of any one type."""
+    """``then`` where the condition holds, else ``otherwise``; both are values of the same type."""
     if isinstance(condition, bool):
         return then if condition else otherwise
     if isinstance(then, tuple):
@@ -68,7 +69,7 @@ def _splat(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
 
 
 def _joined(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    """Columns, members or elements."""
+    """The columns of a matrix, the members of a struct or the elements of an array."""
     return tuple(operands)
 
 
@@ -87,7 +88,7 @@ def _index(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
 
 
 def _at(parts: Lanes, position: Lane, xp: Namespace) -> Any:
-    """The part at a position; many positions, in an array, take each their own."""
+    """The part at a position; if the position is an array, each element chooses its own part."""
     try:
         return parts[operator.index(position)]
     except TypeError:
@@ -112,12 +113,12 @@ def _select(_node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
 
 
 def _interpolate(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    """What all vertices agree on."""
+    """The value of a crossing without a value of its own: the same at all vertices."""
     return operands[0]
 
 
 def _marked(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    """Semantics evaluates constants while meanings and calls are still noted in the graph."""
+    """Marks do not change values; semantics evaluates constants while the graph still has marks."""
     return operands[0]
 
 
@@ -138,4 +139,4 @@ _STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "as": _marked,
     "called": _marked,
 }
-"""A ``native`` is only used where the hardware agrees with the builtin's meaning."""
+"""Passes use ``native`` only where the hardware has the builtin's meaning."""
