@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from ..ir.node import Folding, Formal, Iterating, Node, binders, bodies_of, formals_of
+from ..ir.node import Formal, Node, binders, bodies_of, formals_of
+from ..ir.operations import BOUND, FOLD, FORMAL, ITERATE, OUTSIDE
 from ..ir.types import scalar_kind
 from ..trampoline import Step, run
 from . import scalars
@@ -32,7 +33,8 @@ Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 """Called for every operation that is computed, with the values of its operands and its own value.
 Evaluation continues with the value that it returns."""
 
-_LEAVES = frozenset({"parameter", "resource", "attribute", "input", "interpolate"})
+_ASKED = OUTSIDE | {"interpolate"}
+"""What ``Leaves`` may have a value for."""
 
 
 def evaluate(root: Node, leaves: Leaves | None = None, xp: Namespace = scalars) -> Lanes:
@@ -107,13 +109,12 @@ class Evaluator:
 
     def _given(self, node: Node, frame: _Frame) -> Lanes | None:
         """The value of a variable or a leaf, or ``None`` for any other node."""
-        if node.op in _LEAVES:
+        if node.op in _ASKED:
             return self._leaves(node) if self._leaves is not None else None
-        if node.op == "bound" and isinstance(node.data, int):
-            return frame.bound[node.data] if node.data < len(frame.bound) else None
-        if node.op == "formal" and isinstance(node.data, Formal):
-            return frame.formals.get(node.data)
-        return None
+        if node.op == "bound":
+            index = BOUND.data(node)
+            return frame.bound[index] if index < len(frame.bound) else None
+        return frame.formals.get(FORMAL.data(node)) if node.op == "formal" else None
 
     def _computed(self, node: Node, frame: _Frame) -> Step[Lanes]:
         operands = [
@@ -137,25 +138,24 @@ class Evaluator:
 
         If the count is an array, elements that have finished keep their totals.
         """
-        assert isinstance(node.data, Folding)
+        data = FOLD.data(node)
         (count,), total = operands
         kind = scalar_kind(node.type) or "float"
-        for turn in range(node.data.bound):
+        for turn in range(data.bound):
             goes_on = turn < count
             if goes_on is False:
                 break
             term = yield self._value(node.operands[2], _inner(node, frame, ((turn,),)))
-            combined = builtin(node.data.operator, (total, term), self._xp, kind)
+            combined = builtin(data.operator, (total, term), self._xp, kind)
             total = chosen(self._xp, goes_on, combined, total)
         return total
 
     def _iterated(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
         """Evaluate an iteration. With arrays, elements that have stopped keep their states."""
-        assert isinstance(node.data, Iterating)
         (count,), *states = operands
         going, *nexts = (node.operands[i] for i in bodies_of(node))
         goes_on: Lane = True
-        for turn in range(node.data.bound):
+        for turn in range(ITERATE.data(node).bound):
             inner = _inner(node, frame, ((turn,), *states))
             (condition,) = yield self._value(going, inner)
             goes_on = _all(self._xp, goes_on, turn < count, condition)

@@ -6,7 +6,8 @@ import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ..ir.node import Node
+from ..ir.node import Node, Op
+from ..ir.operations import CALL, MEMBER, SWIZZLE
 from ..ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector, scalar_kind
 from . import scalars
 from .functions import evaluate as builtin
@@ -56,7 +57,7 @@ def _constant(node: Node, _operands: list[Lanes], _xp: Namespace) -> Lanes:
 
 def _call(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
     kind = scalar_kind(node.operands[0].type)
-    return builtin(str(node.data), operands, xp, kind or "float")
+    return builtin(CALL.data(node), operands, xp, kind or "float")
 
 
 def _vector(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
@@ -74,8 +75,7 @@ def _joined(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
 
 
 def _swizzle(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    assert isinstance(node.data, tuple)
-    return tuple(operands[0][lane] for lane in node.data)
+    return tuple(operands[0][lane] for lane in SWIZZLE.data(node))
 
 
 def _index(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
@@ -102,7 +102,7 @@ def _member(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
     struct = node.operands[0].type
     assert isinstance(struct, Struct)
     names = [name for name, _ in struct.members]
-    member: Lanes = operands[0][names.index(str(node.data))]
+    member: Lanes = operands[0][names.index(MEMBER.data(node))]
     return member
 
 
@@ -122,7 +122,7 @@ def _marked(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
     return operands[0]
 
 
-_STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
+_STEPS: Mapping[Op, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "constant": _constant,
     "call": _call,
     "native": _call,
