@@ -175,7 +175,8 @@ class Expressions:
         if owner.op == "iterate":
             return Text(self.states[owner.id, member], Binding.NAME)
         name = self._names.member(owner.type.name, member)
-        return Text(f"{self.operand(owner).within(Binding.POSTFIX)}.{name}")
+        text = Text(f"{self.operand(owner).within(Binding.POSTFIX)}.{name}")
+        return self._leaves.loaded(text, node.type)
 
     def _select(self, node: Node) -> Text:
         assert isinstance(node.operands[0].type, Scalar), "conditions are scalars"
