@@ -56,7 +56,10 @@ def test_blocks_of_the_host_have_numbers_of_their_own_where_there_are_no_sets() 
     text = """
     extern block Sky per frame at group 0, binding 4 { tint : vec3 at 0 }
     extern block Sea per frame at group 1, binding 4 { depth : float at 0 }
-    material M { param gain : float = 1  color = tint * uv.x + depth * uv.y + vec3(gain * uv.x * uv.y) }
+    material M {
+        param gain : float = 1
+        color = tint * uv.x + depth * uv.y + vec3(gain * uv.x * uv.y)
+    }
     """
     program = staged(text).program
     bindings = assign_bindings(program, changed(SEPARATE[0].profile, numbering="kind"))
