@@ -14,6 +14,7 @@ from pathlib import Path
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.compiler.ir.rulebook import RULES
+from burnish.compiler.syntax.ast import KINDS
 from burnish.stdlib.builtins import (
     BUILTINS,
     Builtin,
@@ -248,7 +249,14 @@ def _code(message: str) -> str:
 def language_page() -> str:
     """The language reference with its grammar brought up to date."""
     page = (DOCS / "language.md").read_text(encoding="utf-8")
-    return re.sub(r"(?<=^```lark\n).*?(?=^```$)", lambda _: _grammar(), page, flags=_LINES)
+    page = re.sub(r"(?<=^```lark\n).*?(?=^```$)", lambda _: _grammar(), page, flags=_LINES)
+    return _spliced(page, "members", _table(("member", "declares", "belongs in"), _members()))
+
+
+def _members() -> Iterator[tuple[str, ...]]:
+    for kind in KINDS:
+        written = re.findall(r"`[^`]+`", kind.form)[0]
+        yield written, kind.doc, kind.places
 
 
 _LINES = re.MULTILINE | re.DOTALL
