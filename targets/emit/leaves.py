@@ -24,6 +24,8 @@ class Leaves:
         self._forms = context.target.forms
         self._texture = context.profile.samplers.joined or context.target.forms.texture
         self._textures = context.textures
+        self._types = context.types
+        self._stored = context.target.types.stored
         self._names = context.names
         self._inputs = context.inputs
         self._members = context.members
@@ -37,7 +39,13 @@ class Leaves:
         text = self._forms.member.format(
             block=self._names.variables.get(block, ""), name=self._names.member(block, member)
         )
-        return Text(text, Binding.NAME)
+        return self.loaded(Text(text, Binding.NAME), stored)
+
+    def loaded(self, member: Text, type_: Type) -> Text:
+        """A block's member as a plain value, where it is stored as something else."""
+        if str(type_) not in self._stored:
+            return member
+        return Text(self._forms.stored.format(value=member, type=self._types.type(type_)))
 
     def resource(self, node: Node) -> Text:
         """A texture by its name."""
