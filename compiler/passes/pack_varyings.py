@@ -12,10 +12,12 @@ from heapq import heappop, heappush
 from itertools import count
 from operator import itemgetter
 
-from ..ir.leaves import Attribute, InterpolationMode
+from ..ir.leaves import Attribute
 from ..ir.node import Node
+from ..ir.operations import CROSS
 from ..ir.program import Field, Varying
 from ..ir.shader import Notes
+from ..ir.stages import InterpolationMode
 from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
 
 SLOT_LANES = 4
@@ -56,8 +58,8 @@ class _Slots:
 
 
 def crossings(nodes: Iterable[Node]) -> list[Node]:
-    """The ``interpolate`` nodes among those of a stage."""
-    return [node for node in nodes if node.op == "interpolate"]
+    """The ``cross`` nodes among those of a stage."""
+    return [node for node in nodes if node.op == "cross"]
 
 
 def pack_varyings(
@@ -79,7 +81,7 @@ def pack_varyings(
     for node in by_width:
         (value,) = node.operands
         kind = scalar_kind(value.type)
-        mode: InterpolationMode = "flat" if node.data == "flat" else "perspective"
+        mode = CROSS.data(node).mode
         assert kind is not None and isinstance(value.type, Scalar | Vector)
         slots.add(value, kind, mode)
     names = {node.operands[0].id: _name(node, notes, users) for node in unique}
