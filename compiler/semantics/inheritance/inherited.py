@@ -7,12 +7,9 @@ happens to read.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from ...syntax import ast
-
-if TYPE_CHECKING:
-    from .records import Definition, Record
+from .records import Definition, Record
 
 LEAVES = (ast.Param, ast.Map, ast.Attribute)
 """Members that come from outside."""

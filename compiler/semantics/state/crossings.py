@@ -22,7 +22,7 @@ VERTEX_INPUTS = ("vertex_index", "instance_index")
 """What the pipeline supplies to the vertex stage: numbers of the vertex and of the instance."""
 
 
-class Stages:
+class Crossings:
     """Makes and removes crossings in one graph."""
 
     def __init__(self, graph: Graph, report: Report, notes: Notes) -> None:
