@@ -1,4 +1,4 @@
-"""``burnish targets``: the backends' rows, for people and for programs."""
+"""``burnish targets``: lists target languages and profiles, for people and for programs."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def _lines(target: Target) -> Iterator[str]:
 
 
 def _abilities(profile: Profile) -> Iterator[str]:
-    """What a host has to know to choose a profile, in words."""
+    """What a host must know to choose a profile, in words."""
     yield "textures with their samplers" if profile.samplers.combined else "separate samplers"
     yield "bindings in the text" if profile.explicit_bindings else "bindings set by name"
     yield f"depth {profile.framebuffer.clip_depth}"

@@ -17,6 +17,8 @@ from .syntax import ast
 from .syntax.parser import parse
 
 FOLDER = Path(__file__).parent.parent / "stdlib"
+_READERS = ("builder.py", "burnish.lark")
+"""The files of ``syntax`` that make trees of texts."""
 MEANING = "meaning.burnish"
 CONVERSIONS = "spaces.burnish"
 
@@ -63,8 +65,9 @@ def _parsed(name: str, text: str) -> tuple[ast.File, tuple[Diagnostic, ...]]:
 def _tree_shape() -> str:
     """The texts that decide what a tree looks like: a tree of another shape must not be read."""
     here = Path(__file__)
-    syntax = [here.parent / "syntax" / n for n in ("ast.py", "builder.py", "burnish.lark")]
-    return "".join(path.read_text(encoding="utf-8") for path in (here, *syntax))
+    syntax = here.parent / "syntax"
+    deciding = (here, *sorted((syntax / "ast").glob("*.py")), *map(syntax.joinpath, _READERS))
+    return "".join(path.read_text(encoding="utf-8") for path in deciding)
 
 
 @once

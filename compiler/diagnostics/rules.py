@@ -245,9 +245,9 @@ UNUSUAL_GROUP = _warning(
 )
 MISPLACED_MEMBER = _error(
     "B0213",
-    "`{member}` does not belong into {record}",
-    "What is written to which target, how it blends and what is left out is said by a pass; what a "
-    "vertex brings along by a material or a pass.",
+    "`{member}` does not belong in {record}",
+    "Only a pass says what is written to which target, how it is blended and which pixels are "
+    "discarded. Only materials and passes have vertex attributes.",
 )
 UNREADABLE_NAME = _error(
     "B0214",

@@ -6,10 +6,12 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ..diagnostics.nearest import nearest
-from .chunks import Outline
-from .forms import DECLARATIONS, FOLDS, MEMBERS
-from .habits import Row, rewritten, types
-from .tables import END
+from .ast import MEMBERS
+from .expectations import may_begin_declaration, may_begin_member
+from .foreign_syntax import Row, rewritten, types
+from .forms import DECLARATIONS, FOLDS
+from .lalr_tables import END
+from .outline import Outline
 from .tokens import RESERVED, Token
 
 _IF = "every `if` is a value and has both sides: `if condition then a else b`"
@@ -76,7 +78,7 @@ class Advice:
             lambda: self._of_typed(index, expected, start, begin),
             lambda: self._of_name(index, expected, start, start == begin),
             lambda: self._of_expression(index, expected, self._text(start)),
-            lambda: MEMBERS.get(self._text(start), ""),
+            lambda: MEMBERS[word].form if (word := self._text(start)) in MEMBERS else "",
             lambda: self._of_declaration(start, begin),
             lambda: "" if self._outline.begins_line(start) else elsewhere(self._text(start - 1)),
         )
@@ -103,14 +105,14 @@ class Advice:
     def _of_marks(self, index: int, expected: set[str]) -> str:
         """About marks that are one too many, or the wrong ones."""
         found, previous = self._token(index), self._token(index - 1)
-        begins = expected & {"param", "material"}
+        begins = may_begin_member(expected) or may_begin_declaration(expected)
         if found.kind in _OPENED_BY and begins and found.kind not in expected:
             return f"no `{_OPENED_BY[found.kind]}` is open here"
         at_start = self._outline.begins_line(index) or previous.kind in ("{", ";", ",")
         if found.kind == "=" and begins and at_start:
             return "a name stands in front: `name = expression`"
-        if found.text in MEMBERS and "material" in expected:
-            return f"`{found.text}` stands in a material, a light or a pass"
+        if found.text in MEMBERS and may_begin_declaration(expected):
+            return _placed(found.text)
         if found.kind == "," == previous.kind and "NUMBER" in expected:
             return "between these commas an argument is missing"
         if found.kind == ";" and {",", ")"} <= expected:
@@ -170,12 +172,13 @@ class Advice:
     def _of_name(self, index: int, expected: set[str], start: int, outside: bool) -> str:
         """About what stands where a member or declaration begins."""
         found, previous, before = (self._token(index - back) for back in range(3))
-        if expected & {"param", "material"} and found.kind in _MARKS:
+        begins = may_begin_member(expected) or may_begin_declaration(expected)
+        if begins and found.kind in _MARKS:
             return _MARKS[found.kind]
         if self._text(start) in MEMBERS and not self._outline.begins_line(index):
             return ""
         if not expected & {"=", "when"}:
-            return elsewhere(found.text) if expected & {"param", "material"} else ""
+            return elsewhere(found.text) if begins else ""
         if found.kind == "==":
             return "an equation is written with a single `=`"
         if hint := elsewhere(previous.text):
@@ -227,7 +230,7 @@ class Advice:
             effect = "nothing is called for its effect: `name = f(x)`" if index - 1 == start else ""
             return _called(previous.text) or effect
         if outside and previous.text in MEMBERS:
-            return f"`{previous.text}` stands in a material, a light or a pass"
+            return _placed(previous.text)
         row = self._row(index - 1)
         if previous.text == "as":
             return "what is imported keeps its name"
@@ -257,7 +260,7 @@ class Advice:
     def _of_expression(self, index: int, expected: set[str], member: str) -> str:
         """About what stands where an expression is to begin or to go on."""
         found, previous = self._token(index), self._token(index - 1)
-        if expected & {"then", "else"} and "param" not in expected:
+        if expected & {"then", "else"} and not may_begin_member(expected):
             return _IF
         if expected == {"NAME"}:
             return self._of_missing_name(index, member)
@@ -355,6 +358,11 @@ class Advice:
         if 0 <= index < len(self._tokens):
             return self._tokens[index]
         return Token(END, "", 0, 0)
+
+
+def _placed(word: str) -> str:
+    """Where a member belongs that begins with ``word``."""
+    return f"`{word}` belongs in {MEMBERS[word].places}"
 
 
 def _dashed(previous: Token, found: Token, following: Token) -> str:

@@ -1,8 +1,13 @@
-"""Makes the nodes of the AST: one method per production of ``burnish.lark``, of the same name."""
+"""Makes the nodes of the AST.
+
+There is one method for each production of ``burnish.lark``, of the same name, but for members: the
+table of their kinds says what makes them.
+"""
 
 from __future__ import annotations
 
-from typing import Literal, cast
+from collections.abc import Callable
+from typing import cast
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
@@ -17,6 +22,10 @@ Replacement = tuple[Name, Expression]
 Count = tuple[Expression, bool]
 Range = tuple[Expression, Expression]
 Path = tuple[tuple[str, ...], bool]
+Method = Callable[..., object]
+
+_KINDS = {production: kind for kind in ast.KINDS for production in kind.productions}
+"""The kinds of members by the productions that read them."""
 
 
 class Builder:
@@ -25,6 +34,17 @@ class Builder:
     def __init__(self, docs: Docs, report: Report) -> None:
         self._docs = docs
         self._report = report
+
+    def method(self, production: str) -> Method | None:
+        """What makes the node of a production; None where its parts are handed on as they are."""
+        kind = _KINDS.get(production)
+        if kind is None:
+            made: Method | None = getattr(self, production, None)
+            return made
+        make = kind.productions[production]
+        if "doc" not in kind.node.__match_args__:
+            return make
+        return lambda span, *parts: make(span, self._doc(span), *parts)
 
     def _doc(self, span: Span) -> str:
         return self._docs.of(span.start, span.end)
@@ -73,7 +93,7 @@ class Builder:
         self,
         span: Span,
         abstract: Token | None,
-        kind: Literal["material", "light", "pass"],
+        kind: ast.RecordKind,
         name: Name,
         bases: tuple[Name, ...],
         blend: Name | None,
@@ -90,7 +110,7 @@ class Builder:
         self,
         span: Span,
         name: Name,
-        kind: Literal["material", "light", "pass"] | None,
+        kind: ast.RecordKind | None,
         *members: ast.Member,
     ) -> ast.Mixin:
         return ast.Mixin(span, self._doc(span), kind or "material", name, members)
@@ -98,51 +118,8 @@ class Builder:
     def kind(self, _: Span, word: Token) -> str:
         return word.text
 
-    def param(
-        self,
-        span: Span,
-        name: Name,
-        kind: ast.TypeName,
-        within: Range | None,
-        group: Name | None,
-        default: Expression | None,
-    ) -> ast.Param:
-        return ast.Param(span, self._doc(span), name, kind, within, group, default)
-
-    def map(
-        self,
-        span: Span,
-        name: Name,
-        kind: ast.TypeName,
-        group: Name | None,
-        default: Name | None,
-        *state: tuple[Name, Name],
-    ) -> ast.Map:
-        return ast.Map(span, self._doc(span), name, kind, group, default, state)
-
     def setting(self, _: Span, name: Name, value: Name) -> tuple[Name, Name]:
         return name, value
-
-    def attribute(
-        self, span: Span, name: Name, kind: ast.TypeName, rate: Name | None
-    ) -> ast.Attribute:
-        return ast.Attribute(span, self._doc(span), name, kind, rate)
-
-    def typed_slot(
-        self, span: Span, name: Name, kind: ast.TypeName, value: Expression | None
-    ) -> ast.Slot:
-        return ast.Slot(span, self._doc(span), name, kind, value)
-
-    def slot(self, span: Span, name: Name, value: Expression) -> ast.Slot:
-        return ast.Slot(span, self._doc(span), name, None, value)
-
-    def target(
-        self, span: Span, name: Name, layout: Name, value: Expression, blend: Name | None
-    ) -> ast.Target:
-        return ast.Target(span, self._doc(span), name, layout, value, blend)
-
-    def discard(self, span: Span, condition: Expression) -> ast.Discard:
-        return ast.Discard(span, condition)
 
     # --- functions and terms ---
 
@@ -225,7 +202,7 @@ class Builder:
         return overrides
 
     def override(self, span: Span, name: Name, value: Expression) -> ast.Slot:
-        return self.slot(span, name, value)
+        return ast.Slot(span, self._doc(span), name, None, value)
 
     def structure(
         self, span: Span, name: Name, *members: ast.StructMember

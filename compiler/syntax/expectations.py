@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from .tables import END
+from collections.abc import Set
+
+from .ast import MEMBERS
+from .forms import DECLARATIONS, FOLDS
+from .lalr_tables import END
 from .tokens import Token
 
 _EXPRESSION = {
-    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "~", "@", "not", "if", "sum", "product",
-    "min", "max", "any", "all", "iterate", "[",
+    "NAME", "NUMBER", "COLOR", "true", "false", "(", "-", "~", "@", "not", "if", "[", *FOLDS,
 }  # fmt: skip
-_MEMBER = {"NAME", "param", "map", "attribute", "target", "discard"}
-_DECLARATION = {
-    "NAME", "import", "abstract", "material", "light", "pass", "mixin", "fn", "term", "rig",
-    "struct", "extern", "space", "burnish",
-}  # fmt: skip
+_MEMBER = {"NAME", *MEMBERS}
+_DECLARATION = {"NAME", "burnish", *DECLARATIONS}
 _OPERATORS = {
     "+", "-", "*", "/", "mod", "&", "|", "^", "<<", ">>", "==", "!=", "<", "<=", ">", ">=",
     "and", "or", "(", "[", ".", "with", "in", "as",
@@ -27,17 +27,27 @@ _WORDS = {
 }
 
 
-def describe_expected(expected: set[str]) -> str:
+def may_begin_member(expected: Set[str]) -> bool:
+    """Whether a member may stand where the parser accepts these symbols."""
+    return not expected.isdisjoint(MEMBERS)
+
+
+def may_begin_declaration(expected: Set[str]) -> bool:
+    """Whether a declaration may stand where the parser accepts these symbols."""
+    return "material" in expected
+
+
+def describe_expected(expected: Set[str]) -> str:
     """The symbols that would do, in words a reader of the text knows."""
-    left = expected - _SEPARATORS if ";" in expected else set(expected)
+    left = set(expected) - (_SEPARATORS if ";" in expected else set())
     kinds = []
     if "NUMBER" in left and "NAME" in left:
         kinds.append("an expression")
         left -= _EXPRESSION
-    elif "material" in left:
+    elif may_begin_declaration(left):
         kinds.append("a declaration")
         left -= _DECLARATION | {END}
-    elif "param" in left:
+    elif may_begin_member(left):
         kinds.append("a member")
         left -= _MEMBER
     if left & {"+", "or"} or {".", "["} <= left:

@@ -1,4 +1,7 @@
-"""What declarations, members, folds and foreign files begin with, and how each is written."""
+"""What declarations, folds and foreign files begin with, and how declarations are written.
+
+For members, ``ast/members.py`` says it.
+"""
 
 from __future__ import annotations
 
@@ -30,21 +33,6 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
     }
 )
 """By the word that a declaration begins with."""
-
-MEMBERS: Mapping[str, str] = MappingProxyType(
-    {
-        "param": "a parameter is `param name : type in low..high per group = default`, where all "
-        "behind the type may be left out",
-        "map": "a texture is `map name : texture2d per group = white with { filter = nearest }`, "
-        "where all behind the type may be left out",
-        "attribute": "what a mesh brings along is `attribute name : type` or "
-        "`attribute name : type per instance`, and has no default",
-        "target": "a target is `target name : format = expression blend mode`, where the blending "
-        "may be left out",
-        "discard": "a pass says `discard when condition`",
-    }
-)
-"""By the word that a member begins with."""
 
 FOLDS: Mapping[str, str] = MappingProxyType(
     {**dict.fromkeys(get_args(FoldWord), "in"), "iterate": "from"}

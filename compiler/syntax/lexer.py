@@ -7,8 +7,8 @@ from functools import cache
 
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Source, Span
+from .lalr_tables import load_tables
 from .malformed import MALFORMED, PERCENT, mend
-from .tables import load_tables
 from .tokens import RESERVED, Docs, Lexed, Token
 
 _ORDER = ("BLANK", "NAME", "NUMBER", "COLOR", "STRING", "DOC", "FILE_DOC", "COMMENT")

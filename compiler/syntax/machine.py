@@ -5,23 +5,22 @@ It keeps its own stack, so neither the length nor the nesting of a text can exha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from ..diagnostics.source import Source, Span
-from .tables import END, Production, Tables
+from .builder import Builder
+from .lalr_tables import END, Production, Tables
 from .tokens import Token
 
 
 class Machine:
-    """Takes tokens one by one; ``builder`` has one method per named production of the grammar."""
+    """Takes tokens one by one; ``builder`` makes a node for each named production."""
 
-    def __init__(self, tables: Tables, builder: object, source: Source) -> None:
+    def __init__(self, tables: Tables, builder: Builder, source: Source) -> None:
         self._tables = tables
         self._actions = tables.actions
-        self._methods: dict[str, Callable[..., object] | None] = {
-            production.method: getattr(builder, production.method, None)
-            for production in tables.productions
-        }
+        names = {production.method for production in tables.productions}
+        self._methods = {name: builder.method(name) for name in names}
         self._source = source
         self._states = [tables.start]
         self._values: list[object] = []

@@ -12,16 +12,18 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Diagnostic, Report
 from ..diagnostics.source import Source, Span
 from . import ast
+from .ast import MEMBERS
 from .builder import Builder
-from .chunks import Chunk, Outline
-from .forms import FOLDS, FOREIGN_FILES, MEMBERS
+from .expectations import may_begin_member
+from .forms import FOLDS, FOREIGN_FILES
+from .lalr_tables import END, load_tables
 from .lexer import lex
 from .machine import Machine
-from .tables import END, load_tables
+from .outline import Chunk, Outline
 from .tokens import Token
 
 if TYPE_CHECKING:
-    from .complaints import Complaints
+    from .syntax_errors import SyntaxErrors
 
 _BODY_PARTS = ("slot", "entry", "field", "extern_member")
 _FILE_PARTS = ("record",)
@@ -35,7 +37,7 @@ def parse(source: Source, report: Report) -> ast.File:
     lexed = lex(source, found)
     outline = Outline(source.text, lexed.tokens)
     if lexed.tokens and lexed.tokens[0].kind in FOREIGN_FILES:
-        _complaints(source, outline, report).foreign(lexed.tokens[0])
+        _syntax_errors(source, outline, report).foreign(lexed.tokens[0])
         return ast.File(source, 1, "", ())
     machine = Machine(load_tables(), Builder(lexed.docs, found), source)
     parser = _Parser(source, outline, machine, found)
@@ -73,10 +75,10 @@ def _place(diagnostic: Diagnostic) -> int:
     return diagnostic.span.start if diagnostic.span else 0
 
 
-def _complaints(source: Source, outline: Outline, report: Report) -> Complaints:
-    from .complaints import Complaints
+def _syntax_errors(source: Source, outline: Outline, report: Report) -> SyntaxErrors:
+    from .syntax_errors import SyntaxErrors
 
-    return Complaints(source, outline, report)
+    return SyntaxErrors(source, outline, report)
 
 
 class _Parser:
@@ -97,7 +99,7 @@ class _Parser:
     def parse(self, chunk: Chunk) -> tuple[int, tuple[ast.Declaration, ...]]:
         """The edition and declarations of ``chunk``, less what is broken in it."""
         if chunk.too_deep is not None:
-            self._complaints.too_deep(chunk.too_deep)
+            self._errors.too_deep(chunk.too_deep)
             self._give_up(chunk.start, chunk.start + 1, chunk.end)
             return 1, ()
         self._machine.reset()
@@ -106,12 +108,12 @@ class _Parser:
             if self._machine.feed(self._symbol(index), self._tokens[index]):
                 index += 1
             elif self._is_second_word(index):
-                self._complaints.report(index, chunk, self._machine.expected(), chunk.start)
+                self._errors.report(index, chunk, self._machine.expected(), chunk.start)
                 self.unread.update(self._words_of_name(index))
                 index += 1
             else:
                 start = self._start(index)
-                begin = self._complaints.report(index, chunk, self._machine.expected(), start)
+                begin = self._errors.report(index, chunk, self._machine.expected(), start)
                 if start < index == begin and self._tokens[start].text in MEMBERS:
                     begin += not self._outline.begins_line(index)
                 failed, index = index, self._next_start(max(begin, failed + 1), chunk)
@@ -122,8 +124,8 @@ class _Parser:
         return cast(tuple[int, tuple[ast.Declaration, ...]], self._machine.result)
 
     @cached_property
-    def _complaints(self) -> Complaints:
-        return _complaints(self._source, self._outline, self._report)
+    def _errors(self) -> SyntaxErrors:
+        return _syntax_errors(self._source, self._outline, self._report)
 
     def _is_second_word(self, index: int) -> bool:
         """Whether a header that can be read on otherwise has a name of two words."""
@@ -158,7 +160,7 @@ class _Parser:
     def _start(self, index: int) -> int:
         """The first token of the member or declaration that cannot be read on at ``index``."""
         start = self._machine.begun(_BODY_PARTS)
-        if start is None and "param" not in self._machine.expected():
+        if start is None and not may_begin_member(self._machine.expected()):
             start = self._machine.begun(_FILE_PARTS)
         if start is None:
             return index
@@ -212,7 +214,7 @@ class _Parser:
         if self._machine.feed(END, end):
             return
         start = self._start(chunk.end)
-        self._complaints.report(chunk.end, chunk, self._machine.expected(), start)
+        self._errors.report(chunk.end, chunk, self._machine.expected(), start)
         self._give_up(start, chunk.end, chunk.end)
         if not self._machine.feed("}", brace):
             origins = _BODY_PARTS if self._machine.unwind(_BODY_PARTS) else _FILE_PARTS

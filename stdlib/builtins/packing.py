@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+from .facts import Fact
 from .row import Accuracy, Builtin, nowhere
 
 _PACKED = Accuracy("correct, but for the choice at a half", "by its expansion")
 _UNPACKED = Accuracy("2.5 ulp", "by its expansion, a division")
 _EXACT = Accuracy("exact", "integers and bit patterns")
+
+_LARGEST_HALF = 65504.0
+
+
+def _quantized(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    """Rounding never decreases, and goes by at most half a step: 2^-11 of a value, or 2^-25."""
+    (x,) = facts
+    lo, hi = (min(max(bound, -_LARGEST_HALF), _LARGEST_HALF) for bound in (x.lo, x.hi))
+    lowest = 0.0 if lo >= 0 else lo - (-lo * 2.0**-11 + 2.0**-25)
+    highest = 0.0 if hi <= 0 else hi + (hi * 2.0**-11 + 2.0**-25)
+    return Fact(max(lowest, -_LARGEST_HALF), min(highest, _LARGEST_HALF))
 
 
 def _pack(name: str, vector: str, doc: str, outside: str) -> Builtin:
@@ -72,6 +84,7 @@ ROWS = (
         domain=nowhere,
         outside="Clamped to -65504 to 65504.",
         expansion="quantize_half",
+        range=_quantized,
         accuracy=_EXACT,
         cost=12,
         samples=((0.1,), (1e-6,), (70000.0,), (2049.0,), (1e-9,)),

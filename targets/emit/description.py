@@ -1,19 +1,8 @@
-"""What a backend says about its language: rows of data, and hardly any code.
+"""What each language says of itself: records that ``targets/<name>/target.py`` fills in.
 
 To add a language, make a folder beside the others with a ``target.py`` that defines ``TARGET``, a
-``reserved.txt`` and the Jinja2 skeleton named by ``Target.template``. Nothing else has to change:
-the registry finds the folder, and everything that has a default here is C-like.
-
-Spellings of natives
-    A builtin prints as its row's operator, or as a call of the function with its own name. A target
-    lists only those that differ, as one of
-
-    - a name, ``lerp``: called with the operands;
-    - a symbol, ``==``: between two operands or before one;
-    - a template, ``clamp({0}, 0.0, 1.0)``: must read as a call or stand in parentheses. ``{0}`` is
-      an operand as an argument, ``{0:p}`` one in parentheses unless it is a plain name or call,
-      ``{0:lane}`` a constant 0..3 as ``Red`` .. ``Alpha``; ``{type}`` is the result's type,
-      ``{lanes}`` how many lanes it has, and ``{sampler}`` the sampler of a texture operand.
+``reserved.txt`` and the skeleton named by ``Target.template``. Nothing else has to change: the
+registry finds the folder. What has a default here is C-like. ``forms.py`` explains the templates.
 """
 
 from __future__ import annotations
@@ -24,11 +13,15 @@ from typing import Literal
 
 from ...compiler.ir.types import Dimension, Sample, ScalarKind, Type
 from ...frozen import EMPTY, frozen
-from ...stdlib.builtins.row import SamplerUse
+from ...stdlib.builtins.row import Domain, SamplerUse
+from .forms import Forms
 from .reserved import Reserved
 
 FieldRole = Literal["attribute", "varying", "target"]
 """Vertex input, value between the stages, or render target."""
+
+BindingKind = Literal["block", "texture", "sampler"]
+"""What a host binds; a texture and a sampler in one are a texture."""
 
 
 @frozen
@@ -59,7 +52,10 @@ class Read:
 
 
 Spellings = Mapping[str, str | Spelling | Read]
-"""How natives are spelled that are not called by their own names."""
+"""How natives are spelled for which neither the operator of their row nor their name will do. Each
+is a name, ``lerp``, which is called with the operands; a symbol, ``==``, between two operands or
+before one; or a form, ``clamp({0}, 0.0, 1.0)``, which reads as a call or stands in parentheses.
+"""
 
 
 @frozen
@@ -99,41 +95,6 @@ class Literals:
     false: str = "false"
     float_suffix: str = ""
     uint_suffix: str = "u"
-
-
-@frozen
-class Forms:
-    """Expressions and statements that are not calls, as templates.
-
-    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it.
-    """
-
-    let: str = "{typed} = {value};"
-    constant_array: str = "const {typed} = {value};"
-    variable: str = "{typed};"
-    variable_set: str = "{typed} = {value};"
-    loop: str = "for ({index_typed} = {zero}; {index} < {count}; {index}++) {{"
-    parameter: str = "{typed}"
-    select: str = ""
-    """``select({otherwise}, {then}, {condition})``; empty for ``?:``."""
-    splat: str = "{type}({value})"
-    """A scalar in every lane; ``{value:p}.{lanes}`` where that is a swizzle."""
-    splat_constant: bool = True
-    """Whether a constant of equal lanes is written with one of them."""
-    matrix: str = "{type}({columns})"
-    matrix_by_rows: bool = False
-    """Whether a matrix of constants lists its lanes row by row."""
-    product_of_columns: str = ""
-    """A matrix from its columns times a vector, where that is shorter than as ``matrix`` has it."""
-    column: str = "{matrix}[{position}]"
-    array: str = "{type}({elements})"
-    """An array from its elements."""
-    member: str = "{name}"
-    """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
-    texture: str = "{texture}"
-    """A texture read by its sampler, called ``{sampler}``; ``{type}`` is that of both in one."""
-    input: str = "{name}"
-    """A stage's input: a global variable, or ``input.{name}``."""
 
 
 @frozen
@@ -238,6 +199,10 @@ class Profile:
     lacks: frozenset[str] = frozenset()
     """Builtins that the dialect has no word for: each becomes a function of the text, made from
     the builtin's ``definition``."""
+    agrees: Mapping[str, Domain] = EMPTY
+    """By builtin, the operands for which the dialect's own operation has Burnish's meaning, where
+    these are others than the builtin's ``domain``: fewer, if the language or a compiler of it has
+    the operation wrong, or only for some types. Elsewhere the builtin's ``definition`` is used."""
     cannot: Mapping[str, Lack] = EMPTY
     """Natives that the profile has not got, nor an exact replacement for."""
     checkers: tuple[str, ...] = ()
@@ -276,11 +241,12 @@ class Target:
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """How each of ``PIPELINE_TYPES`` is spelled."""
+    """How each of ``SYSTEM_INPUTS`` is spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
-    registers: bool = False
-    """Places are registers by kind (``b0``, ``t1``, ``s2``), which the reflection then lists."""
+    registers: Mapping[BindingKind, str] = EMPTY
+    """What the language calls a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
+    them."""
     global_members: bool = True
     """Members of blocks are names of the whole file, so they must differ from all others."""
     global_fields: bool = False
@@ -294,6 +260,10 @@ class Target:
     line_directive: str = ""
     """Says which line of which file the next one is, by ``{line}`` and the file's ``{name}`` or
     ``{number}``; empty where the language has no such thing."""
+
+    def register(self, kind: BindingKind, binding: int) -> str:
+        """A binding in the language's own words; empty where it has none."""
+        return self.registers.get(kind, "").format(binding=binding)
 
     def profile(self, name: str = "") -> Profile:
         """The profile called ``name``, or the default; ``KeyError`` if there is none."""

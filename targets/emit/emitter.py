@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Literal
+from collections.abc import Mapping
 
-from ...compiler.ir.leaves import Resource
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Block, Stage, StageName, StoredMember
-from ...compiler.ir.types import Struct
+from ...compiler.ir.program import Stage, StageName
 from ...frozen import frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
 from . import templates
 from .comments import comment_line, comment_lines
 from .context import Context
+from .declarations import Declarations
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
 from .textures import helpers, opening_lines
-from .views import BlockView, EntryView, FileView, MemberView, StructView, TextureView
+from .views import EntryView, FileView
 from .wrapping import wrapped
-
-_SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
-_SINGLE_ENTRIES: Mapping[StageName, str] = {"vertex": "vs_main", "fragment": "fs_main"}
 
 
 @frozen
@@ -44,7 +39,8 @@ class EmittedFile:
 
     suffix: str
     """What follows the material's name: ``vert.glsl``."""
-    stage: StageName | Literal["both"]
+    stage: StageName
+    """``both`` for a text that holds all stages."""
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
@@ -82,7 +78,7 @@ class _Emitter:
         self._names = name_program(legal.program, legal.target)
         self._bindings = legal.bindings
         self._context = Context(legal, self._names, options.flip_y)
-        self._types = self._context.types
+        self._declarations = Declarations(self._context, legal.bindings)
 
     def emission(self) -> Emission:
         stages = self._program.stages
@@ -97,20 +93,21 @@ class _Emitter:
 
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
-        names = {stage.name: _SINGLE_ENTRIES[stage.name] if single else "main" for stage in stages}
+        names = {stage.name: stage.row.entry if single else "main" for stage in stages}
         marks = Marks()
         entries = [
-            StagePrinter(self._context, stage, marks).entry(names[stage.name]) for stage in stages
+            StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
+            for stage in stages
         ]
         text, origins = marks.read(self._text(stages, entries))
         if not (self._options.line_directives and self._target.line_directive):
             # Behind a directive a statement stays in its one line, as compilers count on from it.
             text, origins = wrapped(text, origins)
         extension = self._target.extension
-        first = stages[0].name
+        first = stages[0].row
         return EmittedFile(
-            suffix=extension if single else f"{_SUFFIXES[first]}.{extension}",
-            stage="both" if single else first,
+            suffix=extension if single else f"{first.suffix}.{extension}",
+            stage="both" if single else first.name,
             entries=names,
             text=text,
             origins=origins,
@@ -120,29 +117,23 @@ class _Emitter:
         view = self._view(stages, entries)
         return templates.render(
             self._target.folder / self._target.template,
-            {"file": view, "profile": self._profile, "flip_y": self._options.flip_y},
+            {
+                "file": view,
+                "forms": self._target.forms,
+                "profile": self._profile,
+                "flip_y": self._options.flip_y,
+            },
         )
 
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
-        blocks = [
-            block
-            for block in self._program.blocks
-            if any(block in stage.blocks for stage in stages)
-        ]
-        structs = dict.fromkeys(struct for block in blocks for struct in block.structs)
-        resources = [
-            resource
-            for resource in self._program.resources
-            if any(resource in stage.resources for stage in stages)
-        ]
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))
         reads = [read for stage in stages for read in stage.reads]
         return FileView(
             opening=opening_lines(self._profile, self._context.textures, reads),
             header=self._header(stages),
-            structs=[self._struct(struct) for struct in structs],
-            blocks=[self._block(block) for block in blocks],
-            textures=[view for resource in resources for view in self._textures(resource)],
+            structs=self._declarations.structs(stages),
+            blocks=self._declarations.blocks(stages),
+            textures=self._declarations.textures(stages),
             helpers=helpers(self._target, self._context.textures, reads),
             host_uniforms=list(dict.fromkeys(uniforms)),
             entries=entries,
@@ -158,36 +149,3 @@ class _Emitter:
     def _host_uniforms(self, stage: Stage) -> list[str]:
         rows = (self._context.inputs[name] for name in stage.builtin_inputs)
         return [row.host_uniform for row in rows if row.host_uniform]
-
-    def _struct(self, struct: Struct) -> StructView:
-        members = tuple(
-            MemberView(self._types.declare_stored(self._names.member(struct.name, name), type_))
-            for name, type_ in struct.members
-        )
-        return StructView(self._names.structs[struct.name], members)
-
-    def _block(self, block: Block) -> BlockView:
-        return BlockView(
-            name=self._names.blocks[block.name],
-            variable=self._names.variables.get(block.name, ""),
-            slot=self._bindings.blocks[block.name],
-            members=tuple(self._member(block, member) for member in block.members),
-        )
-
-    def _member(self, block: Block, member: StoredMember) -> MemberView:
-        name = self._names.member(block.name, member.name)
-        return MemberView(self._types.declare_stored(name, member.type), comment_line(member.doc))
-
-    def _textures(self, resource: Resource) -> Iterator[TextureView]:
-        """The declarations of a texture and its sampler."""
-        names, types, slots = self._names, self._context.textures, self._bindings
-        name, slot = names.textures[resource.name], slots.textures[resource.name]
-        if self._profile.samplers.combined:
-            yield TextureView(name, types.combined(resource), slot)
-            return
-        yield TextureView(name, types.texture(resource), slot)
-        if resource.name in names.samplers:
-            sampler = names.samplers[resource.name]
-            yield TextureView(
-                sampler, types.sampler(resource), slots.samplers[resource.name], is_sampler=True
-            )

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 
-from ...compiler.ir.leaves import Attribute, Parameter, Resource
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Program, Stage
+from ...compiler.ir.operations import ATTRIBUTE, PARAMETER, RESOURCE
+from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.types import Type, width
 from ...stdlib.builtins import BUILTINS
 from .context import Context
@@ -27,13 +27,13 @@ class Leaves:
         self._names = context.names
         self._inputs = context.inputs
         self._members = context.members
-        self._crossings = dict(_crossings(context.program)) if stage.name == "fragment" else {}
+        self._crossings = dict(_crossings(context.program.entering(stage)))
 
     def parameter(self, node: Node) -> Text:
         """A member of a uniform block, in its stored type."""
-        assert isinstance(node.data, Parameter)
-        block, member, stored = self._members[node.data]
-        assert node.type == stored, f"{node.data.name} is stored as {stored}, not {node.type}"
+        parameter = PARAMETER.data(node)
+        block, member, stored = self._members[parameter]
+        assert node.type == stored, f"{parameter.name} is stored as {stored}, not {node.type}"
         text = self._forms.member.format(
             block=self._names.variables.get(block, ""), name=self._names.member(block, member)
         )
@@ -41,30 +41,26 @@ class Leaves:
 
     def resource(self, node: Node) -> Text:
         """A texture by its name."""
-        assert isinstance(node.data, Resource)
-        return Text(self._names.textures[node.data.name], Binding.NAME)
+        return Text(self._names.textures[RESOURCE.data(node).name], Binding.NAME)
 
     def texture(self, node: Node, builtin: str) -> Text:
         """A texture as a read of it wants it: together with its sampler, if it uses that."""
-        assert isinstance(node.data, Resource)
         if BUILTINS[builtin].sampler is None:
             return self.resource(node)
         text = self._texture.format(
-            texture=self._names.textures[node.data.name],
+            texture=self._names.textures[RESOURCE.data(node).name],
             sampler=self.sampler(node),
-            type=self._textures.combined(node.data),
+            type=self._textures.combined(RESOURCE.data(node)),
         )
         return Text(text)
 
     def sampler(self, node: Node) -> str:
         """The name of a texture's sampler; empty where it has none."""
-        assert isinstance(node.data, Resource)
-        return self._names.samplers.get(node.data.name, "")
+        return self._names.samplers.get(RESOURCE.data(node).name, "")
 
     def attribute(self, node: Node) -> Text:
         """A vertex input."""
-        assert isinstance(node.data, Attribute)
-        return self._read(self._names.attributes[node.data.name])
+        return self._read(self._names.attributes[ATTRIBUTE.data(node).name])
 
     def input(self, name: str) -> tuple[Text, Type]:
         """A value that the pipeline supplies, and the type it has there."""
@@ -84,9 +80,11 @@ class Leaves:
         return Text(self._forms.input.format(name=name), Binding.NAME)
 
 
-def _crossings(program: Program) -> Iterator[tuple[tuple[int, Hashable], tuple[str, int, int]]]:
+def _crossings(
+    varyings: Iterable[Varying],
+) -> Iterator[tuple[tuple[int, Hashable], tuple[str, int, int]]]:
     """For each value that crosses: its slot, its first lane there, and the slot's lanes."""
-    for varying in program.varyings:
+    for varying in varyings:
         first = 0
         total = width(varying.field.type)
         for value in varying.values:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from ...compiler.ir.node import Node
+from ...compiler.ir.operations import NATIVE
 from ...compiler.ir.program import Function
 from ...compiler.ir.types import (
     Matrix,
@@ -20,22 +21,7 @@ from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .description import Read, Spelling, Spellings
 from .leaves import Leaves
-from .precedence import INFIX, PREFIX, Binding, Text, infix, prefix
-
-
-class Operand:
-    """An operand inside a template: as it is, or in parentheses if it needs any (``:p``)."""
-
-    def __init__(self, text: Text) -> None:
-        self._text = text
-
-    def __format__(self, form: str) -> str:
-        if form == "lane":
-            return _LANES[int(self._text.text)]
-        return self._text.within(Binding.POSTFIX if form == "p" else Binding.CHOICE)
-
-
-_LANES = ("Red", "Green", "Blue", "Alpha")
+from .precedence import INFIX, PREFIX, Text, infix, prefix
 
 
 def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
@@ -77,21 +63,22 @@ class Natives:
         self._functions = functions
         self._table = context.natives
         self._splats = context.target.splats
+        self._lane_words = context.target.forms.lane_words
         self._spell_type = context.types.type
         self._splat = splat
         self._leaves = leaves
 
     def print(self, node: Node, printed: Sequence[Text]) -> Text:
         """The native ``node`` applied to printed operands."""
-        assert isinstance(node.data, str)
+        builtin = NATIVE.data(node)
         if node.operands and isinstance(node.operands[0].type, Texture):
-            printed = [self._leaves.texture(node.operands[0], node.data), *printed[1:]]
+            printed = [self._leaves.texture(node.operands[0], builtin), *printed[1:]]
         types = tuple([operand.type for operand in node.operands])
-        if self._definitions and (node.data, types) in self._definitions:
-            name, _function = self._functions[self._definitions[node.data, types].body]
+        if self._definitions and (builtin, types) in self._definitions:
+            name, _function = self._functions[self._definitions[builtin, types].body]
             return Text(f"{name}({', '.join(operand.text for operand in printed)})")
-        operands = self._widened(node, printed) if node.data in self._splats else printed
-        spelled = spelling_of(node.data, types, self._table)
+        operands = self._widened(node, printed) if builtin in self._splats else printed
+        spelled = spelling_of(builtin, types, self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
         return _written(spelled, operands)
@@ -100,7 +87,7 @@ class Natives:
         """Builtin ``name`` of operands that are all of one plain type, which is the result's."""
         spelled = spelling_of(name, [type_] * len(operands), self._table)
         if "{" in spelled:
-            return Text(spelled.format(*map(Operand, operands), type=self._spell_type(type_)))
+            return Text(spelled.format(*operands, type=self._spell_type(type_)))
         return _written(spelled, operands)
 
     def _widened(self, node: Node, operands: Sequence[Text]) -> list[Text]:
@@ -118,12 +105,22 @@ class Natives:
         textures = (operand for operand in node.operands if isinstance(operand.type, Texture))
         return Text(
             form.format(
-                *map(Operand, operands),
+                *operands,
                 type=self._spell_type(node.type),
                 lanes=width(node.type) if isinstance(node.type, Scalar | Vector) else 0,
                 sampler="".join(map(self._leaves.sampler, textures)),
+                lane=self._lane(node),
             )
         )
+
+    def _lane(self, node: Node) -> str:
+        """The language's word for the lane that a constant operand chooses."""
+        constants = BUILTINS[str(node.data)].constants
+        if not constants or not self._lane_words:
+            return ""
+        chosen = node.operands[constants[0]].data
+        assert isinstance(chosen, int)
+        return self._lane_words[chosen]
 
 
 def _written(spelled: str, operands: Sequence[Text]) -> Text:

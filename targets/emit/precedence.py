@@ -65,6 +65,10 @@ INFIX = {
 PREFIX = frozenset("-!~")
 
 
+_SPECS = {"": Binding.CHOICE, "and": Binding.AND, "p": Binding.POSTFIX}
+"""How tightly a field of a form binds what stands there."""
+
+
 class Text(NamedTuple):
     """A printed expression."""
 
@@ -74,6 +78,10 @@ class Text(NamedTuple):
     def within(self, least: Binding) -> str:
         """As an operand that has to bind at least as tightly as ``least``."""
         return self.text if self.binding >= least else f"({self.text})"
+
+    def __format__(self, spec: str) -> str:
+        """As a form's field: ``{0}``, ``{0:p}`` or ``{0:and}``; see ``forms.py``."""
+        return self.within(_SPECS[spec])
 
 
 def infix(symbol: str, left: Text, right: Text) -> Text:

@@ -13,7 +13,7 @@ from ...compiler.reflection.tables import (
     VertexInputName,
 )
 from ..legalise.bindings import Slot
-from .description import Profile, Target
+from .description import BindingKind, Profile, Target
 from .emitter import Emission
 
 
@@ -39,14 +39,14 @@ def backend_table(
         ),
         blocks={
             block.name: _point(
-                target, profile, names.blocks[block.name], bindings.blocks[block.name], "b",
+                target, profile, names.blocks[block.name], bindings.blocks[block.name], "block",
                 {m.name: names.members[block.name, m.name] for m in _real(block)},
             )
             for block in program.blocks
         },
         textures={
             item.name: _point(
-                target, profile, names.textures[item.name], bindings.textures[item.name], "t"
+                target, profile, names.textures[item.name], bindings.textures[item.name], "texture"
             )
             for item in program.resources
         },
@@ -54,7 +54,7 @@ def backend_table(
         if profile.samplers.combined
         else {
             item.name: _point(
-                target, profile, names.samplers[item.name], bindings.samplers[item.name], "s"
+                target, profile, names.samplers[item.name], bindings.samplers[item.name], "sampler"
             )
             for item in program.resources
             if item in program.sampled
@@ -64,7 +64,7 @@ def backend_table(
                 names.attributes[field.name],
                 target.semantic("attribute", field.name, field.location),
             )
-            for field in program.vertex.inputs
+            for field in program.vertex_inputs
         },
         host_uniforms=emission.host_uniforms,
         clip_depth=profile.framebuffer.clip_depth,
@@ -84,10 +84,10 @@ def _point(
     profile: Profile,
     identifier: str,
     slot: Slot,
-    register: str,
+    kind: BindingKind,
     members: Mapping[str, str] | None = None,
 ) -> BindingPoint:
     if not profile.explicit_bindings:
         return BindingPoint(identifier, members=members or {})
-    shown = f"{register}{slot.binding}" if target.registers else ""
-    return BindingPoint(identifier, slot.set, slot.binding, shown, members or {})
+    register = target.register(kind, slot.binding)
+    return BindingPoint(identifier, slot.set, slot.binding, register, members or {})

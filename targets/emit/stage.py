@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Stage
+from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET, VARYING
 from .comments import comment_line, comment_lines
 from .context import Context
+from .declarations import Declarations
 from .description import FieldRole
 from .expressions import Expressions
 from .leaves import Leaves
 from .namer import Namer
 from .origins import Marks
-from .statements import Statements
+from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
+
+_ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "target"}
+"""What an output's field is to a language, by the kind of result."""
 
 
 class StagePrinter:
@@ -21,18 +28,20 @@ class StagePrinter:
     def __init__(
         self,
         context: Context,
+        declarations: Declarations,
         stage: Stage,
         marks: Marks,
     ) -> None:
         names = context.names
         self._context = context
+        self._declarations = declarations
         self._stage = stage
         self._target = context.target
         self._names = names
         self._types = context.types
         self._leaves = Leaves(context, stage)
-        self._input_role: FieldRole = "attribute" if stage.name == "vertex" else "varying"
-        self._output_role: FieldRole = "varying" if stage.name == "vertex" else "target"
+        is_first = stage.row == context.program.stages[0].row
+        self._input_role: FieldRole = "attribute" if is_first else "varying"
         self._functions = {
             function.body: (names.function(stage.name, function.body), function)
             for function in stage.functions
@@ -46,22 +55,34 @@ class StagePrinter:
         expressions, statements = self._body(namer)
         functions = [self._function(function) for function in stage.functions]
         lines = statements.lines(stage.region)
-        outputs = [self._field(field, self._output_role) for field in stage.outputs]
+        stored = [
+            (self._field(output.field, _ROLES[output.kind]), output.value)
+            for output in stage.results
+            if output.field is not None
+        ]
         return EntryView(
             stage=stage.name,
             name=name,
             inputs=[self._field(field, self._input_role) for field in stage.inputs],
             pipeline_inputs=self._pipeline_inputs(),
-            outputs=outputs,
+            outputs=[field for field, _ in stored],
+            blocks=self._declarations.blocks((stage,)),
+            textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
             stores=[
-                StoreView(field.name, self._value(expressions, node))
-                for field, node in zip(outputs, stage.results, strict=True)
+                StoreView(field.name, self._value(expressions, node)) for field, node in stored
             ],
-            position=self._value(expressions, stage.position),
-            discard=self._value(expressions, stage.discard),
+            position=self._value(expressions, stage.value_of(CLIP_POSITION)),
+            discard=self._discard(expressions, stage.value_of(DISCARD)),
         )
+
+    def _discard(self, expressions: Expressions, condition: Node | None) -> list[str]:
+        if condition is None:
+            return []
+        forms = self._target.forms
+        test = forms.if_.format(condition=expressions.text(condition))
+        return [self._marks.mark(test, condition), INDENT + forms.discard, forms.end]
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
         """Printers for one function body."""
@@ -75,21 +96,24 @@ class StagePrinter:
     def _function(self, function: Function) -> FunctionView:
         namer = self._locals()
         expressions, statements = self._body(namer)
+        forms = self._target.forms
         names = [namer.declare(formal.name) for formal, _type in function.parameters]
         for name, (formal, _type) in zip(names, function.parameters, strict=True):
             expressions.formals[formal] = name
         types = [type_ for _formal, type_ in function.parameters]
         lines = statements.lines(function.region)
+        returned = forms.return_.format(value=expressions.text(function.value))
         return FunctionView(
             comments=comment_lines(function.doc),
-            type=self._types.type(function.value.type),
-            name=self._names.function(self._stage.name, function.body),
-            parameters=", ".join(
-                self._target.forms.parameter.format(typed=self._types.declare(name, type_))
-                for name, type_ in zip(names, types, strict=True)
+            head=forms.function.format(
+                type=self._types.type(function.value.type),
+                name=self._names.function(self._stage.name, function.body),
+                parameters=", ".join(
+                    forms.parameter.format(typed=self._types.declare(name, type_))
+                    for name, type_ in zip(names, types, strict=True)
+                ),
             ),
-            lines=lines,
-            value=self._value(expressions, function.value),
+            lines=[*lines, self._marks.mark(returned, function.value)],
         )
 
     def _locals(self) -> Namer:
@@ -98,7 +122,11 @@ class StagePrinter:
             return self._names.locals(())
         fields = [
             *(self._field_name(field, self._input_role) for field in self._stage.inputs),
-            *(self._field_name(field, self._output_role) for field in self._stage.outputs),
+            *(
+                self._field_name(output.field, _ROLES[output.kind])
+                for output in self._stage.results
+                if output.field is not None
+            ),
         ]
         return self._names.locals(fields)
 
@@ -118,6 +146,7 @@ class StagePrinter:
             typed=self._types.declare(name, field.type),
             location=field.location,
             semantic=self._target.semantic(role, field.name, field.location),
+            crosses=role == "varying",
             flat=field.mode == "flat" and role == "varying",
             comment=comment_line(field.doc),
         )

@@ -15,7 +15,6 @@ from .expressions import Expressions
 from .literals import literal
 from .namer import Namer
 from .origins import Marks
-from .precedence import Binding
 
 INDENT = "    "
 
@@ -90,12 +89,12 @@ class Statements:
         else:
             text = self._forms.variable.format(name=name, typed=typed)
         yield self._mark(text, branch.node)
-        yield self._mark(f"if ({test}) {{", condition)
+        yield self._mark(self._forms.if_.format(condition=test), condition)
         yield self._block(branch.then, name, then)
         if not short:
-            yield "} else {"
+            yield self._forms.else_
             yield self._block(branch.otherwise, name, otherwise)
-        yield "}"
+        yield self._forms.end
         self._expressions.bound[branch.node.id] = name
 
     def _loop(self, loop: Loop) -> Lines:
@@ -105,7 +104,7 @@ class Statements:
         yield self._variable(name, loop.node, start)
         yield self._opened(loop, count)
         yield self._turn(loop, name)
-        yield "}"
+        yield self._forms.end
         self._namer.leave()
         self._expressions.bound[loop.node.id] = name
 
@@ -126,13 +125,13 @@ class Statements:
         self._namer.enter()
         self._expressions.formals[loop.index] = index
         kind = loop.count.type.kind if isinstance(loop.count.type, Scalar) else "int"
-        if going is not None:
-            count += f" && {self._expressions.operand(going).within(Binding.AND)}"
-        text = self._forms.loop.format(
+        form = self._forms.loop if going is None else self._forms.loop_while
+        text = form.format(
             index=index,
             index_typed=self._types.declare(index, loop.count.type),
             zero=literal(0, kind, self._literals),
             count=count,
+            going=None if going is None else self._expressions.operand(going),
         )
         return self._mark(text, loop.node)
 
@@ -156,7 +155,7 @@ class Statements:
         else:
             yield self._opened(loop, count)
         yield self._step(loop, names)
-        yield "}"
+        yield self._forms.end
         self._namer.leave()
         if len(names) == 1:
             expressions.bound[loop.node.id] = names[0]
@@ -169,8 +168,8 @@ class Statements:
         with self._inside():
             yield from self._region(loop.head)
             if loop.head.statements:
-                going = expressions.operand(loop.going).within(Binding.POSTFIX)
-                yield self._mark(f"if (!{going}) {{ break; }}", loop.going)
+                left = self._forms.leave.format(going=expressions.operand(loop.going))
+                yield self._mark(left, loop.going)
             yield from self._region(loop.body)
             kept: list[tuple[str, str, Node]] = []
             for state, name in zip(loop.states, names, strict=True):
@@ -180,9 +179,12 @@ class Statements:
                     yield self._variable(waiting, state.next, value)
                     kept.append((name, waiting, state.next))
                 else:
-                    yield self._mark(f"{name} = {value};", state.next)
+                    yield self._assigned(name, value, state.next)
             for name, waiting, node in kept:
-                yield self._mark(f"{name} = {waiting};", node)
+                yield self._assigned(name, waiting, node)
+
+    def _assigned(self, name: str, value: str, node: Node) -> str:
+        return self._mark(self._forms.assign.format(name=name, value=value), node)
 
     def _count(self, loop: Loop | Iterate) -> str:
         """How often to turn: never more than the bound, whatever the host has set."""
@@ -190,13 +192,13 @@ class Statements:
         bound = literal(loop.bound, kind, self._literals)
         if isinstance(loop.count.data, int) and loop.count.op == "constant":
             return literal(min(loop.count.data, loop.bound), kind, self._literals)
-        return f"min({self._expressions.text(loop.count)}, {bound})"
+        return self._forms.at_most.format(value=self._expressions.text(loop.count), bound=bound)
 
     def _block(self, region: Region, name: str, value: Node) -> Lines:
         """A nested region that ends in giving ``value`` to the variable ``name``."""
         with self._inside():
             yield from self._region(region)
-            yield self._mark(f"{name} = {self._expressions.text(value)};", value)
+            yield self._assigned(name, self._expressions.text(value), value)
 
     @contextmanager
     def _inside(self) -> Iterator[None]:

@@ -71,5 +71,5 @@ def helpers(target: Target, textures: TextureSpeller, reads: Iterable[TextureRea
         forms = target.helpers.get(read.builtin)
         if forms is not None:
             form = forms[texture_type(read.resource).dimension]
-            found[form.replace("{texture}", textures.texture(read.resource))] = None
+            found[form.format(texture=textures.texture(read.resource))] = None
     return list(found)

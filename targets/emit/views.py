@@ -1,4 +1,8 @@
-"""What a skeleton sees: finished pieces of text in the order of the file, and nothing to decide."""
+"""What a skeleton sees of one file: lists of small records, whose texts are finished.
+
+The emitter makes them, and ``skeleton.j2`` puts them together. What belongs between the elements of
+a list, or around them, is the skeleton's business.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +31,10 @@ class BlockView(NamedTuple):
 
     name: str
     variable: str
+    """The variable that it is, in languages where members are reached through one."""
     slot: Slot
+    register: str
+    """The slot in the language's own words, where it has such."""
     members: tuple[MemberView, ...]
 
 
@@ -37,7 +44,7 @@ class TextureView(NamedTuple):
     name: str
     type: str
     slot: Slot
-    is_sampler: bool = False
+    register: str
 
 
 class FieldView(NamedTuple):
@@ -48,6 +55,8 @@ class FieldView(NamedTuple):
     typed: str
     location: int
     semantic: str
+    crosses: bool
+    """Whether it goes from one stage to the next."""
     flat: bool
     comment: str
 
@@ -63,11 +72,8 @@ class FunctionView(NamedTuple):
     """A function."""
 
     comments: list[str]
-    type: str
-    name: str
-    parameters: str
+    head: str
     lines: list[str]
-    value: str
 
 
 class StoreView(NamedTuple):
@@ -85,13 +91,17 @@ class EntryView(NamedTuple):
     inputs: list[FieldView]
     pipeline_inputs: list[InputView]
     outputs: list[FieldView]
+    blocks: list[BlockView]
+    """What this stage reads of the file's blocks."""
+    textures: list[TextureView]
+    """Likewise."""
     functions: list[FunctionView]
     lines: list[str]
     stores: list[StoreView]
     position: str
     """Clip-space position, in the vertex stage."""
-    discard: str
-    """Condition; empty where nothing is discarded."""
+    discard: list[str]
+    """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
 
 
 class FileView(NamedTuple):

@@ -8,9 +8,10 @@ from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...stdlib.builtins.facts import Fact
+from ...stdlib.builtins.row import Domain
 from ..emit.description import (
     FieldRole,
-    Forms,
     Limits,
     PipelineInput,
     Profile,
@@ -21,6 +22,7 @@ from ..emit.description import (
     TextureNames,
     TypeNames,
 )
+from ..emit.forms import Forms
 from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -44,6 +46,7 @@ FORMS = Forms(
     constant_array="static const {typed} = {value};",
     column="transpose({matrix})[{position}]",
     input="input.{name}",
+    lane_words=("Red", "Green", "Blue", "Alpha"),
 )
 
 TEXTURES = TextureNames(
@@ -85,7 +88,7 @@ NATIVES: Spellings = {
         "{0}.SampleGrad({sampler}, float3({1}, {2}), {3}, {4})",
     ),
     "gather": Read(
-        "{0}.Gather{2:lane}({sampler}, {1})", "{0}.Gather{3:lane}({sampler}, float3({1}, {2}))"
+        "{0}.Gather{lane}({sampler}, {1})", "{0}.Gather{lane}({sampler}, float3({1}, {2}))"
     ),
     "compare": Read(
         "{0}.SampleCmpLevelZero({sampler}, {1}, {2})",
@@ -118,11 +121,11 @@ COUNTS: Mapping[Dimension, tuple[str, str]] = {
 def asking(head: str, level: str, answer: str) -> Mapping[Dimension, str]:
     """A function that calls `GetDimensions`, which is no expression, for each dimension."""
     return {
-        dimension: f"{head} {{\n"
+        dimension: f"{head} {{{{\n"
         f"    uint {counts}, levels;\n"
         f"    texels.GetDimensions({level}, {counts}, levels);\n"
         f"    return {answer or size};\n"
-        "}"
+        "}}"
         for dimension, (counts, size) in COUNTS.items()
     }
 
@@ -162,17 +165,26 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     return f"ATTRIBUTE_{word}" if re.match("SV_", word) else word
 
 
+def is_unsigned(facts: tuple[Fact, ...]) -> bool:
+    """Whether the first operand is a `uint`."""
+    return facts[0].kind == "uint"
+
+
+AGREES: Mapping[str, Domain] = {"first_leading_bit": is_unsigned}
+"""DXC takes the `int` of a `firstbithigh` for a `uint`."""
+
 SM6 = Profile(
     name="sm6",
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
+    agrees=AGREES,
     limits=Limits(varyings=31, block_bytes=65536),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 
 TARGET = Target(
     name="hlsl",
-    registers=True,
+    registers={"block": "b{binding}", "texture": "t{binding}", "sampler": "s{binding}"},
     line_directive='#line {line} "{name}"',
     title="HLSL",
     folder=FOLDER,

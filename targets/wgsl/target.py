@@ -7,7 +7,6 @@ from pathlib import Path
 
 from ...compiler.ir.types import BOOL, UINT, VEC4
 from ..emit.description import (
-    Forms,
     Limits,
     PipelineInput,
     Profile,
@@ -18,6 +17,7 @@ from ..emit.description import (
     TextureNames,
     TypeNames,
 )
+from ..emit.forms import Forms
 from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
@@ -33,9 +33,13 @@ TYPES = TypeNames(
 
 FORMS = Forms(
     let="let {name} = {value};",
+    function="fn {name}({parameters}) -> {type} {{",
+    member_end=",",
+    struct_end="}",
     variable="var {typed};",
     variable_set="var {typed} = {value};",
     loop="for (var {index_typed} = {zero}; {index} < {count}; {index}++) {{",
+    loop_while="for (var {index_typed} = {zero}; {index} < {count} && {going:and}; {index}++) {{",
     select="select({otherwise}, {then}, {condition})",
     member="{block}.{name}",
     input="input.{name}",

@@ -1,32 +1,39 @@
-"""``python -m tests.bench [lean] [time] [chains] [drawing]``: measure all, or those named."""
+"""``python -m tests.bench [PART …]``: measure everything, or the parts that are named."""
 
 from __future__ import annotations
 
 import json
-import sys
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from . import chains, drawing, lean, times
+from . import aims, chains, drawing, lean, times
+from .checkout import Checkout
+from .growth import measure as growth
 from .table import Section
 
-OUTPUT = Path(__file__).parents[2] / "build" / "bench.json"
-PARTS = {
-    "lean": lean.measure,
-    "time": times.measure,
-    "chains": chains.measure,
-    "drawing": drawing.measure,
+ROOT = Path(__file__).resolve().parents[2]
+OUTPUT = ROOT / "build" / "bench.json"
+
+Part = Callable[[Namespace], Iterator[Section]]
+
+PARTS: dict[str, Part] = {
+    "lean": lambda _: lean.measure(),
+    "aims": lambda asked: aims.measure(_checkouts(asked)),
+    "time": lambda _: times.measure(),
+    "chains": lambda _: chains.measure(),
+    "growth": lambda asked: growth.measure(growth.select(asked.shape), _checkouts(asked)),
+    "drawing": lambda _: drawing.measure(),
 }
 
 
-def main(wanted: list[str]) -> None:
+def main() -> None:
     """Print every section as soon as it is measured, then write them all."""
-    unknown = set(wanted) - PARTS.keys()
-    if unknown:
-        sys.exit(f"there is no part {', '.join(sorted(unknown))}; there are {', '.join(PARTS)}")
+    asked = _parser().parse_args()
     sections: list[Section] = []
     for name, measure in PARTS.items():
-        if not wanted or name in wanted:
-            for section in measure():
+        if not asked.part or name in asked.part:
+            for section in measure(asked):
                 print(section.text(), flush=True)
                 sections.append(section)
     OUTPUT.parent.mkdir(exist_ok=True)
@@ -35,4 +42,26 @@ def main(wanted: list[str]) -> None:
     print(f"written to {OUTPUT}")
 
 
-main(sys.argv[1:])
+def _parser() -> ArgumentParser:
+    parser = ArgumentParser(prog="python -m tests.bench", description=__doc__)
+    parser.add_argument(
+        "part", nargs="*", metavar="PART", choices=[*PARTS, []], help=f"of {', '.join(PARTS)}"
+    )
+    parser.add_argument(
+        "--against", metavar="CHECKOUT", type=Path,
+        help="another checkout of Burnish, measured in turn with this one (aims, growth)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--shape", metavar="TEXT", action="append", default=[],
+        help="only shapes whose names contain the text (growth); may be given several times",
+    )  # fmt: skip
+    return parser
+
+
+def _checkouts(asked: Namespace) -> list[Checkout]:
+    """The checkouts to measure: this one last, as the aims are for it."""
+    here = Checkout("ms" if asked.against is None else "here", ROOT)
+    return [here] if asked.against is None else [Checkout("before", asked.against.resolve()), here]
+
+
+main()

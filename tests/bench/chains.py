@@ -16,7 +16,7 @@ from .table import Row, Section
 
 LENGTHS = (10, 100, 1000, 10_000)
 LONGEST = 100_000
-"""Tried of the plainest shape only: it takes a minute."""
+"""Measured of the plainest shape only, by ``aims``: it takes long."""
 DEPTHS = (10, 20, 30)
 ACCEPTED = 5000
 TIME_LIMIT = 300.0
@@ -31,7 +31,6 @@ def measure() -> Iterator[Section]:
     rows = {name: list(_lengths(name, text)) for name, text in SHAPES.items()}
     everything = [row for found in rows.values() for row in found]
     yield Section("chains", "Time a node, text to all targets", everything)
-    yield Section("longest", f"A chain of {LONGEST} equations, text to WGSL", [_longest()])
     doubled = list(map(_doubled, DEPTHS))
     yield Section("doublings", "What would double at each step if sharing were lost", doubled)
     bearable = [name for name, found in rows.items() if len(found) == len(LENGTHS)]
@@ -74,15 +73,6 @@ SHAPES: dict[str, Callable[[int], str]] = {
     "affine": affine,
     "sum": total,
 }
-
-
-def _longest() -> Row:
-    source = equations(LONGEST)
-    start = perf_counter()
-    (material,) = burnish.compile(source, ("wgsl",)).materials
-    spent = perf_counter() - start
-    lines = material.text("wgsl", "fragment").count("\n")
-    return {"seconds": spent, "us a node": 1e6 * spent / LONGEST, "lines": lines}
 
 
 def _doubled(depth: int) -> Row:

@@ -1,4 +1,4 @@
-"""How long a compile takes: warm, phase by phase, and from a cold start."""
+"""Where the time of a compile goes: its phases, its functions, and what a fresh process imports."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import pstats
 import subprocess
 import sys
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -20,18 +19,12 @@ from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions, emit
 from burnish.targets.legalise.legalise import legalise
 
-from .clock import Laps, milliseconds, seconds
+from .clock import Laps, milliseconds
 from .table import Row, Section
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "examples" / "plastic.burnish"
-STREET = Path(__file__).parent / "street.burnish"
-"""A hundred lines: three kinds of lights, fog and a normal map."""
-WARM = ((EXAMPLE, 15.0), (STREET, 30.0))
-"""What is compiled again and again, and the milliseconds that it should take at most."""
 RUNS = 60
-COLD_RUNS = 15
-COLD_LIMIT = 150.0
 SHOWN = 20
 
 Call = tuple[str, int, str]
@@ -41,21 +34,12 @@ Timings = tuple[int, int, float, float, dict[Call, tuple[int, int, float, float]
 
 
 def measure() -> Iterator[Section]:
-    """Warm compiles with their phases, then cold starts with their imports."""
-    yield Section("warm", f"Warm compile to three targets, {RUNS} runs", list(_warm()))
-    yield Section("phases", "Its phases", _phases())
+    """The phases of a warm compile, what the profiler says of it, and the imports of a cold one."""
+    yield Section("phases", f"Phases of a warm compile to three targets, {RUNS} runs", _phases())
     timings = _profile()
     yield Section("passes", "Its middle end, as the profiler sees it", _passes(timings))
     yield Section("functions", "Its most costly functions, likewise", _functions(timings))
-    yield Section("cold", f"Fresh processes, {COLD_RUNS} of each", _cold())
     yield Section("imports", "The slowest imports of a fresh process", _imports())
-
-
-def _warm() -> Iterator[Row]:
-    for path, limit in WARM:
-        total = milliseconds(seconds(partial(burnish.compile, path), RUNS))
-        within = total["median ms"] <= limit
-        yield {"what": path.stem, **total, "at most": limit, "within": within}
 
 
 def _compile() -> object:
@@ -132,21 +116,6 @@ def _place(path: str) -> str:
 
 
 # --- fresh processes -----------------------------------------------------------------------------
-
-
-def _cold() -> list[Row]:
-    commands = {
-        "python, nothing else": [sys.executable, "-c", "pass"],
-        "burnish --help": [sys.executable, "-m", "burnish", "--help"],
-        "burnish compile, one target": _command(),
-    }
-    rows: list[Row] = []
-    for what, command in commands.items():
-        _run(command)
-        found = milliseconds(seconds(partial(_run, command), COLD_RUNS))
-        within = found["median ms"] <= COLD_LIMIT
-        rows.append({"what": what, **found, f"at most {COLD_LIMIT:g}": within})
-    return rows
 
 
 def _command(*options: str) -> list[str]:

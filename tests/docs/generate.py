@@ -261,9 +261,9 @@ def conformance_page() -> str:
     """The page on conformance as it is, with the tables of routes and drivers as they are today."""
     page = (DOCS / "conformance.md").read_text(encoding="utf-8")
     page = _spliced(page, "routes", _table(("route", "text", "how"), _routes()))
-    heading = ("driver", "absolute", "relative", "because", "and what these functions are off by")
+    heading = ("driver", "absolute", "relative", "reason", "functions with larger errors")
     page = _spliced(page, "tolerances", _table(heading, _tolerances()))
-    places = ("driver", "interpolated", "operations", "subtexel", "level", "edges, pixels")
+    places = ("driver", "interpolated", "operations", "subtexel", "level", "edges, in pixels")
     return _spliced(page, "places", _table(places, _places()))
 
 

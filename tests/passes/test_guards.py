@@ -26,6 +26,7 @@ SAFE = [
     "color = vec3(if uv.x > 0.5 then 1.0 / uv.x else 0.0)",
     "param n : int in 1..8  color = vec3(float(7 / n))",
     "color = vec3(sum i in 0..4 : 1.0 / float(i + 1))",
+    "color = vec3(sqrt(quantize_half(saturate(uv.x))))",
 ]
 
 

@@ -8,7 +8,8 @@ from collections.abc import Sequence
 import pytest
 
 from burnish.compiler.ir.invariants import PATIENCE, invariants
-from burnish.compiler.ir.node import Formal, Node
+from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.operations import FORMAL
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.passes.open_binders import open_binders
 from burnish.stdlib.builtins.facts import Fact
@@ -19,15 +20,14 @@ from .kit import calls, history, ops, shader
 def facts(text: str) -> dict[str, Fact]:
     """What is known in every turn of the variables in a material's text, by their names."""
     given = shader(f"material M {{ {text} }}")
-    roots = [given.clip_position, *(target.value for target in given.targets)]
+    roots = given.roots
     opened = open_binders(given.graph, roots, given.notes)
     ranges = Ranges(opened)
     return {_name(node): ranges.of(node) for node in ops(opened, "formal")}
 
 
 def _name(node: Node) -> str:
-    assert isinstance(node.data, Formal)
-    return node.data.name
+    return FORMAL.data(node).name
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,8 @@ import pytest
 import burnish
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
-from burnish.compiler.syntax.forms import DECLARATIONS, MEMBERS
+from burnish.compiler.syntax.ast import MEMBERS
+from burnish.compiler.syntax.forms import DECLARATIONS
 from burnish.compiler.syntax.parser import parse
 
 _CODE = re.compile(r"`([^`]+)`")
@@ -30,7 +31,7 @@ def test_forms_of_declarations_can_be_read(word: str) -> None:
 
 @pytest.mark.parametrize("word", MEMBERS)
 def test_forms_of_members_can_be_read(word: str) -> None:
-    for form in _forms(MEMBERS[word]):
+    for form in _forms(MEMBERS[word].form):
         report = Report()
         parse(Source("form", f"pass P {{ {form} }}"), report)
         assert not report.diagnostics, form

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax.lalr_tables import load_tables
 from burnish.compiler.syntax.parser import parse
-from burnish.compiler.syntax.tables import load_tables
 
 from .dump import messages, parsed
 

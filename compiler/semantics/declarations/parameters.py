@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import hypot
 
 from ....frozen import EMPTY, changed, frozen
@@ -40,9 +40,9 @@ STEPS = ("vertex", "instance")
 class Leaves:
     """A record's leaves in declaration order."""
 
-    parameters: tuple[ParameterInfo, ...]
-    resources: tuple[ResourceInfo, ...]
-    attributes: tuple[AttributeInfo, ...]
+    parameters: tuple[ParameterInfo, ...] = ()
+    resources: tuple[ResourceInfo, ...] = ()
+    attributes: tuple[AttributeInfo, ...] = ()
 
 
 def leaves_of(
@@ -53,21 +53,40 @@ def leaves_of(
     One that an heir, or a rig entry (``given``), has set by an equation is none any more, unless an
     equation builds on it.
     """
-    parameters, resources, attributes = [], [], []
-    for name, definition in leaf_definitions(record, given):
-        member = definition.member
-        if isinstance(member, ast.Param):
-            info = parameter_of(ctx, definition, prefix + name)
-            if info is not None:
-                parameters.append(info)
-        elif isinstance(member, ast.Map):
-            group = _group(ctx, definition, member.group)
-            texture = resource(ctx, definition, prefix + name, group)
-            if texture is not None:
-                resources.append(texture)
-        elif isinstance(member, ast.Attribute):
-            attributes += _attribute(ctx, definition, name)
-    return Leaves(tuple(parameters), tuple(resources), tuple(attributes))
+    found = [
+        _LEAVES_OF[type(definition.member)](ctx, definition, prefix + name)
+        for name, definition in leaf_definitions(record, given)
+    ]
+    return Leaves(
+        tuple(info for each in found for info in each.parameters),
+        tuple(info for each in found for info in each.resources),
+        tuple(info for each in found for info in each.attributes),
+    )
+
+
+def _of_param(ctx: Context, definition: Definition, name: str) -> Leaves:
+    info = parameter_of(ctx, definition, name)
+    return Leaves() if info is None else Leaves(parameters=(info,))
+
+
+def _of_map(ctx: Context, definition: Definition, name: str) -> Leaves:
+    member = definition.member
+    assert isinstance(member, ast.Map)
+    info = resource(ctx, definition, name, _group(ctx, definition, member.group))
+    return Leaves() if info is None else Leaves(resources=(info,))
+
+
+def _of_attribute(ctx: Context, definition: Definition, name: str) -> Leaves:
+    return Leaves(attributes=tuple(_attribute(ctx, definition, name)))
+
+
+_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
+    ast.Param: _of_param,
+    ast.Map: _of_map,
+    ast.Attribute: _of_attribute,
+}
+"""What a definition contributes as the leaf of a name, by the class of its member: one row for each
+kind whose contribution is a parameter, a resource or an attribute."""
 
 
 def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:

@@ -154,9 +154,7 @@ def _slots(scope: Scope) -> Iterable[Collection[str]]:
         for symbol in scope.module.known(visible):
             if isinstance(symbol.declaration, ast.Record | ast.Mixin):
                 members = symbol.declaration.members
-                yield {
-                    member.name.text for member in members if not isinstance(member, ast.Discard)
-                }
+                yield {member.name.text for member in members if ast.is_named(member)}
 
 
 def of_a_light(name: str, rig: Iterable[RigEntry]) -> str:

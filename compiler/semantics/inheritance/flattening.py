@@ -7,8 +7,6 @@ heir. ``inherited.x`` is what the rest of the chain says.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
@@ -16,22 +14,7 @@ from ...diagnostics.source import Span
 from ...syntax import ast
 from ..names.modules import Module, Symbol
 from .inherited import inherited_names
-from .records import Definition, NamedMember, Record, is_abstract
-
-_WORDS: Mapping[type, str] = {
-    ast.Param: "param",
-    ast.Map: "map",
-    ast.Attribute: "attribute",
-    ast.Slot: "an equation",
-    ast.Target: "target",
-    ast.Discard: "discard",
-}
-_MISPLACED: Mapping[str, frozenset[str]] = {
-    "material": frozenset({"target", "discard"}),
-    "light": frozenset({"target", "discard", "attribute"}),
-    "pass": frozenset(),
-}
-"""What a kind of record cannot have: targets and what is not drawn are a pass's to say."""
+from .records import Definition, Record, Statement, is_abstract
 
 
 class Records:
@@ -73,7 +56,7 @@ class Records:
 
     def _flattened(self, symbol: Symbol, chain: tuple[Symbol, ...]) -> Record:
         record = Record(symbol, chain, baseless=not self._astray.isdisjoint(chain))
-        targets: dict[str, tuple[ast.Target, Symbol, int]] = {}
+        statements: dict[object, Statement[ast.Member]] = {}
         for level in reversed(range(len(chain))):
             owner = chain[level]
             declaration = owner.declaration
@@ -84,34 +67,39 @@ class Records:
             for member in declaration.members:
                 if not self._in_place(declaration, member):
                     continue
-                if isinstance(member, ast.Discard):
-                    record.discards += ((member, owner, level),)
-                elif self._first(member.name, seen):
-                    if isinstance(member, ast.Target):
-                        targets[member.name.text] = (member, owner, level)
-                    else:
-                        self._define(record, Definition(member, owner, level))
-        record.targets = tuple(targets.values())
+                name = member.name if ast.is_named(member) else None
+                if name is not None and not self._first(name, seen):
+                    continue
+                if ast.is_read(member):
+                    self._define(record, Definition(member, owner, level))
+                else:
+                    replaced = member if name is None else (type(member), name.text)
+                    statements[replaced] = Statement(member, owner, level)
+        record.statements = tuple(statements.values())
         return record
 
     def _in_place(self, declaration: ast.Record | ast.Mixin, member: ast.Member) -> bool:
         """Whether a kind of member belongs into a kind of record."""
-        word = _WORDS[type(member)]
-        if word not in _MISPLACED[declaration.kind]:
+        kind = ast.kind_of(member)
+        if declaration.kind in kind.records:
             return True
-        self._report.add(
-            rules.MISPLACED_MEMBER, member.span, member=word, record=f"a {declaration.kind}"
-        )
-        if not isinstance(member, ast.Discard):
+        self._report_misplaced(kind, kind.word, declaration, member.span)
+        if ast.is_named(member):
             self._report.unread((member.name.text,))
         return False
 
+    def _report_misplaced(
+        self, kind: ast.MemberKind, word: str, declaration: ast.Record | ast.Mixin, span: Span
+    ) -> None:
+        self._report.add(
+            rules.MISPLACED_MEMBER, span, member=word, record=f"a {declaration.kind}",
+            hint=f"`{word}` belongs in {kind.places}",
+        )  # fmt: skip
+
     def _check_blend(self, declaration: ast.Record) -> None:
-        if declaration.blend is not None and declaration.kind != "pass":
-            self._report.add(
-                rules.MISPLACED_MEMBER, declaration.blend.span,
-                member="blend", record=f"a {declaration.kind}",
-            )  # fmt: skip
+        target = ast.MEMBERS["target"]
+        if declaration.blend is not None and declaration.kind not in target.records:
+            self._report_misplaced(target, "blend", declaration, declaration.blend.span)
 
     def _first(self, name: ast.Name, seen: dict[str, ast.Name]) -> bool:
         if name.text in seen:
@@ -285,7 +273,7 @@ class Records:
         return None if root is symbol else root
 
 
-def _belong_together(later: NamedMember, first: Definition) -> bool:
+def _belong_together(later: ast.ReadMember, first: Definition) -> bool:
     """Whether a mixin's definition means to continue, or to share, what another one declares."""
     if isinstance(later, ast.Slot) and later.value is not None:
         return later.name.text in inherited_names(later.value)

@@ -11,23 +11,28 @@ from collections.abc import Iterator, Mapping
 from ...syntax import ast
 from .records import Definition, Record
 
-LEAVES = (ast.Param, ast.Map, ast.Attribute)
-"""Members that come from outside."""
+LEAVES = tuple(
+    kind.node for kind in ast.KINDS if kind.contribution in ("parameter", "resource", "attribute")
+)
+"""Members whose values come from outside: from the host, or from the mesh."""
+
+_WALKED = (ast.Expression, ast.Turns, *(kind.node for kind in ast.KINDS))
+"""The nodes in which expressions can stand."""
 
 _InForce = set[tuple[str, int]]
 """Names with the levels of their definitions that count."""
 
 
-def inherited_names(expression: ast.Expression) -> Iterator[str]:
-    """Each ``name`` of which ``inherited.name`` is written somewhere in an expression."""
-    waiting: list[object] = [expression]
+def inherited_names(written: ast.Expression | ast.Member | ast.ReadMember) -> Iterator[str]:
+    """Each ``name`` of which ``inherited.name`` stands somewhere in an expression or a member."""
+    waiting: list[object] = [written]
     while waiting:
         part = waiting.pop()
         if isinstance(part, tuple):
             waiting.extend(part)
         elif isinstance(part, ast.Field) and _is_inherited(part.operand):
             yield part.name.text
-        elif isinstance(part, ast.Expression | ast.Turns):
+        elif isinstance(part, _WALKED):
             waiting.extend(getattr(part, field) for field in type(part).__match_args__)
 
 
@@ -57,16 +62,17 @@ def _in_force(record: Record, given: Mapping[str, Definition]) -> _InForce:
     found = {(name, definition.level) for name, definition in nearest.items()}
     if not _hides_leaves(record, nearest):
         return found
-    waiting = [(_value(definition), definition.level) for definition in nearest.values()]
-    waiting += [(target.value, level) for target, _, level in record.targets]
-    waiting += [(discard.condition, level) for discard, _, level in record.discards]
+    waiting: list[tuple[ast.Member | ast.ReadMember, int]] = [
+        (definition.member, definition.level) for definition in nearest.values()
+    ]
+    waiting += [(statement.member, statement.level) for statement in record.statements]
     while waiting:
-        expression, level = waiting.pop()
-        for name in () if expression is None else inherited_names(expression):
+        member, level = waiting.pop()
+        for name in inherited_names(member):
             above = record.above(name, level)
             if above is not None and (name, above.level) not in found:
                 found.add((name, above.level))
-                waiting.append((_value(above), above.level))
+                waiting.append((above.member, above.level))
     return found
 
 
@@ -77,8 +83,3 @@ def _hides_leaves(record: Record, nearest: Mapping[str, Definition]) -> bool:
         for name, definitions in record.definitions.items()
         for each in definitions
     )
-
-
-def _value(definition: Definition) -> ast.Expression | None:
-    member = definition.member
-    return member.value if isinstance(member, ast.Slot) else None

@@ -2,23 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import Generic, NamedTuple, TypeVar
 
 from ....frozen import frozen
 from ...syntax import ast
 from ..names.modules import Symbol
 
-NamedMember = ast.Param | ast.Map | ast.Attribute | ast.Slot
+M = TypeVar("M", bound=ast.Member)
 
 
 @frozen
 class Definition:
     """What a name is defined to be at one level of an inheritance chain."""
 
-    member: NamedMember
+    member: ast.ReadMember
     owner: Symbol
     level: int
     """0 for the most derived record."""
+
+
+class Statement(NamedTuple, Generic[M]):
+    """A member that expressions cannot read, such as a target, with where it stands."""
+
+    member: M
+    owner: Symbol
+    level: int
 
 
 @dataclass(slots=True, eq=False)
@@ -32,9 +42,8 @@ class Record:
     """Of each name, most derived first; names in order of first declaration, ancestors first."""
     requirements: list[Definition] = field(default_factory=list)
     """What mixins ask for that the chain behind them has: slots with a type and no value."""
-    targets: tuple[tuple[ast.Target, Symbol, int], ...] = ()
-    """Of a pass: its targets, each with its record and level."""
-    discards: tuple[tuple[ast.Discard, Symbol, int], ...] = ()
+    statements: tuple[Statement[ast.Member], ...] = ()
+    """The members of the chain that count and have no definition, as nothing reads them."""
     baseless: bool = False
     """Whether a base is wrong, so that no name can be said to be missing."""
 
@@ -47,6 +56,12 @@ class Record:
     def root(self) -> Symbol:
         """The ancestor without a base."""
         return self.chain[-1]
+
+    def every(self, node: type[M]) -> Iterator[Statement[M]]:
+        """The statements of one kind, ancestors first."""
+        for member, owner, level in self.statements:
+            if isinstance(member, node):
+                yield Statement(member, owner, level)
 
     def declaration(self, name: str) -> Definition:
         """Where ``name`` was first declared (the furthest ancestor)."""
@@ -66,6 +81,6 @@ class Record:
         return next(found, None)
 
 
-def is_abstract(member: NamedMember) -> bool:
+def is_abstract(member: ast.ReadMember) -> bool:
     """Whether a member is a slot with a type and no value."""
     return isinstance(member, ast.Slot) and member.value is None

@@ -156,7 +156,7 @@ def _contribution(ctx: Context, body: LightBody, instance: Instance, span: Span)
         if isinstance(fitted, Failure):
             return FAILURE
         given.append(fitted)
-    return ctx.graph.node("apply", body.body.type, (body.body, *given))
+    return build.apply(ctx.graph, body.body, tuple(given))
 
 
 def light_instance(

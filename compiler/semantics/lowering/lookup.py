@@ -11,8 +11,8 @@ from functools import partial
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
-from ...ir.leaves import PIPELINE_TYPES
 from ...ir.node import Node
+from ...ir.stages import SYSTEM_INPUTS
 from ...ir.types import Array
 from ...syntax import ast
 from ..declarations.contracts import as_declared
@@ -21,13 +21,12 @@ from ..declarations.written_types import declared_type
 from ..hints import advice
 from ..names.modules import Symbol
 from ..state.context import Context
-from ..state.crossings import VERTEX_INPUTS
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import FAILURE, Application, Inherited, Scope, Value
 from .bodies import part_value
 from .cycles import is_cycle
 from .slots import slot
-from .unknown_names import INPUTS, unknown_name
+from .unknown_names import unknown_name
 
 
 def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
@@ -45,11 +44,8 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
         return _symbol_value(ctx, symbols[0], span)
     if scope.surface is not None and scope.surface.has(name):
         return slot(ctx, scope.surface, name, span)
-    if name in INPUTS and scope.surface is not None:
-        return ctx.graph.node("input", INPUTS[name], (), name)
-    if name in VERTEX_INPUTS and scope.surface is not None:
-        supplied = ctx.graph.node("input", PIPELINE_TYPES[name], (), name)
-        return ctx.crossings.attribute(supplied)
+    if name in SYSTEM_INPUTS and scope.surface is not None:
+        return ctx.crossings.supplied(SYSTEM_INPUTS[name])
     unknown_name(ctx, name, span, scope)
     return FAILURE
 

@@ -14,7 +14,7 @@ from ...syntax import ast
 from ..declarations import contracts
 from ..declarations.assignments import assigned
 from ..declarations.written_types import declared_type
-from ..inheritance.records import Definition, NamedMember, Record
+from ..inheritance.records import Definition, Record
 from ..state.context import Context
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, LightVariable, Scope, Value
@@ -165,14 +165,17 @@ def _setting(ctx: Context, instance: Instance, definition: Definition) -> str:
     return f"add `{name} = …` to `{record.name}`{about}"
 
 
-def _leaf(ctx: Context, instance: Instance, member: NamedMember) -> Node | Failure:
-    """What a parameter, map or attribute reads; nothing where its declaration is wrong."""
+def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Failure:
+    """What a member reads whose value comes from outside; nothing if its declaration is wrong."""
     name = member.name.text
-    if isinstance(member, ast.Attribute):
-        read = instance.attributes.get(name)
-        return FAILURE if read is None else ctx.crossings.attribute(read)
-    kept = instance.resources if isinstance(member, ast.Map) else instance.parameters
-    return kept.get(name, FAILURE)
+    match ast.kind_of(member).contribution:
+        case "parameter":
+            return instance.parameters.get(name, FAILURE)
+        case "resource":
+            return instance.resources.get(name, FAILURE)
+        case _:
+            read = instance.attributes.get(name)
+            return FAILURE if read is None else ctx.crossings.attribute(read)
 
 
 def _typing(instance: Instance, name: str) -> Record:

@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from ...diagnostics import rules
 from ...diagnostics.nearest import nearest
 from ...diagnostics.source import Span
-from ...ir.leaves import PIPELINE_TYPES
-from ...ir.types import Type
+from ...ir.stages import SYSTEM_INPUTS
 from ..hints import advice
 from ..names.modules import Module
 from ..state.context import Context
-from ..state.crossings import VERTEX_INPUTS
 from ..state.scope import Scope
-
-INPUTS: Mapping[str, Type] = {name: PIPELINE_TYPES[name] for name in ("frag_coord", "front_facing")}
-"""What the pipeline supplies to the fragment stage: pixel centres at .5, y down, w = 1 / clip w;
-and whether the counter-clockwise side is seen."""
 
 
 def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
@@ -27,7 +21,7 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
         ctx.report.add(rules.OUTSIDE_LIGHT, span, name=name, hint=hint if in_term else "")
         return
     parts = () if scope.parts is None else scope.parts.declared
-    known = [*scope.locals, *parts, *scope.module.visible(), *INPUTS, *VERTEX_INPUTS]
+    known = [*scope.locals, *parts, *scope.module.visible(), *SYSTEM_INPUTS]
     for instance in (scope.instance, scope.surface):
         if instance is not None and instance.record.baseless:
             return

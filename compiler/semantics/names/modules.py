@@ -335,7 +335,7 @@ def _check_readable(report: Report, declaration: Named) -> None:
     names: list[ast.Name] = []
     match declaration:
         case ast.Record(members=members) | ast.Mixin(members=members):
-            names = [m.name for m in members if not isinstance(m, ast.Target | ast.Discard)]
+            names = [member.name for member in members if ast.is_read(member)]
         case ast.Function() | ast.Constant() | ast.StructDeclaration() | ast.ExternMember():
             names = [declaration.name]
     for name in names:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
-from ....frozen import changed, frozen
+from ....frozen import changed
 from ...diagnostics import rules
 from ...ir.node import Node
-from ...ir.shader import ExternInfo, ParameterInfo, Shader, TargetInfo
+from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
+from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT, TARGET, VERTEX
 from ...ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ...syntax import ast
 from ..declarations.externs import read_externs
@@ -35,26 +36,17 @@ FORMATS: Mapping[str, Type] = {
 
 BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
 
-CLIP_POSITION = "clip_position"
-"""The slot that every pass (or its material) has to define: a vec4 in the vertex domain."""
 
+def results_of(setting: Setting) -> tuple[Result, ...]:
+    """Lower what the pass delivers, and everything else that the parts say.
 
-@frozen
-class Results:
-    """What a pass delivers of a material."""
-
-    clip: Node | Failure
-    targets: tuple[TargetInfo, ...]
-    discard: Node | None
-
-
-def results_of(setting: Setting) -> Results:
-    """Lower what the pass delivers, and everything else that the parts say."""
+    What is wrong has been reported, and is not among the results.
+    """
     ctx, surface, passing = setting.ctx, setting.surface, setting.passing
-    found = Results(
-        _clip_position(ctx, passing, surface),
-        _targets(ctx, passing.record, passing),
-        _discard(ctx, passing.record, passing),
+    found = (
+        *_clip_position(ctx, passing, surface),
+        *_targets(ctx, passing.record, passing),
+        *_discard(ctx, passing.record, passing),
     )
     check_slots(ctx, surface, passing)
     read_externs(ctx, setting.parts.module)
@@ -72,12 +64,12 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     results = results_of(setting)
     check_rig(ctx, setting.surface)
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
-    if ctx.report.failed or isinstance(results.clip, Failure):
+    if ctx.report.failed or not places_vertices(results):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     leaves, entries = setting.leaves, setting.entries
-    clip, targets, discard = _numbers_only(ctx, results.clip, results.targets, results.discard)
+    values = shared(ctx, [result.value for result in results])
     return Shader(
         name=setting.surface.record.name,
         doc=declaration.doc,
@@ -89,21 +81,14 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
-        clip_position=clip,
-        targets=targets,
-        discard=discard,
+        results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
     )
 
 
-def _numbers_only(
-    ctx: Context, clip: Node, targets: tuple[TargetInfo, ...], discard: Node | None
-) -> tuple[Node, tuple[TargetInfo, ...], Node | None]:
-    """What a shader delivers, without what was noted of meanings and calls."""
-    roots = [clip, *(target.value for target in targets), *([] if discard is None else [discard])]
-    clip, *values = shared(ctx, roots)
-    given = tuple(changed(t, value=v) for t, v in zip(targets, values, strict=False))
-    return clip, given, None if discard is None else values[-1]
+def places_vertices(results: Iterable[Result]) -> bool:
+    """Whether there is a clip position, without which a pass draws nothing."""
+    return any(result.kind == CLIP_POSITION for result in results)
 
 
 def _all_parameters(
@@ -120,40 +105,45 @@ def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
     return Scope(symbol.module, passing, level, surface, {"material": surface})
 
 
-def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Node | Failure:
+def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
+    """The slot that every pass (or its material) has to define."""
     holder = passing if passing.has(CLIP_POSITION) else surface
     declared = passing.record.symbol.declaration.name.span
     if not holder.has(CLIP_POSITION):
-        if is_declared_abstract(passing.record):
-            return Failure()
-        ctx.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
-        return Failure()
+        if not is_declared_abstract(passing.record):
+            ctx.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
+        return
     span = holder.record.definitions[CLIP_POSITION][0].member.name.span
     node = fit(ctx, slot(ctx, holder, CLIP_POSITION, declared), VEC4, "vec4", span)
-    return node if isinstance(node, Failure) else ctx.crossings.checked_at_vertex(node, span)
+    placed = node if isinstance(node, Failure) else ctx.crossings.checked_at_vertex(node, span)
+    if isinstance(placed, Node):
+        yield Result(CLIP_POSITION, VERTEX, placed)
 
 
-def _targets(ctx: Context, drawn: Record, passing: Instance) -> tuple[TargetInfo, ...]:
-    if not drawn.targets and not drawn.baseless and not is_declared_abstract(drawn):
+def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
+    written = list(drawn.every(ast.Target))
+    if not written and not drawn.baseless and not is_declared_abstract(drawn):
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
-    found = (_target(ctx, drawn, passing, *row) for row in drawn.targets)
-    return tuple(target for target in found if target is not None)
+    found = (_target(ctx, drawn, passing, *row) for row in written)
+    return (target for target in found if target is not None)
 
 
 def _target(
     ctx: Context, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
-) -> TargetInfo | None:
+) -> Result | None:
     format_, blend = target.format.text, _blend(ctx, drawn, target)
     if format_ not in FORMATS:
         unknown(ctx, "format", format_, target.format.span, FORMATS)
         return None
     scope = _scope(owner, passing, level)
-    value = typed(ctx, target.value, scope, FORMATS[format_], f"{FORMATS[format_]} for {format_}")
+    type_ = FORMATS[format_]
+    value = typed(ctx, target.value, scope, type_, f"{type_} for {format_}")
     if isinstance(value, Failure):
         return None
     name = target.name.text
     ctx.notes.names.setdefault(value.id, name)
-    return TargetInfo(name, format_, blend, value, target.doc, target.span)
+    state = RenderTarget(name, format_, blend, target.doc, target.span)
+    return Result(TARGET, FRAGMENT, value, state)
 
 
 def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:
@@ -168,9 +158,9 @@ def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:
     return chosen.text
 
 
-def _discard(ctx: Context, drawn: Record, passing: Instance) -> Node | None:
+def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     combined: Node | None = None
-    for discard, owner, level in drawn.discards:
+    for discard, owner, level in drawn.every(ast.Discard):
         scope = _scope(owner, passing, level)
         condition = typed(ctx, discard.condition, scope, BOOL, "bool")
         if isinstance(condition, Failure):
@@ -178,4 +168,5 @@ def _discard(ctx: Context, drawn: Record, passing: Instance) -> Node | None:
         combined = condition if combined is None else ctx.graph.node(
             "call", BOOL, (combined, condition), "or"
         )  # fmt: skip
-    return combined
+    if combined is not None:
+        yield Result(DISCARD, FRAGMENT, combined)

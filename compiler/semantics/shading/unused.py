@@ -30,7 +30,7 @@ from ..state.scope import Scope
 from ..types.generics import examples, unfounded, untold
 from ..types.typenames import Variables
 from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
-from .elaborate import results_of
+from .elaborate import places_vertices, results_of
 from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
@@ -225,7 +225,7 @@ class _Trial:
 
 def _check_parts(parts: Parts, setting: Setting) -> bool:
     other = set_up_beside(setting, parts)
-    delivered = isinstance(results_of(other).clip, Node)
+    delivered = places_vertices(results_of(other))
     return delivered or is_declared_abstract(other.passing.record)
 
 
@@ -277,10 +277,10 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
     stand_in(ctx, instance)
     check_instance(ctx, instance)
     scope = Scope(symbol.module, instance, 0, surface, {"material": surface})
-    for target, _, level in record.targets:
+    for target, _, level in record.every(ast.Target):
         if level == 0:
             node_of(ctx, target.value, scope)
-    for discard, _, level in record.discards:
+    for discard, _, level in record.every(ast.Discard):
         if level == 0:
             typed(ctx, discard.condition, scope, BOOL, "bool")
     return True

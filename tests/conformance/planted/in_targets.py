@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from burnish.compiler.ir.node import Node
-from burnish.compiler.ir.program import Program
+from burnish.compiler.ir.operations import SWIZZLE
+from burnish.compiler.ir.program import Varying
 from burnish.frozen import changed
 from burnish.targets.emit import leaves
 from burnish.targets.emit.description import Spelling
@@ -149,29 +150,28 @@ def _spellings() -> Iterator[Planted]:
 FLAT = "{% if field.flat %}flat {% endif %}"
 NOINTERPOLATION = "{% if field.flat %}nointerpolation {% endif %}"
 INTERPOLATE = "{% if field.flat %}@interpolate(flat) {% endif %}"
-BETWEEN = (
-    "{{% if field.flat %}}{} {{% elif (entry.stage == 'vertex') == (field in entry.outputs) %}}{} "
-    "{{% endif %}}"
-)
+BETWEEN = "{{% if field.flat %}}{} {{% elif field.crosses %}}{} {{% endif %}}"
 """Instead, for all that crosses between the stages."""
 GLSL, HLSL, WGSL = QUICKEST["glsl"], QUICKEST["hlsl"], QUICKEST["wgsl"]
 OPENGL, BROWSER = "llvmpipe:gl330", "chromium:webgl2"
+DISCARD = "{% for line in entry.discard %}\n    {{ line }}"
+NEGATED = "line.replace('if (', 'if (!(').replace(') {', ')) {') }}"
 REWRITTEN_Z = "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;"
 
 
 def _reversed(expressions: Expressions, node: Node) -> Text:
     """A swizzle with its lanes the wrong way round."""
     operand = expressions.operand(node.operands[0]).within(Binding.POSTFIX)
-    assert isinstance(node.data, tuple)
-    return Text(f"{operand}.{''.join('xyzw'[lane] for lane in reversed(node.data))}")
+    lanes = reversed(SWIZZLE.data(node))
+    return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
 
 
 crossings = leaves._crossings
 
 
-def _shifted(program: Program) -> Iterator[Any]:
+def _shifted(varyings: Iterable[Varying]) -> Iterator[Any]:
     """Crossings whose first lanes are off by one where there is room."""
-    for key, (slot, first, total) in crossings(program):
+    for key, (slot, first, total) in crossings(varyings):
         yield key, (slot, max(first - 1, 0), total)
 
 
@@ -195,7 +195,7 @@ FORMS = [
             target("hlsl", lambda whole: changed(
                 whole, types=changed(whole.types, stored_matrix="row_major {type}"))), "failed"),
     Planted("swizzles backwards", "storage: Plain", GLSL,
-            replaced(Expressions, "_swizzle", _reversed)),
+            replaced(Expressions, "PRINTERS", {**Expressions.PRINTERS, "swizzle": _reversed})),
     Planted("lanes of a shared varying shifted", "pipeline: Crossing", WGSL,
             replaced(leaves, "_crossings", _shifted)),
 ]  # fmt: skip
@@ -243,9 +243,9 @@ PIPELINE = [
     Planted("not flat", "pipeline: Crossing", GLSL,
             skeleton("glsl", (FLAT, "")), "failed"),
     Planted("discard where it must not", "pipeline: Holes", GLSL,
-            skeleton("glsl", ("if ({{ entry.discard }})", "if (!({{ entry.discard }}))"))),
+            skeleton("glsl", (DISCARD, DISCARD.replace("line }}", NEGATED)))),
     Planted("no discard", "pipeline: Holes", WGSL,
-            skeleton("wgsl", ("        discard;", "        return output;"))),
+            form("wgsl", discard="return output;")),
     Planted("a comma too many", "pipeline: Holes", HLSL,
             skeleton("hlsl", ("return output;", "return output,;")), "failed"),
 ]  # fmt: skip

@@ -12,7 +12,9 @@ import pytest
 from burnish.frozen import changed
 from burnish.targets import registry
 from burnish.targets.conformance.rows import Status
-from burnish.targets.emit.description import Forms, Profile, Spelling, Target
+from burnish.targets.emit import templates
+from burnish.targets.emit.description import Profile, Spelling, Target
+from burnish.targets.emit.forms import Forms
 from burnish.targets.runner.drivers.draw import Job, Picture
 from burnish.targets.runner.routes import Route
 from burnish.targets.runner.runner import Runner
@@ -105,15 +107,18 @@ def framebuffer(language: str, name: str, **changes: Any) -> Plant:
 
 
 def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
-    """A skeleton with other words in it."""
+    """A skeleton, and the one that it extends, with other words in them."""
 
     def plant(patch: pytest.MonkeyPatch, folder: Path) -> None:
         whole = registry.load(language)
-        text = (whole.folder / whole.template).read_text(encoding="utf-8")
+        files = (whole.folder / whole.template, Path(templates.__file__).parent / "skeleton.j2")
+        texts = {path.name: path.read_text(encoding="utf-8") for path in files}
         for old, new in replacements:
-            assert old in text, f"the skeleton of {language} does not say {old!r} any more"
-            text = text.replace(old, new)
-        (folder / whole.template).write_text(text, encoding="utf-8")
+            said = any(old in text for text in texts.values())
+            assert said, f"the skeleton of {language} does not say {old!r} any more"
+            texts = {name: text.replace(old, new) for name, text in texts.items()}
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8")
         target(language, lambda t: changed(t, folder=folder))(patch, folder)
 
     return plant

@@ -8,18 +8,19 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.source import Source, Span
 from .advice import STATEMENTS, Advice
-from .chunks import NESTING_LIMIT, Chunk, Outline
-from .expectations import describe_expected, describe_found
-from .forms import FOLDS, FOREIGN_FILES
-from .habits import types
-from .tables import END
+from .ast import MEMBERS, RECORD_KINDS
+from .expectations import describe_expected, describe_found, may_begin_member
+from .foreign_syntax import types
+from .forms import DECLARATIONS, FOLDS, FOREIGN_FILES
+from .lalr_tables import END
+from .outline import NESTING_LIMIT, Chunk, Outline
 from .tokens import RESERVED, Token
 
 _COMPARISONS = frozenset(("==", "!=", "<", "<=", ">", ">="))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 
 
-class Complaints:
+class SyntaxErrors:
     """Reports one syntax error at a time."""
 
     def __init__(self, source: Source, outline: Outline, report: Report) -> None:
@@ -58,8 +59,8 @@ class Complaints:
         if self._special(index, found, expected):
             return index
         if word := self._advice.misspelt(index, expected, start, chunk.start):
-            begins = "material" if start == chunk.start else "param"
-            self._unexpected(self._tokens[index - 1], {begins}, f"did you mean `{word}`?")
+            words = set(DECLARATIONS if start == chunk.start else MEMBERS)
+            self._unexpected(self._tokens[index - 1], words, f"did you mean `{word}`?")
             return index
         self._unexpected(found, expected, self._advice.at(index, expected, start, chunk.start))
         return self._end_of_line(index) if found.kind in ("@", "[") else index
@@ -82,7 +83,7 @@ class Complaints:
         self._unexpected(name, {"NUMBER", "NAME"}, hint if over else "")
 
     def _is_record(self, index: int) -> bool:
-        return self._tokens[index].text in ("material", "light", "pass", "mixin")
+        return self._tokens[index].text in (*RECORD_KINDS, "mixin")
 
     def _special(self, index: int, found: Token, expected: set[str]) -> bool:
         """Mistakes that have a rule of their own."""
@@ -92,7 +93,7 @@ class Complaints:
         elif found.kind in _COMPARISONS and "and" in expected and found.kind not in expected:
             self._report.add(rules.CHAINED_COMPARISON, span)
         elif self._begins_statement(index, expected):
-            hint = STATEMENTS.get(found.kind, "") if "param" in expected else ""
+            hint = STATEMENTS.get(found.kind, "") if may_begin_member(expected) else ""
             if self._token(index + 1).kind in ("=", ":"):
                 hint = f"give it another name, such as `{found.text}_`"
             self._report.add(rules.RESERVED_WORD, span, word=found.text, hint=hint)
@@ -111,7 +112,7 @@ class Complaints:
         """Whether a reserved word stands where only a name or a member can."""
         if self._token(index).kind not in RESERVED or "NAME" not in expected:
             return False
-        begins = "param" in expected and self._outline.begins_line(index)
+        begins = may_begin_member(expected) and self._outline.begins_line(index)
         return begins or not expected & {"NUMBER", "+"}
 
     def _names_types(self, index: int) -> bool:

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from .forms import DECLARATIONS, MEMBERS
+from .ast import MEMBERS
+from .forms import DECLARATIONS
 from .tokens import RESERVED, Token
 
 NESTING_LIMIT = 200
@@ -62,11 +63,14 @@ class Outline:
 
     def is_member(self, index: int) -> bool:
         """Whether a line begins here as only a member does, whatever is unfinished above it."""
-        word = self.tokens[index].text
-        if word not in MEMBERS or not self.begins_line(index) or self.begins_line(index + 1):
+        kind = MEMBERS.get(self.tokens[index].text)
+        if kind is None or not self.begins_line(index) or self.begins_line(index + 1):
             return False
-        follows = self._text_of(index + 2) == ":" and self._kind(index + 1) == "NAME"
-        return follows or (word == "discard" and self._text_of(index + 1) == "when")
+        following = self.tokens[index + 1 : index + 1 + len(kind.opening)]
+        return len(following) == len(kind.opening) and all(
+            symbol in (token.kind, token.text)
+            for symbol, token in zip(kind.opening, following, strict=True)
+        )
 
     def begins_equation(self, index: int) -> bool:
         """Whether a line begins with a name that is given something, even in an expression."""

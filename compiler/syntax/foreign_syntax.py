@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from .forms import DECLARATIONS, MEMBERS
+from .ast import MEMBERS
+from .forms import DECLARATIONS
 
 _DECLARATORS = frozenset(("let", "var", "const", "auto", "local", "mut", "override"))
 _QUALIFIERS = _DECLARATORS | frozenset(
@@ -16,7 +17,7 @@ _QUALIFIERS = _DECLARATORS | frozenset(
 )  # fmt: skip
 """What stands in front of a type, or in the place of one, elsewhere."""
 _SAMPLERS = frozenset(("SamplerState", "SamplerComparisonState", "sampler_comparison"))
-_WORDS_OF_MEMBERS = MEMBERS.keys() - {"discard"}
+_WORDS_OF_MEMBERS = frozenset(word for word, kind in MEMBERS.items() if kind.is_named)
 """What stands in front of a member that has a name, here and elsewhere."""
 
 
@@ -70,7 +71,8 @@ def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> s
         here += f"[{row.length}]"
     if is_uniform:
         return f"a value from the host is a parameter of a material: `param {name} : {here}`"
-    value = " = …" if row.has_value and word != "attribute " else ""
+    may_have_value = not word or MEMBERS[word.rstrip()].has_default
+    value = " = …" if row.has_value and may_have_value else ""
     return f"a type stands behind the name: write `{word}{name} : {here}{value}`"
 
 

@@ -1,0 +1,194 @@
+"""What stands in a file by itself: imports, records, functions, rigs and the rest."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ....frozen import frozen
+from ...diagnostics.source import Source, Span
+from .expressions import Expression, Name, Number, TypeName
+from .members import Member, RecordKind, Slot
+
+
+@frozen(eq=False)
+class Import:
+    """``import std.lights.{Lamp, Beam}``, ``import std.lights`` or ``import "wood.burnish"``.
+
+    ``path`` is ``("std", "lights")`` or, for a quoted import, the one quoted text; ``names`` is
+    ``None`` where everything is imported.
+    """
+
+    span: Span
+    path: tuple[str, ...]
+    quoted: bool
+    names: tuple[Name, ...] | None
+
+
+@frozen(eq=False)
+class Record:
+    """A ``material``, ``light`` or ``pass``: named members, one base, perhaps abstract."""
+
+    span: Span
+    doc: str
+    kind: RecordKind
+    name: Name
+    abstract: bool
+    base: Name | None
+    blend: Name | None
+    """Default blending of a pass's targets."""
+    members: tuple[Member, ...]
+    mixins: tuple[Name, ...] = ()
+    """``: Base + First + Second``, in the order written."""
+
+
+@frozen(eq=False)
+class Mixin:
+    """``mixin Flicker for light { … }``: members for records that already have a base."""
+
+    span: Span
+    doc: str
+    kind: RecordKind
+    """Of the records that it is for."""
+    name: Name
+    members: tuple[Member, ...]
+
+
+@frozen(eq=False)
+class Argument:
+    """A formal parameter of a function or term."""
+
+    span: Span
+    name: Name
+    type: TypeName
+
+
+@frozen(eq=False)
+class TypeParameter:
+    """``T: floats``: a type parameter and the family it ranges over."""
+
+    span: Span
+    name: Name
+    family: Name
+
+
+@frozen(eq=False)
+class Function:
+    """``fn f(a: float) -> float = e`` or ``term t(k: rgb) per light = e where { p = … }``."""
+
+    span: Span
+    doc: str
+    kind: Literal["fn", "term"]
+    name: Name
+    type_parameters: tuple[TypeParameter, ...]
+    arguments: tuple[Argument, ...]
+    result: TypeName | None
+    per: Name | None
+    """The ``light`` of ``per light``."""
+    body: Expression
+    parts: tuple[Slot, ...] = ()
+    """The equations behind ``where``, which the body and they themselves can name."""
+
+
+@frozen(eq=False)
+class RigEntry:
+    """``sun : Sky``, ``fill : Lamp[2]``, ``lamps : Lamp[<= 8]``, with overrides."""
+
+    span: Span
+    doc: str
+    name: Name
+    light: Name
+    count: Expression | None
+    at_most: bool
+    overrides: tuple[Slot, ...]
+
+
+@frozen(eq=False)
+class Rig:
+    """Which lights shine."""
+
+    span: Span
+    doc: str
+    name: Name
+    entries: tuple[RigEntry, ...]
+
+
+@frozen(eq=False)
+class StructMember:
+    """``name : T`` of a struct."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+
+
+@frozen(eq=False)
+class StructDeclaration:
+    """``struct Layer { tint : rgb  weight : float }``."""
+
+    span: Span
+    doc: str
+    name: Name
+    members: tuple[StructMember, ...]
+
+
+@frozen(eq=False)
+class ExternMember:
+    """``time : float at 76``: a member of a block that the host owns, at its offset in bytes."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName
+    offset: Number
+    default: Expression | None
+
+
+@frozen(eq=False)
+class ExternBlock:
+    """``extern block PerFrame per frame at group 0, binding 3 { … }``."""
+
+    span: Span
+    doc: str
+    name: Name
+    group: Name | None
+    """How often the host changes it; ``frame`` if nothing is written."""
+    bind_group: Number
+    binding: Number
+    members: tuple[ExternMember, ...]
+
+
+@frozen(eq=False)
+class Space:
+    """``space bench``: a coordinate space of the user's own."""
+
+    span: Span
+    doc: str
+    name: Name
+
+
+@frozen(eq=False)
+class Constant:
+    """``golden = 1.618`` at file level."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName | None
+    value: Expression
+
+
+Declaration = (
+    Import | Record | Mixin | Function | Rig | StructDeclaration | ExternBlock | Space | Constant
+)  # fmt: skip
+
+
+@frozen(eq=False)
+class File:
+    """One parsed file; declarations that failed to parse are missing and were reported."""
+
+    source: Source
+    edition: int
+    doc: str
+    """Doc comment at the head of the file (``//!`` lines)."""
+    declarations: tuple[Declaration, ...]

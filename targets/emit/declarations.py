@@ -1,0 +1,104 @@
+"""Views of what a program declares outside of its stages: structs, uniform blocks and textures.
+
+They are made once for a program, however many of its texts declare them. The emitter asks for those
+that a text needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import cached_property
+
+from ...compiler.ir.leaves import Resource
+from ...compiler.ir.program import Block, Stage, StoredMember
+from ...compiler.ir.types import Struct
+from ..legalise.bindings import Bindings, Slot
+from .comments import comment_line
+from .context import Context
+from .description import BindingKind
+from .views import BlockView, MemberView, StructView, TextureView
+
+
+class Declarations:
+    """What the texts of one program declare."""
+
+    def __init__(self, context: Context, bindings: Bindings) -> None:
+        self._context = context
+        self._names = context.names
+        self._types = context.types
+        self._bindings = bindings
+
+    def structs(self, stages: Iterable[Stage]) -> list[StructView]:
+        """The structs that members of blocks use in these stages."""
+        used = dict.fromkeys(
+            struct for block in self._blocks_of(stages) for struct in block.structs
+        )
+        return [self._struct(struct) for struct in used]
+
+    def blocks(self, stages: Iterable[Stage]) -> list[BlockView]:
+        """The blocks that any of the stages reads, in the order of the program."""
+        return [self._blocks[block.name] for block in self._blocks_of(stages)]
+
+    def textures(self, stages: Iterable[Stage]) -> list[TextureView]:
+        """The textures that any of the stages reads, each followed by its sampler."""
+        read = {resource for stage in stages for resource in stage.resources}
+        return [
+            view
+            for resource in self._context.program.resources
+            if resource in read
+            for view in self._textures[resource.name]
+        ]
+
+    def _blocks_of(self, stages: Iterable[Stage]) -> list[Block]:
+        read = {block.name for stage in stages for block in stage.blocks}
+        return [block for block in self._context.program.blocks if block.name in read]
+
+    @cached_property
+    def _blocks(self) -> dict[str, BlockView]:
+        return {block.name: self._block(block) for block in self._context.program.blocks}
+
+    @cached_property
+    def _textures(self) -> dict[str, tuple[TextureView, ...]]:
+        resources = self._context.program.resources
+        return {resource.name: tuple(self._texture(resource)) for resource in resources}
+
+    def _struct(self, struct: Struct) -> StructView:
+        members = tuple(
+            MemberView(self._types.declare_stored(self._names.member(struct.name, name), type_))
+            for name, type_ in struct.members
+        )
+        return StructView(self._names.structs[struct.name], members)
+
+    def _block(self, block: Block) -> BlockView:
+        slot = self._bindings.blocks[block.name]
+        return BlockView(
+            name=self._names.blocks[block.name],
+            variable=self._names.variables.get(block.name, ""),
+            slot=slot,
+            register=self._register("block", slot),
+            members=tuple(self._member(block, member) for member in block.members),
+        )
+
+    def _member(self, block: Block, member: StoredMember) -> MemberView:
+        name = self._names.member(block.name, member.name)
+        return MemberView(self._types.declare_stored(name, member.type), comment_line(member.doc))
+
+    def _texture(self, resource: Resource) -> Iterable[TextureView]:
+        """A texture and its sampler, or both in one."""
+        names, types = self._names, self._context.textures
+        slot = self._bindings.textures[resource.name]
+        combined = self._context.profile.samplers.combined
+        spell: Callable[[Resource], str] = types.combined if combined else types.texture
+        register = self._register("texture", slot)
+        yield TextureView(names.textures[resource.name], spell(resource), slot, register)
+        if not combined and resource.name in names.samplers:
+            slot = self._bindings.samplers[resource.name]
+            yield TextureView(
+                names.samplers[resource.name],
+                types.sampler(resource),
+                slot,
+                self._register("sampler", slot),
+            )
+
+    def _register(self, kind: BindingKind, slot: Slot) -> str:
+        return self._context.target.register(kind, slot.binding)

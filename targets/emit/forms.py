@@ -1,0 +1,139 @@
+"""The small template language of targets' rows, and the rows of expressions and statements.
+
+A *form* is a text with fields in braces, filled in by ``str.format``: ``if ({condition}) {{``. A
+brace that is meant as such is doubled. Every row says which fields its form can have, and a test
+compares that with the forms of all languages. Besides plain fields there are these:
+
+``{0}``, ``{1}`` …
+    the operands of a native, as they stand between commas
+``{0:p}``
+    an operand in parentheses, unless it is a name or a call. ``:p`` works for every field that
+    holds an expression: ``{value:p}``
+``{going:and}``
+    the same for an operand of ``&&``
+``{type}``
+    the type of the result; ``{lanes}`` is how many lanes that has
+``{lane}``
+    the word of ``Forms.lane_words`` for a native's constant operand, as gathers have one
+``{sampler}``
+    the sampler of a texture operand
+
+Forms are for pieces of a line. What a whole file looks like is said by skeletons in Jinja2
+(``skeleton.j2``), which get the finished pieces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from string import Formatter
+from types import MappingProxyType
+
+from ...frozen import frozen
+
+ACCUMULATED: Mapping[str, str] = MappingProxyType(
+    {"add": "{name} += {value};", "mul": "{name} *= {value};"}
+)
+
+
+@frozen
+class Forms:
+    """Expressions and statements that are not calls of builtins. The defaults are C-like.
+
+    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it. What no field of
+    ``FIELDS`` belongs to is a plain text, in which no brace is doubled.
+    """
+
+    # Statements.
+    let: str = "{typed} = {value};"
+    """A value that gets a name: also has ``{name}``."""
+    constant_array: str = "const {typed} = {value};"
+    variable: str = "{typed};"
+    variable_set: str = "{typed} = {value};"
+    assign: str = "{name} = {value};"
+    accumulate: Mapping[str, str] = ACCUMULATED
+    """By native, an assignment that combines the variable with a value. Where a native is not
+    among these, both are written out."""
+    if_: str = "if ({condition}) {{"
+    else_: str = "} else {"
+    end: str = "}"
+    """Closes what ``if_``, ``else_``, ``loop`` and ``loop_while`` open."""
+    loop: str = "for ({index_typed} = {zero}; {index} < {count}; {index}++) {{"
+    loop_while: str = "for ({index_typed} = {zero}; {index} < {count} && {going:and}; {index}++) {{"
+    """A loop that also ends when ``going`` is false."""
+    leave: str = "if (!{going:p}) {{ break; }}"
+    """Leaves a loop in its middle when ``going`` is false."""
+    return_: str = "return {value};"
+    discard: str = "discard;"
+    """Gives the pixel up."""
+
+    # Declarations.
+    function: str = "{type} {name}({parameters}) {{"
+    parameter: str = "{typed}"
+    member_end: str = ";"
+    """Ends a member of a struct or block."""
+    struct_end: str = "};"
+
+    # Expressions.
+    select: str = ""
+    """``select({otherwise}, {then}, {condition})``; empty for ``?:``."""
+    at_most: str = "min({value}, {bound})"
+    """The smaller of two integers."""
+    splat: str = "{type}({value})"
+    """A scalar in every lane; ``{value:p}.{lanes}`` where that is a swizzle."""
+    splat_constant: bool = True
+    """Whether a constant of equal lanes is written with one of them."""
+    matrix: str = "{type}({columns})"
+    matrix_by_rows: bool = False
+    """Whether a matrix of constants lists its lanes row by row."""
+    product_of_columns: str = ""
+    """A matrix from its ``{columns}`` times a ``{vector}``, where that is shorter than as
+    ``matrix`` has it."""
+    column: str = "{matrix}[{position}]"
+    array: str = "{type}({elements})"
+    """An array from its elements."""
+    member: str = "{name}"
+    """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
+    texture: str = "{texture}"
+    """A texture read by its sampler, called ``{sampler}``; ``{type}`` is that of both in one."""
+    input: str = "{name}"
+    """A stage's input: a global variable, or ``input.{name}``."""
+    lane_words: tuple[str, ...] = ()
+    """What ``{lane}`` stands for, for each of the four lanes."""
+
+
+FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
+    {
+        form: frozenset(fields.split())
+        for form, fields in {
+            "let": "typed name value",
+            "constant_array": "typed name value",
+            "variable": "typed name",
+            "variable_set": "typed name value",
+            "assign": "name value",
+            "accumulate": "name value",
+            "if_": "condition",
+            "loop": "index index_typed zero count",
+            "loop_while": "index index_typed zero count going",
+            "leave": "going",
+            "return_": "value",
+            "function": "type name parameters",
+            "parameter": "typed name type",
+            "select": "condition then otherwise",
+            "at_most": "value bound",
+            "splat": "type value lanes",
+            "matrix": "type columns",
+            "product_of_columns": "type columns vector",
+            "column": "matrix position",
+            "array": "type elements",
+            "member": "block name",
+            "texture": "texture sampler type",
+            "input": "name",
+        }.items()
+    }
+)
+"""The fields that each form can have, or each form of a table."""
+
+
+def fields_of(form: str) -> frozenset[str]:
+    """The names of the fields in a form; those of operands are numbers."""
+    return frozenset(name for _text, name, _spec, _conversion in Formatter().parse(form) if name)

@@ -1,0 +1,179 @@
+"""The numbers that Burnish aims at, each beside its aim: CPU time, the best of many runs.
+
+With a second checkout, both are measured in turn within one run: what else the machine does then
+spoils both alike.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from resource import RUSAGE_CHILDREN, getrusage
+from time import perf_counter
+
+from .chains import LONGEST, equations
+from .checkout import Checkout, Worker
+from .table import Row, Section
+
+HERE = Path(__file__).parent
+EXAMPLES = HERE.parents[1] / "examples"
+ROUNDS = 12
+"""How often the checkouts take turns."""
+RUNS = 8
+"""How often each compiles, or starts, in its turn."""
+
+WARM = (
+    (EXAMPLES / "plastic.burnish", 8.0),
+    (HERE / "street.burnish", 16.0),
+    (EXAMPLES / "principled.burnish", 18.0),
+)
+"""What is compiled to three targets in a process that goes on, and milliseconds to aim at."""
+COLD_AIM, UNCHANGED_AIM = 130.0, 50.0
+CHAIN_AIM = 15_000.0
+
+Measure = Callable[[], float]
+"""Does something once, or a few times, and says how many milliseconds of CPU it took at best."""
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A row of the table: something to measure, of each checkout."""
+
+    what: str
+    aim: float | None
+    rounds: int
+    of: Mapping[str, Measure]
+    """By the checkout's name."""
+
+    def row(self) -> Row:
+        """Measure the checkouts in turn; the last one is what the aim is for."""
+        best = dict.fromkeys(self.of, float("inf"))
+        for _ in range(self.rounds):
+            for name, measure in self.of.items():
+                best[name] = min(best[name], measure())
+        last = [*best.values()][-1]
+        within = None if self.aim is None else last <= self.aim
+        return {"what": self.what, **best, "aim": self.aim, "within": within}
+
+
+def measure(checkouts: Sequence[Checkout]) -> Iterator[Section]:
+    """Every number, of every checkout."""
+    with ExitStack() as stack:
+        folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        workers = {each.name: stack.enter_context(each.worker()) for each in checkouts}
+        starts = {
+            each.name: _Start(stack.enter_context(each.environment()), folder / f"out{number}")
+            for number, each in enumerate(checkouts)
+        }
+        rows = [number.row() for number in _rows(workers, starts, folder)]
+    yield Section("aims", "Milliseconds of CPU time, best of many, beside the aim", rows)
+
+
+def _rows(
+    workers: Mapping[str, Worker], starts: Mapping[str, _Start], folder: Path
+) -> Iterator[Number]:
+    for path, aim in WARM:
+        what = f"{path.stem}, three targets, warm"
+        yield Number(what, aim, ROUNDS, {k: _warm(w, path) for k, w in workers.items()})
+    yield Number("python, nothing else", None, ROUNDS, {k: s.python for k, s in starts.items()})
+    yield Number("burnish --help", None, ROUNDS, {k: s.help for k, s in starts.items()})
+    yield Number(
+        "burnish compile, one target, cold", COLD_AIM, ROUNDS,
+        {name: start.changed for name, start in starts.items()},
+    )  # fmt: skip
+    yield Number(
+        "the same again, unchanged", UNCHANGED_AIM, ROUNDS,
+        {name: start.unchanged for name, start in starts.items()},
+    )  # fmt: skip
+    yield Number(
+        "the same again, unchanged, until it is done", UNCHANGED_AIM, ROUNDS,
+        {name: start.unchanged_wall for name, start in starts.items()},
+    )  # fmt: skip
+    chain = folder / "chain.burnish"
+    chain.write_text(equations(LONGEST), encoding="utf-8")
+    yield Number(
+        f"a chain of {LONGEST} equations to WGSL", CHAIN_AIM, 1,
+        {name: _chain(worker, chain) for name, worker in workers.items()},
+    )  # fmt: skip
+
+
+def _warm(worker: Worker, path: Path) -> Measure:
+    return lambda: _milliseconds(worker, path, ("hlsl", "glsl", "wgsl"), RUNS)
+
+
+def _chain(worker: Worker, path: Path) -> Measure:
+    return lambda: _milliseconds(worker, path, ("wgsl",), 1)
+
+
+def _milliseconds(worker: Worker, path: Path, targets: Sequence[str], runs: int) -> float:
+    answer = worker.compile(path, targets, reflect=False, enough=float("inf"), runs=runs)
+    if answer is None or "failed" in answer or answer["codes"]:
+        return float("inf")
+    return 1000 * float(answer["seconds"]["all"])
+
+
+@dataclass(frozen=True, slots=True)
+class _Start:
+    """Fresh processes of one checkout, with a cache folder of their own."""
+
+    environment: Mapping[str, str]
+    folder: Path
+
+    def python(self) -> float:
+        """Python with what it always loads."""
+        return self._best("-c", "pass")[0]
+
+    def help(self) -> float:
+        """A command that compiles nothing."""
+        return self._best("-m", "burnish", "--help")[0]
+
+    def changed(self) -> float:
+        """A compile of a text that has not been compiled before."""
+        found = []
+        for number in range(RUNS):
+            self._example().write_text(f"{self._text()}// {perf_counter()} {number}\n", "utf-8")
+            found.append(self._once(*self._compile())[0])
+        return min(found)
+
+    def unchanged(self) -> float:
+        """A compile of a text that was compiled before."""
+        self._example().write_text(self._text(), "utf-8")
+        self._once(*self._compile())
+        return self._best(*self._compile())[0]
+
+    def unchanged_wall(self) -> float:
+        """The same, by the clock on the wall."""
+        self._example().write_text(self._text(), "utf-8")
+        self._once(*self._compile())
+        return self._best(*self._compile())[1]
+
+    def _text(self) -> str:
+        return (EXAMPLES / "plastic.burnish").read_text("utf-8")
+
+    def _example(self) -> Path:
+        self.folder.mkdir(exist_ok=True)
+        return self.folder / "plastic.burnish"
+
+    def _compile(self) -> tuple[str, ...]:
+        output = str(self.folder / "build")
+        return "-m", "burnish", "compile", str(self._example()), "--target", "wgsl", "-o", output
+
+    def _best(self, *arguments: str) -> tuple[float, float]:
+        found = [self._once(*arguments) for _ in range(RUNS)]
+        return min(cpu for cpu, _ in found), min(wall for _, wall in found)
+
+    def _once(self, *arguments: str) -> tuple[float, float]:
+        """Milliseconds of CPU and by the clock of one process, as a user starts it."""
+        environment = {**self.environment, "BURNISH_CACHE": str(self.folder / "cache")}
+        before, start = getrusage(RUSAGE_CHILDREN), perf_counter()
+        subprocess.run(
+            [sys.executable, *arguments], env=environment, check=True, stdout=subprocess.DEVNULL
+        )
+        after, end = getrusage(RUSAGE_CHILDREN), perf_counter()
+        user, system = after.ru_utime - before.ru_utime, after.ru_stime - before.ru_stime
+        return 1000 * (user + system), 1000 * (end - start)

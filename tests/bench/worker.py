@@ -1,0 +1,109 @@
+"""Compiles one program after the other and says what each phase of the compile took.
+
+Run as a process of its own, by ``checkout``, with the folder that holds the package ``burnish`` in
+front of everything on ``PYTHONPATH``. So it may be another checkout's compiler that is measured,
+and a program that takes too long or too much memory ends this process alone. Requests come as
+lines of JSON, and so do the answers.
+"""
+
+from __future__ import annotations
+
+import gc
+import importlib
+import json
+import resource
+import sys
+from collections.abc import Callable
+from time import process_time
+from typing import Any
+
+import burnish
+from burnish.compiler.diagnostics.render import render_all
+
+HOOKS = (
+    ("parse", "burnish.compiler.frontend", "Frontend.open_file"),
+    ("semantics", "burnish.compiler.frontend", "Frontend.shaders"),
+    ("passes", "burnish.api", "stage"),
+    ("emission", "burnish.api", "emit"),
+)
+"""What does the work of each phase: a function or a method, where its caller looks it up."""
+
+MEMORY_LIMIT = 6 << 30
+
+
+class Phases:
+    """CPU seconds of one compile, by phase."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+
+    def timed(self, phase: str, work: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
+        """The result of ``work``, whose time counts for ``phase``."""
+        start = process_time()
+        try:
+            return work(*arguments, **named)
+        finally:
+            self.seconds[phase] = self.seconds.get(phase, 0.0) + process_time() - start
+
+    def hook(self, phase: str, module: str, path: str) -> None:
+        """Time every call of what is found at ``path`` in ``module``."""
+        *owners, name = path.split(".")
+        owner: Any = importlib.import_module(module)
+        for part in owners:
+            owner = getattr(owner, part)
+        work = getattr(owner, name)
+
+        def hooked(*arguments: Any, **named: Any) -> Any:
+            return self.timed(phase, work, *arguments, **named)
+
+        setattr(owner, name, hooked)
+
+
+def compiled(path: str, targets: list[str], reflect: bool, phases: Phases) -> list[str]:
+    """Compile a file; the codes of what is wrong with it."""
+    try:
+        result = burnish.compile(path, targets)
+    except burnish.CompileError as error:
+        phases.timed("messages", render_all, error.diagnostics)
+        return sorted({found.rule.code for found in error.diagnostics if found.severity == "error"})
+    for material in result.materials:
+        if reflect:
+            phases.timed("reflection", getattr, material, "reflection")
+    return []
+
+
+def measured(request: dict[str, Any], phases: Phases) -> dict[str, Any]:
+    """The best time of each phase over several compiles, and what came of them."""
+    best: dict[str, float] = {}
+    spent, runs = 0.0, 0
+    while runs == 0 or (spent < request["enough"] and runs < request["runs"]):
+        gc.collect()
+        phases.seconds.clear()
+        start = process_time()
+        codes = compiled(request["path"], request["targets"], request["reflect"], phases)
+        phases.seconds["all"] = process_time() - start
+        for phase, seconds in phases.seconds.items():
+            best[phase] = min(seconds, best.get(phase, seconds))
+        spent, runs = spent + phases.seconds["all"], runs + 1
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    return {"seconds": best, "codes": codes, "megabytes": peak}
+
+
+def main() -> None:
+    """Answer requests until there are no more."""
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
+    phases = Phases()
+    for hook in HOOKS:
+        phases.hook(*hook)
+    for line in sys.stdin:
+        request = json.loads(line)
+        limit = int(process_time() + request["limit"]) + 1
+        resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.RLIM_INFINITY))
+        try:
+            answer = measured(request, phases)
+        except Exception as error:  # Whatever it is, the size is one that cannot be compiled.
+            answer = {"failed": type(error).__name__}
+        print(json.dumps(answer), flush=True)
+
+
+main()
