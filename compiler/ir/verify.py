@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Literal
 
-from ..layout import stored_type
 from . import signatures
 from .build import parts_of, states_type
 from .leaves import Attribute, Parameter, Resource
 from .node import Folding, Formal, Iterating, Node, binders, bodies_of, formals_of, reachable
+from .storage import stored_type
 from .types import (
     BOOL,
     INT,

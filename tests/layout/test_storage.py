@@ -13,6 +13,7 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node, reachable
 from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.shader import Notes
+from burnish.compiler.ir.storage import byte_size, stored_type
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -28,7 +29,7 @@ from burnish.compiler.ir.types import (
     Type,
     Vector,
 )
-from burnish.compiler.layout import byte_size, layout_blocks, stored_type
+from burnish.compiler.layout import layout_blocks
 from burnish.compiler.packing import packing
 from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.compiler.reference.evaluate import evaluate as meaning
