@@ -10,7 +10,7 @@ from itertools import chain
 from os import PathLike
 from pathlib import Path
 from types import NoneType
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from .arguments import expect, expect_all
 from .compiler.diagnostics import rules
@@ -56,7 +56,8 @@ __all__ = [
 ALL = "all"
 """Stands for every profile of every target."""
 
-StageName = Literal["vertex", "fragment", "both"]
+StageName = str
+"""A stage, such as ``vertex`` or ``fragment``; ``both`` for a text that holds all of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +70,7 @@ class OutputFile:
     target: str
     profile: str
     stage: StageName
-    entry_points: Mapping[Literal["vertex", "fragment"], str]
+    entry_points: Mapping[StageName, str]
     """Entry point of each stage in the text."""
     text: str
     checkers: tuple[str, ...] = ()

@@ -8,10 +8,9 @@ from ..api import OutputFile
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import Diagnostic, Label, Report
 from ..compiler.diagnostics.source import Source, Span
+from ..compiler.ir.stages import STAGES
 from ..targets.emit.directives import plain
 from ..targets.toolchain import Job, Message, Toolchain, Verdict
-
-_STAGES = {"vertex": "vert", "fragment": "frag"}
 
 
 def validate(files: Iterable[OutputFile]) -> tuple[Diagnostic, ...]:
@@ -28,7 +27,7 @@ def validate(files: Iterable[OutputFile]) -> tuple[Diagnostic, ...]:
 def _jobs(file: OutputFile) -> Iterator[Job]:
     for checker in file.checkers:
         for stage, entry in file.entry_points.items():
-            yield Job(checker, _STAGES[stage], file.text, entry, file.name)
+            yield Job(checker, STAGES[stage].suffix, file.text, entry, file.name)
 
 
 def _tell(file: OutputFile, verdict: Verdict, report: Report) -> None:

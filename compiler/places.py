@@ -46,9 +46,8 @@ class _Places:
     @cached_property
     def _users(self) -> dict[int, Span]:
         """Places of the users of values that have none, such as what the pipeline supplies."""
-        roots = [self._shader.clip_position, *(target.value for target in self._shader.targets)]
         found: dict[int, Span] = {}
-        for node in reachable(roots):
+        for node in reachable(self._shader.roots):
             if (span := self._spans.get(node.id)) is not None:
                 for operand in node.operands:
                     found.setdefault(operand.id, span)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import pairwise
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.formula import Formulas
@@ -10,6 +11,7 @@ from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Folding, Formal, Iterating, Node
 from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region, Stage
 from ...compiler.ir.shader import Notes, Shader
+from ...compiler.ir.stages import VARYING
 from ...compiler.ir.types import Struct
 from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged
@@ -20,8 +22,6 @@ from .model import KINDS, Box, Cluster, Kind, Picture
 LEAVES = frozenset({"parameter", "attribute", "input", "resource", "formal"})
 ADDED = "each"
 """What a loop adds in each turn, or multiplies."""
-RESULTS = frozenset({"clip_position"})
-"""What the vertex stage delivers besides what crosses."""
 
 
 def picture(shader: Shader, staged: Staged, *, everything: bool) -> Picture:
@@ -38,7 +38,17 @@ class _Building:
         self._formulas = Formulas(self._notes)
         self._derived = {d.parameter: dict(_values(d)) for d in staged.derived}
         """What the host computes of each parameter: its value, or the members of its elements."""
-        self._crossings = dict(_crossings(staged.program.fragment, self._notes))
+        self._crossings = {
+            value: name
+            for stage in staged.program.stages
+            for value, name in _crossings(stage, self._notes)
+        }
+        """What is called how that crosses, by the id of the value before it does."""
+        self._results = {
+            stage.name: {o.value.id for o in stage.results if o.kind != VARYING}
+            for stage in staged.program.stages
+        }
+        """By stage, the ids of what it delivers besides what crosses."""
         self._guarded = {guard.span for guard in staged.guards if guard.span is not None}
 
     def picture(self) -> Picture:
@@ -48,8 +58,8 @@ class _Building:
         )
         if self._derived:
             found.clusters.append(self._host())
-        found.clusters += self._vertex(program.vertex)
-        found.clusters += self._fragment(program.fragment)
+        for stage in program.stages:
+            found.clusters += self._entry(stage)
         for stage in program.stages:
             for function in stage.functions:
                 found.clusters += self._function(stage, function)
@@ -57,16 +67,17 @@ class _Building:
         return found
 
     def _between(self, found: Picture) -> Iterator[tuple[str, str]]:
-        """From what the host computes to its uses, and from the vertices to the fragments."""
+        """From what the host computes to its uses, and from each stage to the next."""
         keys = [box.key for box in found.boxes]
         for parameter, values in self._derived.items():
             ending = f".derived.{parameter.name}"
             readers = [key for key in keys if key.endswith(ending)]
             yield from ((f"host.{name}", key) for name in values for key in readers)
         boxed = set(keys)
-        for node in visible(self._staged.program.fragment.results):
-            if node.op == "interpolate" and (key := f"fragment.{node.id}") in boxed:
-                yield self._key("vertex", node.operands[0]), key
+        for before, stage in pairwise(self._staged.program.stages):
+            for node in visible(stage.roots):
+                if node.op == "interpolate" and (key := self._key(stage.name, node)) in boxed:
+                    yield self._key(before.name, node.operands[0]), key
 
     # --- clusters --------------------------------------------------------------------------------
 
@@ -90,26 +101,20 @@ class _Building:
                     cluster.boxes.append(inner)
                 cluster.edges.append((inner.key, box.key))
 
-    def _vertex(self, stage: Stage) -> Iterator[Cluster]:
-        assert stage.position is not None
-        results = {stage.position.id: "clip_position"}
-        roots = [stage.position]
-        for varying in self._staged.program.varyings:
-            for value in varying.values:
-                roots.append(value)
-                if value.op not in LEAVES:
-                    results.setdefault(value.id, self._crossing(value))
-        yield from self._stage("vertex", "vertex stage", stage.region, roots, results)
-
-    def _fragment(self, stage: Stage) -> Iterator[Cluster]:
-        roots = list(stage.results)
-        results = {
-            node.id: field.name for field, node in zip(stage.outputs, stage.results, strict=True)
-        }
-        if stage.discard is not None:
-            roots.append(stage.discard)
-            results[stage.discard.id] = "discard"
-        yield from self._stage("fragment", "fragment stage", stage.region, roots, results)
+    def _entry(self, stage: Stage) -> Iterator[Cluster]:
+        """What a stage computes besides its functions."""
+        roots: list[Node] = []
+        results: dict[int, str] = {}
+        for output in stage.results:
+            if output.kind != VARYING:
+                roots.append(output.value)
+                results[output.value.id] = output.field.name if output.field else output.kind
+        crossing = [v for varying in self._staged.program.leaving(stage) for v in varying.values]
+        for value in crossing:
+            if value.op not in LEAVES:
+                results.setdefault(value.id, self._crossing(value))
+        title = f"{stage.name} stage"
+        yield from self._stage(stage.name, title, stage.region, [*roots, *crossing], results)
 
     def _function(self, stage: Stage, function: Function) -> Iterator[Cluster]:
         arguments = ", ".join(formal.name for formal, _ in function.parameters)
@@ -139,7 +144,7 @@ class _Building:
             yield self._cluster(part, bodies, results)
 
     def _cluster(self, part: _Part, roots: list[Node], results: dict[int, str]) -> Cluster:
-        cluster = Cluster(part.title, part.prefix in ("vertex", "fragment"))
+        cluster = Cluster(part.title, part.prefix in self._results)
         edges: dict[tuple[str, str], None] = {}
         for node in part.reached(roots):
             if part.is_outer(node):
@@ -152,7 +157,8 @@ class _Building:
                 name = part.names.get(node.id) or self._shown_name(node)
                 box = self._value(part.prefix, node, results.get(node.id) or name or "")
                 if node.id in results and node.op not in LEAVES:
-                    crosses = part.prefix == "vertex" and box.name not in RESULTS
+                    delivered = self._results.get(part.prefix)
+                    crosses = delivered is not None and node.id not in delivered
                     box.kind = "crossing" if crosses else "result"
                     box.note = "varying" if crosses else KINDS["result"]
                 cluster.boxes.append(box)
@@ -321,7 +327,7 @@ def _values(derived: Derived) -> Iterator[tuple[str, Node]]:
 def _crossings(stage: Stage, notes: Notes) -> Iterator[tuple[int, str]]:
     """What crosses is called after the named value that it is a part of."""
     users: dict[int, str] = {}
-    for node in reversed(visible(stage.results, into_bodies=True)):
+    for node in reversed(visible(stage.roots, into_bodies=True)):
         within = notes.names.get(node.id) or users.get(node.id)
         if within is None:
             continue

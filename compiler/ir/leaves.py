@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Literal
 
 from ...frozen import frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
 from .meaning import Meaning
-from .types import BOOL, UINT, VEC4, Type
+from .types import Type
 
 InterpolationMode = Literal["perspective", "flat"]
 
@@ -65,12 +64,3 @@ class Attribute:
     type: Type
     step: Step = "vertex"
     meaning: Meaning | None = None
-
-
-PIPELINE_TYPES: Mapping[str, Type] = {
-    "frag_coord": VEC4,
-    "front_facing": BOOL,
-    "vertex_index": UINT,
-    "instance_index": UINT,
-}
-"""The values that the pipeline supplies, with the types that Burnish gives them."""

@@ -8,15 +8,16 @@ All names here are suggestions in the user's spelling; a backend's ``Namer`` mak
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Literal
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from .leaves import HostPlace, InterpolationMode, Parameter, Resource, Step
 from .node import FoldOperator, Formal, Node
+from .stages import StageRow
 from .types import Struct, Type
 
-StageName = Literal["vertex", "fragment"]
+StageName = str
+"""The name of a stage's row, ``vertex``."""
 
 
 @frozen
@@ -68,11 +69,38 @@ class Field:
 
 @frozen
 class Varying:
-    """Values that cross from the vertex to the fragment stage in one location."""
+    """Values that cross from one stage to the next in one location."""
 
     field: Field
     values: tuple[Node, ...]
-    """Vertex-domain values whose lanes, joined, fill the slot."""
+    """Values in the domain of the earlier stage, whose lanes, joined, fill the slot."""
+
+
+@frozen
+class Interface:
+    """What one stage hands on to the next."""
+
+    origin: str
+    """The domain in which the values are computed."""
+    destination: str
+    """The domain in which they are read."""
+    varyings: tuple[Varying, ...]
+
+    @property
+    def fields(self) -> tuple[Field, ...]:
+        """The outputs of the one stage, and inputs of the other."""
+        return tuple(varying.field for varying in self.varyings)
+
+
+@frozen
+class Output:
+    """One value that a stage delivers."""
+
+    kind: str
+    """A kind of ``stages.py``: ``VARYING``, or that of a shader's result."""
+    value: Node
+    field: Field | None = None
+    """Where it goes, for what has a location: a varying, or a render target."""
 
 
 @frozen
@@ -196,24 +224,43 @@ def texture_reads(nodes: Iterable[Node]) -> tuple[TextureRead, ...]:
 class Stage:
     """One shader stage."""
 
-    name: StageName
+    row: StageRow
     inputs: tuple[Field, ...]
-    outputs: tuple[Field, ...]
+    """Vertex inputs of the first stage, and varyings of every other."""
     blocks: tuple[Block, ...]
     """Blocks the stage reads, in binding order."""
     resources: tuple[Resource, ...]
     functions: tuple[Function, ...]
     region: Region
-    position: Node | None
-    """Clip-space position (vertex stage)."""
-    results: tuple[Node, ...]
-    """One value for each of ``outputs``."""
-    discard: Node | None
-    """Where true the pixel is not written; comes last."""
+    results: tuple[Output, ...]
+    """All that it delivers: the shader's own results first, and then what crosses."""
     builtin_inputs: tuple[str, ...] = ()
-    """``frag_coord``, ``front_facing``, ``vertex_index``, ``instance_index`` when read."""
+    """Those of the row's ``inputs`` that it reads, by name."""
     reads: tuple[TextureRead, ...] = ()
     """In which ways the stage reads its textures: each way of each once."""
+
+    @property
+    def name(self) -> StageName:
+        """The stage's name in its row."""
+        return self.row.name
+
+    @property
+    def outputs(self) -> tuple[Field, ...]:
+        """The fields of all results that have one."""
+        return tuple(output.field for output in self.results if output.field is not None)
+
+    @property
+    def roots(self) -> tuple[Node, ...]:
+        """The values of all results."""
+        return tuple(output.value for output in self.results)
+
+    def value_of(self, kind: str) -> Node | None:
+        """The value of the result of a kind of which there is one at most."""
+        return next((output.value for output in self.results if output.kind == kind), None)
+
+    def results_of(self, kind: str) -> tuple[Output, ...]:
+        """The results of one kind, in order."""
+        return tuple(output for output in self.results if output.kind == kind)
 
 
 @frozen
@@ -222,22 +269,49 @@ class Program:
 
     name: str
     doc: str
-    vertex: Stage
-    fragment: Stage
+    stages: tuple[Stage, ...]
+    """In pipeline order: the first one reads the vertex inputs."""
     blocks: tuple[Block, ...]
-    """All blocks of both stages, in group order."""
+    """All blocks of all stages, in group order."""
     resources: tuple[Resource, ...]
-    varyings: tuple[Varying, ...]
+    interfaces: tuple[Interface, ...]
+    """What crosses between each stage and the next, in pipeline order."""
+
+    def stage(self, name: StageName) -> Stage:
+        """The stage called so; ``KeyError`` if the program has none."""
+        for stage in self.stages:
+            if stage.name == name:
+                return stage
+        raise KeyError(f"{self.name} has no {name} stage")
 
     @property
-    def stages(self) -> tuple[Stage, Stage]:
-        """Both stages, in pipeline order."""
-        return self.vertex, self.fragment
+    def vertex_inputs(self) -> tuple[Field, ...]:
+        """What the host's vertex buffers have to supply."""
+        return self.stages[0].inputs
+
+    @property
+    def varyings(self) -> tuple[Varying, ...]:
+        """What crosses, of all interfaces."""
+        return tuple(varying for face in self.interfaces for varying in face.varyings)
+
+    def entering(self, stage: Stage) -> tuple[Varying, ...]:
+        """What crosses into a stage."""
+        domain = stage.row.domain
+        return tuple(v for f in self.interfaces if f.destination == domain for v in f.varyings)
+
+    def leaving(self, stage: Stage) -> tuple[Varying, ...]:
+        """What crosses from a stage into the next."""
+        domain = stage.row.domain
+        return tuple(v for f in self.interfaces if f.origin == domain for v in f.varyings)
+
+    def results_of(self, kind: str) -> tuple[Output, ...]:
+        """The results of one kind, of all stages."""
+        return tuple(output for stage in self.stages for output in stage.results_of(kind))
 
     @property
     def reads(self) -> tuple[TextureRead, ...]:
-        """How both stages read textures."""
-        return self.vertex.reads + self.fragment.reads
+        """How the stages read textures."""
+        return tuple(read for stage in self.stages for read in stage.reads)
 
     @property
     def sampled(self) -> frozenset[Resource]:

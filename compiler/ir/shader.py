@@ -9,6 +9,7 @@ from ...frozen import frozen
 from ..diagnostics.source import Span
 from .leaves import Attribute, HostPlace, Parameter, Resource
 from .node import Graph, Node
+from .stages import RASTERISED, Chain, StageRow
 
 Lanes = float | int | bool | tuple["Lanes", ...]
 """A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
@@ -77,14 +78,13 @@ class AttributeInfo:
 
 
 @frozen
-class TargetInfo:
-    """One render target of the pass and what is written to it."""
+class RenderTarget:
+    """The state of a render target of the pass, which a host has to set up."""
 
     name: str
     format: str
     blend: str
-    """``none``, ``alpha``, ``add`` … ; fixed-function state for the host."""
-    value: Node
+    """``none``, ``alpha``, ``add`` …; fixed-function state."""
     doc: str
     span: Span
 
@@ -92,6 +92,19 @@ class TargetInfo:
     def fixed_point(self) -> bool:
         """Whether the format holds 0..1 in equal steps, and no floats."""
         return not self.format.endswith("f")
+
+
+@frozen
+class Result:
+    """One value that a shader delivers."""
+
+    kind: str
+    """A kind of ``stages.py``, such as ``CLIP_POSITION`` or ``TARGET``."""
+    stage: StageRow
+    """The stage that delivers it, in whose domain the value is."""
+    value: Node
+    target: RenderTarget | None = None
+    """Where it is written to, for a result of the kind ``TARGET``."""
 
 
 @dataclass(slots=True)
@@ -159,10 +172,19 @@ class Shader:
     """
     resources: tuple[ResourceInfo, ...]
     attributes: tuple[AttributeInfo, ...]
-    clip_position: Node
-    """vec4 in the vertex domain."""
-    targets: tuple[TargetInfo, ...]
-    """Values in the fragment domain."""
-    discard: Node | None
+    results: tuple[Result, ...]
+    """All that it delivers. Nothing else says so: what needs the roots of the graph, or where they
+    are written to, reads these rows."""
     externs: tuple[ExternInfo, ...] = ()
     """The host's own blocks."""
+    chain: Chain = RASTERISED
+    """The stages that it may need, in pipeline order."""
+
+    @property
+    def roots(self) -> list[Node]:
+        """The values of all results: what passes and walks over the graph start from."""
+        return [result.value for result in self.results]
+
+    def results_of(self, kind: str) -> tuple[Result, ...]:
+        """The results of one kind, in order."""
+        return tuple(result for result in self.results if result.kind == kind)

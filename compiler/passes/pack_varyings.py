@@ -35,12 +35,17 @@ class _Slot:
 
 
 def crossings(nodes: Iterable[Node]) -> list[Node]:
-    """The ``interpolate`` nodes among those of the fragment stage."""
+    """The ``interpolate`` nodes among those of a stage."""
     return [node for node in nodes if node.op == "interpolate"]
 
 
-def pack_varyings(nodes: Sequence[Node], notes: Notes) -> tuple[Varying, ...]:
-    """Slots for all values that cross into the fragment stage, whose nodes are given in order."""
+def pack_varyings(
+    nodes: Sequence[Node], notes: Notes, taken: Collection[str] = ()
+) -> tuple[Varying, ...]:
+    """Slots for all values that cross into a stage, whose nodes are given in order.
+
+    ``taken`` are the names of slots further on in the pipeline.
+    """
     unique = list({node.operands[0].id: node for node in crossings(nodes)}.values())
     users: dict[int, str] = {}
     for node in reversed(nodes):
@@ -64,7 +69,7 @@ def pack_varyings(nodes: Sequence[Node], notes: Notes) -> tuple[Varying, ...]:
     varyings: dict[str, Varying] = {}
     for location, slot in enumerate(slots):
         shown = "_".join(dict.fromkeys(names[value.id] for value in slot.values))
-        name = _apart(shown, varyings)
+        name = _apart(shown, {*taken, *varyings})
         varyings[name] = _varying(name, location, slot)
     return tuple(varyings.values())
 

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from itertools import count
 
-from ...frozen import frozen
+from ...frozen import changed, frozen
 from ..ir import build
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Graph, Node
-from ..ir.program import Block, Field, Function, Program, Stage, StageName, Varying, texture_reads
+from ..ir.program import (
+    Block,
+    Field,
+    Function,
+    Interface,
+    Output,
+    Program,
+    Stage,
+    Varying,
+    texture_reads,
+)
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
-from ..ir.shader import Notes, Shader
+from ..ir.shader import Notes, Result, Shader
+from ..ir.stages import VARYING, StageRow
 from ..layout import STANDARD_GROUPS, layout_blocks
 from .checkpoint import passed
 from .expand_builtins import expand_builtins
@@ -64,33 +76,10 @@ class Staged:
     evidence: Evidence
 
 
-@frozen
-class _Results:
-    """The values a shader has to deliver, in the form of the moment."""
-
-    position: Node
-    targets: tuple[Node, ...]
-    discard: Node | None
-
-    def flat(self) -> list[Node]:
-        """All of them, as roots for a pass."""
-        discard = () if self.discard is None else (self.discard,)
-        return [self.position, *self.targets, *discard]
-
-    def of(self, roots: list[Node]) -> _Results:
-        """The same values after a pass."""
-        count = len(self.targets)
-        discard = roots[1 + count] if self.discard is not None else None
-        return _Results(roots[0], tuple(roots[1 : 1 + count]), discard)
-
-
 def stage(shader: Shader, options: Options) -> Staged:
     """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
     graph, notes = shader.graph, shader.notes
-    results = _Results(
-        shader.clip_position, tuple(target.value for target in shader.targets), shader.discard
-    )
-    roots = passed("semantics", "semantics", results.flat())
+    roots = passed("semantics", "semantics", shader.roots)
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
     roots = passed("replace_aggregates", "opened", replace_aggregates(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
@@ -110,7 +99,8 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("lift_lambdas", "guarded", lift_lambdas(graph, roots, notes))
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     roots = passed("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
-    program = _program(shader, results.of(roots), derived)
+    results = tuple(changed(r, value=v) for r, v in zip(shader.results, roots, strict=True))
+    program = _program(shader, results, derived)
     guards = tuple(guarding.kept.values())
     return Staged(program, derived, guards, evidence)
 
@@ -137,29 +127,38 @@ def _guarded(
 # --- the program ---------------------------------------------------------------------------------
 
 
-def _program(shader: Shader, results: _Results, derived: tuple[Derived, ...]) -> Program:
-    fragment_roots = results.flat()[1:]
-    varyings = pack_varyings(visible(fragment_roots, into_bodies=True), shader.notes)
-    outputs = tuple(varying.field for varying in varyings)
+def _program(shader: Shader, results: tuple[Result, ...], derived: tuple[Derived, ...]) -> Program:
+    """The stages that the results need, from the last one back to the first."""
     blocks = _blocks(shader, derived)
-    vertex = _stage(
-        "vertex", shader, blocks, _attributes(shader, results, varyings), outputs,
-        [results.position, *_joined(shader.graph, varyings)], None,
-    )  # fmt: skip
-    targets = tuple(
-        Field(target.name, value.type, i, doc=target.doc)
-        for i, (target, value) in enumerate(zip(shader.targets, results.targets, strict=True))
-    )
-    fragment = _stage(
-        "fragment", shader, blocks, outputs, targets, list(results.targets), results.discard
-    )
+    stages: list[Stage] = []
+    interfaces: list[Interface] = []
+    for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
+        own = [result for result in results if result.stage == row]
+        leaving = tuple(v for f in interfaces if f.origin == row.domain for v in f.varyings)
+        outputs = (*_outputs(own), *_crossing_outputs(shader.graph, leaving))
+        if not outputs:
+            continue
+        roots = [output.value for output in outputs]
+        if before is None:
+            inputs = _attributes(shader, roots)
+        else:
+            varyings = pack_varyings(
+                visible(roots, into_bodies=True), shader.notes, _taken(interfaces)
+            )
+            interfaces.insert(0, Interface(before.domain, row.domain, varyings))
+            inputs = interfaces[0].fields
+        stages.insert(0, _stage(row, shader, blocks, inputs, outputs))
     resources = tuple(
         info.resource
         for info in shader.resources
-        if info.resource in vertex.resources or info.resource in fragment.resources
+        if any(info.resource in stage.resources for stage in stages)
     )
-    used = tuple(b for b in blocks if b in vertex.blocks or b in fragment.blocks)
-    return Program(shader.name, shader.doc, vertex, fragment, used, resources, varyings)
+    used = tuple(b for b in blocks if any(b in stage.blocks for stage in stages))
+    return Program(shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces))
+
+
+def _taken(interfaces: Iterable[Interface]) -> set[str]:
+    return {field.name for interface in interfaces for field in interface.fields}
 
 
 def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
@@ -169,15 +168,23 @@ def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
     return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
 
 
-def _joined(graph: Graph, varyings: Iterable[Varying]) -> list[Node]:
-    return [build.vector(graph, varying.values) for varying in varyings]
+def _outputs(results: Iterable[Result]) -> Iterator[Output]:
+    """The shader's results of one stage; those that a host names get a location each."""
+    locations = count()
+    for result in results:
+        field = None
+        if (target := result.target) is not None:
+            field = Field(target.name, result.value.type, next(locations), doc=target.doc)
+        yield Output(result.kind, result.value, field)
 
 
-def _attributes(
-    shader: Shader, results: _Results, varyings: tuple[Varying, ...]
-) -> tuple[Field, ...]:
+def _crossing_outputs(graph: Graph, varyings: Iterable[Varying]) -> Iterator[Output]:
+    for varying in varyings:
+        yield Output(VARYING, build.vector(graph, varying.values), varying.field)
+
+
+def _attributes(shader: Shader, roots: Iterable[Node]) -> tuple[Field, ...]:
     """The vertex inputs that are read, each at the location its declaration gives it."""
-    roots = [results.position, *(value for varying in varyings for value in varying.values)]
     read = {node.data for node in visible(roots) if isinstance(node.data, Attribute)}
     return tuple(
         Field(
@@ -190,15 +197,13 @@ def _attributes(
 
 
 def _stage(
-    name: StageName,
+    row: StageRow,
     shader: Shader,
     blocks: tuple[Block, ...],
     inputs: tuple[Field, ...],
-    outputs: tuple[Field, ...],
-    values: list[Node],
-    discard: Node | None,
+    outputs: tuple[Output, ...],
 ) -> Stage:
-    roots = values if discard is None else [*values, discard]
+    roots = [output.value for output in outputs]
     naming = Naming(shader.notes)
     nodes = visible(roots, into_bodies=True)
     functions = tuple(_function(call, shader.notes, naming) for call in called_functions(nodes))
@@ -206,16 +211,13 @@ def _stage(
     parameters = {leaf for leaf in leaves if isinstance(leaf, Parameter)}
     resources = {leaf for leaf in leaves if isinstance(leaf, Resource)}
     return Stage(
-        name=name,
+        row=row,
         inputs=inputs,
-        outputs=outputs,
         blocks=tuple(b for b in blocks if any(m.parameter in parameters for m in b.members)),
         resources=tuple(i.resource for i in shader.resources if i.resource in resources),
         functions=functions,
         region=Scheduler(roots, shader.notes, naming).schedule(),
-        position=values[0] if name == "vertex" else None,
-        results=tuple(values[1:] if name == "vertex" else values),
-        discard=discard,
+        results=outputs,
         builtin_inputs=tuple(sorted({str(n.data) for n in visible(roots) if n.op == "input"})),
         reads=texture_reads(nodes),
     )

@@ -9,7 +9,8 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program, Varying
-from ..ir.shader import AttributeInfo, Shader, TargetInfo
+from ..ir.shader import AttributeInfo, Shader
+from ..ir.stages import TARGET
 from .bytes import block_row
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint
@@ -57,7 +58,7 @@ def reflect(
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": [_varying_row(varying) for varying in program.varyings],
-        "targets": list(_target_rows(shader.targets, program)),
+        "targets": list(_target_rows(shader, program)),
         "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
     }
 
@@ -66,7 +67,7 @@ def _vertex_input_rows(
     attributes: Iterable[AttributeInfo], program: Program
 ) -> Iterable[dict[str, Any]]:
     declared = {info.attribute.name: info for info in attributes}
-    for field in program.vertex.inputs:
+    for field in program.vertex_inputs:
         info = declared[field.name]
         yield {
             "name": field.name,
@@ -89,10 +90,11 @@ def _varying_row(varying: Varying) -> dict[str, Any]:
     }
 
 
-def _target_rows(targets: Iterable[TargetInfo], program: Program) -> Iterable[dict[str, Any]]:
-    written = {field.name: field for field in program.fragment.outputs}
-    for target in targets:
-        field = written[target.name]
+def _target_rows(shader: Shader, program: Program) -> Iterable[dict[str, Any]]:
+    outputs = program.results_of(TARGET)
+    for result, output in zip(shader.results_of(TARGET), outputs, strict=True):
+        target, field = result.target, output.field
+        assert target is not None and field is not None
         yield {
             "name": target.name,
             "representation": str(field.type),

@@ -60,10 +60,6 @@ def _shifts(facts: tuple[Fact, ...]) -> bool:
     return amount.kind == "uint" and amount.hi < BITS
 
 
-def _is_unsigned(facts: tuple[Fact, ...]) -> bool:
-    return facts[0].kind == "uint"
-
-
 def _count(_facts: tuple[Fact, ...], _same: bool) -> Fact:
     return Fact(0.0, BITS, kind="int")
 
@@ -167,9 +163,6 @@ ROWS = (
             "The place of the highest bit that is set, counted from 0; in a negative `int`, of "
             "the highest that is not set. -1 where there is none."
         ),
-        domain=_is_unsigned,
-        outside="DXC takes an `int` for a `uint`, so that of an `int` is found by way of one.",
-        expansion="first_leading_bit",
         definition="first_leading_bit",
         accuracy=_TOTAL,
         cost=2,

@@ -9,6 +9,7 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir import shader as ir
 from ...compiler.reference.picture import Expected, RasterRules
 from ...frozen import changed
 from ..runner.drivers.draw import Device, Picture
@@ -45,8 +46,9 @@ class Plan:
         self._expected: dict[tuple[int, RasterRules], Expected] = {}
         self._lock = Lock()
         self._store = store
-        plain = tuple(changed(target, blend="none") for target in subject.shader.targets)
-        self._unblended = replace(subject.shader, targets=plain)
+        self._unblended = replace(
+            subject.shader, results=tuple(map(_unblended, subject.shader.results))
+        )
         self._formats = [row["format"] for row in subject.reflection["targets"]]
 
     def compared(
@@ -93,3 +95,8 @@ def rules_of(shot: Shot, device: Device, driver: Tolerance) -> RasterRules:
         bottom_up=driver.bottom_up,
         projects_cubes=driver.projects_cubes,
     )
+
+
+def _unblended(result: ir.Result) -> ir.Result:
+    """The same result, written over what is there."""
+    return changed(result, target=result.target and changed(result.target, blend="none"))

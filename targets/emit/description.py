@@ -13,7 +13,7 @@ from typing import Literal
 
 from ...compiler.ir.types import Dimension, Sample, ScalarKind, Type
 from ...frozen import EMPTY, frozen
-from ...stdlib.builtins.row import SamplerUse
+from ...stdlib.builtins.row import Domain, SamplerUse
 from .forms import Forms
 from .reserved import Reserved
 
@@ -199,6 +199,10 @@ class Profile:
     lacks: frozenset[str] = frozenset()
     """Builtins that the dialect has no word for: each becomes a function of the text, made from
     the builtin's ``definition``."""
+    agrees: Mapping[str, Domain] = EMPTY
+    """By builtin, the operands for which the dialect's own operation has Burnish's meaning, where
+    these are others than the builtin's ``domain``: fewer, if the language or a compiler of it has
+    the operation wrong, or only for some types. Elsewhere the builtin's ``definition`` is used."""
     cannot: Mapping[str, Lack] = EMPTY
     """Natives that the profile has not got, nor an exact replacement for."""
     checkers: tuple[str, ...] = ()
@@ -237,7 +241,7 @@ class Target:
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """How each of ``PIPELINE_TYPES`` is spelled."""
+    """How each of ``SYSTEM_INPUTS`` is spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
@@ -20,9 +19,6 @@ from .stage import StagePrinter
 from .textures import helpers, opening_lines
 from .views import EntryView, FileView
 from .wrapping import wrapped
-
-_SUFFIXES: Mapping[StageName, str] = {"vertex": "vert", "fragment": "frag"}
-_SINGLE_ENTRIES: Mapping[StageName, str] = {"vertex": "vs_main", "fragment": "fs_main"}
 
 
 @frozen
@@ -43,7 +39,8 @@ class EmittedFile:
 
     suffix: str
     """What follows the material's name: ``vert.glsl``."""
-    stage: StageName | Literal["both"]
+    stage: StageName
+    """``both`` for a text that holds all stages."""
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
@@ -96,7 +93,7 @@ class _Emitter:
 
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
-        names = {stage.name: _SINGLE_ENTRIES[stage.name] if single else "main" for stage in stages}
+        names = {stage.name: stage.row.entry if single else "main" for stage in stages}
         marks = Marks()
         entries = [
             StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
@@ -107,10 +104,10 @@ class _Emitter:
             # Behind a directive a statement stays in its one line, as compilers count on from it.
             text, origins = wrapped(text, origins)
         extension = self._target.extension
-        first = stages[0].name
+        first = stages[0].row
         return EmittedFile(
-            suffix=extension if single else f"{_SUFFIXES[first]}.{extension}",
-            stage="both" if single else first,
+            suffix=extension if single else f"{first.suffix}.{extension}",
+            stage="both" if single else first.name,
             entries=names,
             text=text,
             origins=origins,

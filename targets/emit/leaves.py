@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 
 from ...compiler.ir.leaves import Attribute, Parameter, Resource
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Program, Stage
+from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.types import Type, width
 from ...stdlib.builtins import BUILTINS
 from .context import Context
@@ -27,7 +27,7 @@ class Leaves:
         self._names = context.names
         self._inputs = context.inputs
         self._members = context.members
-        self._crossings = dict(_crossings(context.program)) if stage.name == "fragment" else {}
+        self._crossings = dict(_crossings(context.program.entering(stage)))
 
     def parameter(self, node: Node) -> Text:
         """A member of a uniform block, in its stored type."""
@@ -84,9 +84,11 @@ class Leaves:
         return Text(self._forms.input.format(name=name), Binding.NAME)
 
 
-def _crossings(program: Program) -> Iterator[tuple[tuple[int, Hashable], tuple[str, int, int]]]:
+def _crossings(
+    varyings: Iterable[Varying],
+) -> Iterator[tuple[tuple[int, Hashable], tuple[str, int, int]]]:
     """For each value that crosses: its slot, its first lane there, and the slot's lanes."""
-    for varying in program.varyings:
+    for varying in varyings:
         first = 0
         total = width(varying.field.type)
         for value in varying.values:

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Block, Field, Function, Program, Stage, StageName
+from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
 from .description import Target
 from .namer import Namer
@@ -129,7 +130,7 @@ class _Naming:
         """Inputs and outputs: names of the whole file, or of the structs they are members of."""
         target, program = self._target, self._program
         shared = self._module.inner() if target.global_fields else None
-        supplied = (*program.vertex.builtin_inputs, *program.fragment.builtin_inputs)
+        supplied = [name for stage in program.stages for name in stage.builtin_inputs]
         taken = () if shared else supplied
 
         def declare(fields: Iterable[Field], prefix: str = "") -> dict[str, str]:
@@ -137,11 +138,12 @@ class _Naming:
             names = dict.fromkeys(field.name for field in fields)
             return {name: namer.declare(prefix + name) for name in names}
 
-        crossing = (*program.vertex.outputs, *program.fragment.inputs)
+        crossing = [field for face in program.interfaces for field in face.fields]
+        written = [output.field for output in program.results_of(TARGET) if output.field]
         return _Fields(
-            attributes=declare(program.vertex.inputs),
+            attributes=declare(program.vertex_inputs),
             varyings=declare(crossing, target.varying_prefix),
-            targets=declare(program.fragment.outputs, target.output_prefix),
+            targets=declare(written, target.output_prefix),
         )
 
     def _functions(self, fields: _Fields) -> dict[tuple[StageName, Node], str]:

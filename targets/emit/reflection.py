@@ -64,7 +64,7 @@ def backend_table(
                 names.attributes[field.name],
                 target.semantic("attribute", field.name, field.location),
             )
-            for field in program.vertex.inputs
+            for field in program.vertex_inputs
         },
         host_uniforms=emission.host_uniforms,
         clip_depth=profile.framebuffer.clip_depth,

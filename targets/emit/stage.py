@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Stage
+from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET, VARYING
 from .comments import comment_line, comment_lines
 from .context import Context
 from .declarations import Declarations
@@ -14,6 +17,9 @@ from .namer import Namer
 from .origins import Marks
 from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
+
+_ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "target"}
+"""What an output's field is to a language, by the kind of result."""
 
 
 class StagePrinter:
@@ -34,8 +40,8 @@ class StagePrinter:
         self._names = names
         self._types = context.types
         self._leaves = Leaves(context, stage)
-        self._input_role: FieldRole = "attribute" if stage.name == "vertex" else "varying"
-        self._output_role: FieldRole = "varying" if stage.name == "vertex" else "target"
+        is_first = stage.row == context.program.stages[0].row
+        self._input_role: FieldRole = "attribute" if is_first else "varying"
         self._functions = {
             function.body: (names.function(stage.name, function.body), function)
             for function in stage.functions
@@ -49,23 +55,26 @@ class StagePrinter:
         expressions, statements = self._body(namer)
         functions = [self._function(function) for function in stage.functions]
         lines = statements.lines(stage.region)
-        outputs = [self._field(field, self._output_role) for field in stage.outputs]
+        stored = [
+            (self._field(output.field, _ROLES[output.kind]), output.value)
+            for output in stage.results
+            if output.field is not None
+        ]
         return EntryView(
             stage=stage.name,
             name=name,
             inputs=[self._field(field, self._input_role) for field in stage.inputs],
             pipeline_inputs=self._pipeline_inputs(),
-            outputs=outputs,
+            outputs=[field for field, _ in stored],
             blocks=self._declarations.blocks((stage,)),
             textures=self._declarations.textures((stage,)),
             functions=functions,
             lines=lines,
             stores=[
-                StoreView(field.name, self._value(expressions, node))
-                for field, node in zip(outputs, stage.results, strict=True)
+                StoreView(field.name, self._value(expressions, node)) for field, node in stored
             ],
-            position=self._value(expressions, stage.position),
-            discard=self._discard(expressions, stage.discard),
+            position=self._value(expressions, stage.value_of(CLIP_POSITION)),
+            discard=self._discard(expressions, stage.value_of(DISCARD)),
         )
 
     def _discard(self, expressions: Expressions, condition: Node | None) -> list[str]:
@@ -113,7 +122,11 @@ class StagePrinter:
             return self._names.locals(())
         fields = [
             *(self._field_name(field, self._input_role) for field in self._stage.inputs),
-            *(self._field_name(field, self._output_role) for field in self._stage.outputs),
+            *(
+                self._field_name(output.field, _ROLES[output.kind])
+                for output in self._stage.results
+                if output.field is not None
+            ),
         ]
         return self._names.locals(fields)
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.types import BOOL, INT, VEC4
+from ...stdlib.builtins.facts import Fact
+from ...stdlib.builtins.row import Domain
 from ..emit.description import (
     Framebuffer,
     Lack,
@@ -113,6 +116,15 @@ FRAG_COORD_FROM_TOP = PipelineInput(
     host_uniform="viewport_height",
 )
 
+
+def is_float(facts: tuple[Fact, ...]) -> bool:
+    """Whether the operands are floats."""
+    return facts[0].kind == "float"
+
+
+AGREES: Mapping[str, Domain] = {"dot": is_float}
+"""GLSL has no inner product of integers."""
+
 LACKS = frozenset({"count_bits", "reverse_bits", "first_leading_bit", "first_trailing_bit"})
 """What came with GLSL 4.00 and ES 3.10."""
 
@@ -126,6 +138,7 @@ VULKAN = Profile(
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
     preamble=("#version 450",),
+    agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),
     requires=dict.fromkeys(
         ("load", "texture_size", "texture_layers", "texture_levels"),
@@ -165,6 +178,7 @@ OPENGL = Profile(
     varyings_by_name=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
+    agrees=AGREES,
     cannot=CANNOT,
     checkers=("glslang-gl330",),
 )
@@ -185,6 +199,7 @@ ES = Profile(
     varyings_by_name=True,
     natives=WITHOUT_FMA,
     lacks=LACKS,
+    agrees=AGREES,
     cannot=CANNOT,
     checkers=("glslang-es300",),
 )

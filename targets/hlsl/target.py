@@ -8,6 +8,8 @@ from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...stdlib.builtins.facts import Fact
+from ...stdlib.builtins.row import Domain
 from ..emit.description import (
     FieldRole,
     Limits,
@@ -163,10 +165,19 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     return f"ATTRIBUTE_{word}" if re.match("SV_", word) else word
 
 
+def is_unsigned(facts: tuple[Fact, ...]) -> bool:
+    """Whether the first operand is a `uint`."""
+    return facts[0].kind == "uint"
+
+
+AGREES: Mapping[str, Domain] = {"first_leading_bit": is_unsigned}
+"""DXC takes the `int` of a `firstbithigh` for a `uint`."""
+
 SM6 = Profile(
     name="sm6",
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
+    agrees=AGREES,
     limits=Limits(varyings=31, block_bytes=65536),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...compiler.ir.program import Program, TextureRead
+from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
 from ..emit.description import Lack, Profile
 from ..emit.textures import sampler_use
@@ -21,16 +22,17 @@ class Excess:
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     """The limits that a program does not keep."""
-    textures = max(len(stage.resources) for stage in (program.vertex, program.fragment))
+    textures = max(len(stage.resources) for stage in program.stages)
     # A location counts also where nothing is read at those before it.
-    inputs = max((field.location + 1 for field in program.vertex.inputs), default=0)
+    inputs = max((field.location + 1 for field in program.vertex_inputs), default=0)
+    varyings = max((len(face.varyings) for face in program.interfaces), default=0)
     block = max((block.size for block in program.blocks), default=0)
     for what, count, limit in (
-        ("varyings", len(program.varyings), profile.limits.varyings),
+        ("varyings", varyings, profile.limits.varyings),
         ("vertex inputs", inputs, profile.limits.attributes),
         ("textures", textures, profile.limits.textures),
         ("bytes in a uniform block", block, profile.limits.block_bytes),
-        ("render targets", len(program.fragment.outputs), profile.limits.render_targets),
+        ("render targets", len(program.results_of(TARGET)), profile.limits.render_targets),
     ):
         if count > limit:
             yield Excess(what, count, limit)

@@ -10,22 +10,22 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Literal, Protocol
+from typing import Protocol
 
 from ...compiler.diagnostics.source import Span
+from ...compiler.ir.program import StageName
+from ...compiler.ir.stages import RASTERISED
 from ..toolchain import Job, Message, Toolchain, Verdict
 from ..toolchain import __file__ as toolchain_file
 from .drivers.draw import Code
 from .routes import Route
 from .store import Store, digest, digest_of_sources
 
-Stage = Literal["vertex", "fragment"]
-
 STORE = "spirv"
 """The name of the store that keeps modules."""
 
-_STAGES: Mapping[Stage, str] = {"vertex": "vert", "fragment": "frag"}
-"""The checkers' words for the stages."""
+_STAGES: Mapping[StageName, str] = {row.name: row.suffix for row in RASTERISED}
+"""The stages that a driver runs, and the checkers' words for them."""
 
 
 class ShaderFile(Protocol):
@@ -44,7 +44,7 @@ class ShaderFile(Protocol):
         """``vulkan``."""
 
     @property
-    def entry_points(self) -> Mapping[Stage, str]:
+    def entry_points(self) -> Mapping[StageName, str]:
         """Entry point of each stage in the text."""
 
     @property
@@ -117,7 +117,7 @@ def _make(jobs: Sequence[Job], toolchain: Toolchain) -> dict[Job, bytes | Verdic
 
 
 def _codes(request: Request, made: Mapping[Job, bytes | Verdict]) -> Codes | CodeError:
-    codes: dict[Stage, Code] = {}
+    codes: dict[StageName, Code] = {}
     for stage in _STAGES:
         file = _file(request, stage)
         entry = file.entry_points[stage]
@@ -131,7 +131,7 @@ def _codes(request: Request, made: Mapping[Job, bytes | Verdict]) -> Codes | Cod
     return Codes(**codes)
 
 
-def _file(request: Request, stage: Stage) -> ShaderFile:
+def _file(request: Request, stage: StageName) -> ShaderFile:
     profile = request.route.profile
     for file in request.files:
         if f"{file.target}:{file.profile}" == profile and stage in file.entry_points:
@@ -139,7 +139,7 @@ def _file(request: Request, stage: Stage) -> ShaderFile:
     raise KeyError(f"no {stage} text for {profile}, which {request.route.name} draws")
 
 
-def _job(request: Request, stage: Stage) -> Job:
+def _job(request: Request, stage: StageName) -> Job:
     route, file = request.route, _file(request, stage)
     entry = file.entry_points[stage]
     return Job(route.compiler or "", _STAGES[stage], file.text, entry, file.name, route.flags)

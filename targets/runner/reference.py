@@ -48,10 +48,8 @@ def _whole(geometry: Geometry, shader: Shader) -> Geometry:
 
     Should it be wrong, they show.
     """
-    roots = [shader.clip_position, *(target.value for target in shader.targets)]
-    nodes = reachable([*roots, *([shader.discard] if shader.discard else [])])
     attributes = dict(geometry.attributes)
-    for node in nodes:
+    for node in reachable(shader.roots):
         if isinstance(node.data, Attribute) and node.data.name not in attributes:
             shape = geometry.vertex_count, width(node.data.type)
             numbers = np.rint(100 * np.sin(np.arange(np.prod(shape)))).reshape(shape)
@@ -82,11 +80,12 @@ def _digest(shader: Shader, shot: Shot, rules: RasterRules) -> str:
 
 def _graph_text(shader: Shader) -> str:
     """Everything that the reference reads of a shader."""
-    values = [target.value for target in shader.targets]
-    roots = [shader.clip_position, *values, *([shader.discard] if shader.discard else ())]
-    nodes = map(repr, reachable(roots))
-    blends = [(target.format, target.blend) for target in shader.targets]
-    return "\n".join([*nodes, repr([root.id for root in roots]), repr(blends)])
+    nodes = map(repr, reachable(shader.roots))
+    results = [
+        (r.kind, r.stage.name, r.value.id, r.target and (r.target.format, r.target.blend))
+        for r in shader.results
+    ]
+    return "\n".join([*nodes, repr(results)])
 
 
 @cache

@@ -57,5 +57,4 @@ def row(studio: Studio, name: str, route: str) -> Row:
 def called(name: str) -> frozenset[str]:
     """The builtins that one of ``NAMES`` calls."""
     shader = compiled(name).shader
-    roots = [shader.clip_position, *(target.value for target in shader.targets)]
-    return frozenset(str(node.data) for node in reachable(roots) if node.op == "call")
+    return frozenset(str(node.data) for node in reachable(shader.roots) if node.op == "call")

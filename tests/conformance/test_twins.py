@@ -25,7 +25,7 @@ from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.compare import compare
 from burnish.targets.conformance.plan import rules_of
 from burnish.targets.conformance.tolerances import DRIVERS
-from burnish.targets.runner.codes import Codes, Stage, compile_one
+from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.draw import BlockSlot, Job, Pipeline, Place, Target, VertexInput
 from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
 from burnish.targets.runner.pipeline import pipeline
@@ -52,7 +52,7 @@ class Text:
     name: str
     target: str
     profile: str
-    entry_points: Mapping[Stage, str]
+    entry_points: Mapping[str, str]
     text: str
     spans: Mapping[int, Span] = field(default_factory=dict)
 
@@ -67,7 +67,7 @@ def texts(profile: str) -> tuple[Text, ...]:
         )
     text = (FOLDER / "twins" / f"phong.{target}").read_text(encoding="utf-8")
     if target == "hlsl":
-        entries: dict[Stage, str] = {"vertex": "vsmain", "fragment": "main"}
+        entries: dict[str, str] = {"vertex": "vsmain", "fragment": "main"}
         # By Direct3D's rules it lies in the last lane of the matrix, and by Vulkan's behind it.
         text = text.replace(" float p;", "")
     else:
@@ -75,7 +75,7 @@ def texts(profile: str) -> tuple[Text, ...]:
     return (Text(f"phong.{target}", target, dialect, entries, text),)
 
 
-_SUFFIXES: Mapping[Stage, str] = {"vertex": "vert", "fragment": "frag"}
+_SUFFIXES: Mapping[str, str] = {"vertex": "vert", "fragment": "frag"}
 _HEADERS = {
     "gl330": "#version 330 core",
     "es300": "#version 300 es\nprecision highp float;\nprecision highp int;",

@@ -6,16 +6,27 @@ from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
 from burnish.compiler.ir.node import Graph, Node
-from burnish.compiler.ir.program import Field, Program, Region, Stage, TextureRead, Varying
+from burnish.compiler.ir.program import (
+    Field,
+    Interface,
+    Output,
+    Program,
+    Region,
+    Stage,
+    TextureRead,
+    Varying,
+)
 from burnish.compiler.ir.shader import (
     AttributeInfo,
     Lanes,
     Notes,
     ParameterInfo,
+    RenderTarget,
     ResourceInfo,
+    Result,
     Shader,
-    TargetInfo,
 )
+from burnish.compiler.ir.stages import CLIP_POSITION, FRAGMENT, TARGET, VARYING, VERTEX
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -113,9 +124,10 @@ SHADER = Shader(
     parameters=PARAMETERS,
     resources=(ResourceInfo(ALBEDO, "Multiplies the base colour", HERE),),
     attributes=(AttributeInfo(UV, "vec2", "Texture coordinates", HERE),),
-    clip_position=_ORIGIN,
-    targets=(TargetInfo("color", "rgba8", "none", _ORIGIN, "", HERE),),
-    discard=None,
+    results=(
+        Result(CLIP_POSITION, VERTEX, _ORIGIN),
+        Result(TARGET, FRAGMENT, _ORIGIN, RenderTarget("color", "rgba8", "none", "", HERE)),
+    ),
 )
 
 _SLOT = Field("uv", VEC2, 0)
@@ -123,34 +135,30 @@ _SLOT = Field("uv", VEC2, 0)
 PROGRAM = Program(
     name="Lit",
     doc="A little plastic.",
-    vertex=Stage(
-        name="vertex",
-        inputs=(Field("uv", VEC2, 0),),
-        outputs=(_SLOT,),
-        blocks=(),
-        resources=(),
-        functions=(),
-        region=Region(()),
-        position=_ORIGIN,
-        results=(_UV_NODE,),
-        discard=None,
-    ),
-    fragment=Stage(
-        name="fragment",
-        inputs=(_SLOT,),
-        outputs=(Field("color", VEC4, 0),),
-        blocks=_BLOCKS,
-        resources=(ALBEDO,),
-        reads=(TextureRead("sample", ALBEDO, 0),),
-        functions=(),
-        region=Region(()),
-        position=None,
-        results=(_ORIGIN,),
-        discard=None,
+    stages=(
+        Stage(
+            row=VERTEX,
+            inputs=(Field("uv", VEC2, 0),),
+            blocks=(),
+            resources=(),
+            functions=(),
+            region=Region(()),
+            results=(Output(CLIP_POSITION, _ORIGIN), Output(VARYING, _UV_NODE, _SLOT)),
+        ),
+        Stage(
+            row=FRAGMENT,
+            inputs=(_SLOT,),
+            blocks=_BLOCKS,
+            resources=(ALBEDO,),
+            reads=(TextureRead("sample", ALBEDO, 0),),
+            functions=(),
+            region=Region(()),
+            results=(Output(TARGET, _ORIGIN, Field("color", VEC4, 0)),),
+        ),
     ),
     blocks=_BLOCKS,
     resources=(ALBEDO,),
-    varyings=(Varying(_SLOT, (_UV_NODE,)),),
+    interfaces=(Interface("vertex", "fragment", (Varying(_SLOT, (_UV_NODE,)),)),),
 )
 
 BACKENDS = {

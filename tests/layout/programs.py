@@ -8,8 +8,9 @@ from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import HostPlace, Parameter
 from burnish.compiler.ir.node import Graph, Node
-from burnish.compiler.ir.program import Block, Field, Program, Region, Stage
+from burnish.compiler.ir.program import Block, Field, Output, Program, Region, Stage
 from burnish.compiler.ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
+from burnish.compiler.ir.stages import CLIP_POSITION, FRAGMENT, TARGET, VERTEX
 from burnish.compiler.ir.storage import alignment, byte_size, stored_type
 from burnish.compiler.ir.types import VEC4, Type
 from burnish.compiler.layout import layout_blocks
@@ -52,28 +53,23 @@ def extern_program_of(declared: Sequence[tuple[Type, int]]) -> Program:
 
 def _showing(graph: Graph, blocks: tuple[Block, ...], shown: Node) -> Program:
     nothing = Region(())
+    origin = constant(graph, VEC4, (0.0, 0.0, 0.0, 1.0))
     vertex = Stage(
-        name="vertex",
+        row=VERTEX,
         inputs=(),
-        outputs=(),
         blocks=(),
         resources=(),
         functions=(),
         region=nothing,
-        position=constant(graph, VEC4, (0.0, 0.0, 0.0, 1.0)),
-        results=(),
-        discard=None,
+        results=(Output(CLIP_POSITION, origin),),
     )
     fragment = Stage(
-        name="fragment",
+        row=FRAGMENT,
         inputs=(),
-        outputs=(Field("color", VEC4, 0),),
         blocks=blocks,
         resources=(),
         functions=(),
         region=nothing,
-        position=None,
-        results=(shown,),
-        discard=None,
+        results=(Output(TARGET, shown, Field("color", VEC4, 0)),),
     )
-    return Program("Sample", "", vertex, fragment, blocks, (), ())
+    return Program("Sample", "", (vertex, fragment), blocks, (), ())

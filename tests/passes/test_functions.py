@@ -21,7 +21,7 @@ WAVE = "fn wave(x: float, k: float) -> float = sin(x) * cos(x * x) + k * sin(x *
 
 def functions(text: str) -> list[str]:
     """The names of the fragment stage's functions, in order."""
-    return [f.name for f in history(shader(text)).staged.program.fragment.functions]
+    return [f.name for f in history(shader(text)).staged.program.stage("fragment").functions]
 
 
 SHARED = {
@@ -109,7 +109,7 @@ def test_what_depends_on_parameters_leaves_the_shader() -> None:
     material M { param a : mat3; param b : mat3; color = turned(a, turned(b, normal)) }
     """
     past = history(shader(text))
-    assert "turned" not in [f.name for f in past.staged.program.fragment.functions]
+    assert "turned" not in [f.name for f in past.staged.program.stage("fragment").functions]
     assert len(past.staged.derived) >= 2
 
 
@@ -144,7 +144,7 @@ PASSED = {
 @pytest.mark.parametrize(("of_each", "color", "names"), PASSED.values(), ids=PASSED)
 def test_what_a_body_needs_of_its_caller(of_each: str, color: str, names: list[str]) -> None:
     text = LIT.format(of_each=of_each, color=color)
-    *_, lit = history(shader(text)).staged.program.fragment.functions
+    *_, lit = history(shader(text)).staged.program.stage("fragment").functions
     assert [formal.name for formal, _type in lit.parameters] == [
         "diffuse", "to_light", *names, "normal"
     ]  # fmt: skip

@@ -19,7 +19,7 @@ from .kit import calls, history, ops, shader
 def facts(text: str) -> dict[str, Fact]:
     """What is known in every turn of the variables in a material's text, by their names."""
     given = shader(f"material M {{ {text} }}")
-    roots = [given.clip_position, *(target.value for target in given.targets)]
+    roots = given.roots
     opened = open_binders(given.graph, roots, given.notes)
     ranges = Ranges(opened)
     return {_name(node): ranges.of(node) for node in ops(opened, "formal")}

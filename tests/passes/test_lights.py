@@ -28,7 +28,7 @@ def test_the_terms_of_one_light_are_one_function() -> None:
     calls = ops(past.roots["fuse"], "apply")
     assert len(calls) == 3
     assert len({call.operands[0] for call in calls}) == 1
-    names = [function.name for function in past.staged.program.fragment.functions]
+    names = [function.name for function in past.staged.program.stage("fragment").functions]
     assert names == ["safe_normalize", "lambert_phong"]
 
 
@@ -38,7 +38,7 @@ def test_a_term_that_ends_in_a_guard_keeps_its_name() -> None:
         "material M { color = ours(vec3(0.5)) }\n"
         "rig R { one : Point; two : Point }"
     )
-    names = [function.name for function in past.staged.program.fragment.functions]
+    names = [function.name for function in past.staged.program.stage("fragment").functions]
     assert names == ["safe_normalize", "ours"]
 
 
@@ -61,13 +61,13 @@ def test_lights_that_share_an_argument_keep_their_own() -> None:
 
 def test_a_body_that_is_used_once_is_written_out() -> None:
     past = compiled(TWO_TERMS + "rig R { sun : Directional }")
-    names = [function.name for function in past.staged.program.fragment.functions]
+    names = [function.name for function in past.staged.program.stage("fragment").functions]
     assert names == ["safe_normalize"], "what normal and to_eye both need is all that is left"
 
 
 def test_functions_are_closed_but_for_uniforms() -> None:
     past = compiled(TWO_TERMS + "rig R { one : Point; two : Point }")
-    function = past.staged.program.fragment.functions[-1]
+    function = past.staged.program.stage("fragment").functions[-1]
     formals = {formal for formal, _ in function.parameters}
     assert {node.data for node in ops([function.value], "formal")} <= formals
     assert not ops([function.value], "interpolate")
@@ -75,7 +75,7 @@ def test_functions_are_closed_but_for_uniforms() -> None:
 
 def test_a_counted_rig_is_one_loop_with_its_bound() -> None:
     past = compiled(TWO_TERMS + "rig R { lamps : Point[<= 8] }")
-    statements = past.staged.program.fragment.region.statements
+    statements = past.staged.program.stage("fragment").region.statements
     (loop,) = [statement for statement in statements if isinstance(statement, Loop)]
     assert loop.bound == 8
     assert "lamps.count" in repr(loop.count)

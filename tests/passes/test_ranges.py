@@ -57,7 +57,7 @@ class OverflowedError(Exception):
 
 def broken(given_shader: Shader, world: World, *, single: bool) -> list[str]:
     """The values that lie outside, with every operation rounded to float32 if ``single``."""
-    roots = [given_shader.clip_position, *(target.value for target in given_shader.targets)]
+    roots = given_shader.roots
     roots = open_binders(given_shader.graph, roots, given_shader.notes)
     ranges = Ranges(roots)
     found: list[str] = []

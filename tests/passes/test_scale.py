@@ -9,6 +9,7 @@ import pytest
 import burnish
 from burnish.compiler.ir import binding
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node, reachable
+from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import FLOAT
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference.evaluate import evaluate
@@ -49,7 +50,7 @@ def test_a_long_else_if_nests_no_deeper_than_front_ends_take(target: str) -> Non
 
 def test_a_long_chain_of_equations_compiles() -> None:
     given = shader(chain(LONG))
-    assert len(reachable([given.targets[0].value])) > 3 * LONG
+    assert len(reachable([given.results_of(TARGET)[0].value])) > 3 * LONG
     stage(given, Options())
 
 
@@ -74,7 +75,7 @@ def test_equal_folds_are_one_node() -> None:
     }
     """
     (given,) = shaders(text)
-    folds = ops([given.targets[0].value], "fold")
+    folds = ops([given.results_of(TARGET)[0].value], "fold")
     assert len(folds) == 1
     assert isinstance(folds[0].data, Folding) and folds[0].data.bound == 5
 

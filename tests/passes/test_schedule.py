@@ -18,7 +18,7 @@ Inner = TypeVar("Inner", Branch, Loop)
 
 def region(text: str) -> Region:
     """The fragment stage of a material's text."""
-    return history(shader(f"material M {{ {text} }}")).staged.program.fragment.region
+    return history(shader(f"material M {{ {text} }}")).staged.program.stage("fragment").region
 
 
 def everywhere(region: Region) -> Iterator[Statement]:

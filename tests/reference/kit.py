@@ -11,6 +11,7 @@ import numpy as np
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.shader import Shader
+from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.reference.picture import (
     Expected,
@@ -118,5 +119,5 @@ def picture(
         {**white, **(textures or {})},
         mesh,
         rules,
-        [clear] * len(given.targets),
+        [clear] * len(given.results_of(TARGET)),
     )

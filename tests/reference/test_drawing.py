@@ -11,6 +11,7 @@ import pytest
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.picture import Geometry, RasterRules
+from burnish.frozen import changed
 
 from ..passes.kit import history
 from .kit import columns, geometry, moved, perspective, picture, shader, sphere
@@ -277,10 +278,8 @@ def test_passes_keep_the_picture() -> None:
     past = history(given, Options(hoist=False))
     for name in ("open_binders", "fuse", "inline", "guard", "move_to_vertices"):
         roots = past.roots[name]
-        given.clip_position = roots[0]
-        given.targets = tuple(
-            type(t)(t.name, t.format, t.blend, root, t.doc, t.span)
-            for t, root in zip(given.targets, roots[1:], strict=True)
+        given.results = tuple(
+            changed(result, value=root) for result, root in zip(given.results, roots, strict=True)
         )
         after = picture(given, sphere(16, 8), at(24), **values)
         apart = np.abs(after.targets[0] - before.targets[0]).max(axis=-1)

@@ -12,6 +12,7 @@ from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.shader import Shader
+from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.evaluate import Leaves, evaluate
 from burnish.compiler.reference.namespace import Lanes
 
@@ -98,7 +99,7 @@ def color(
 ) -> Lanes:
     """The colour that a text means."""
     whole = shader(source, rig, pass_)
-    return at(whole, whole.targets[0].value, given)[:3]
+    return at(whole, whole.results_of(TARGET)[0].value, given)[:3]
 
 
 def lanes(expression: str, members: str = "", head: str = "", /, **given: Lanes) -> Lanes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.namespace import Lanes
 
 from .kit import lanes, number, shader
@@ -78,7 +79,7 @@ def test_lights_inside_of_loops() -> None:
     material M { color = iterate c from vec3(0) up to 3 : c + counted() }
     rig R { a : Point, b : Point[3] }
     """
-    assert shader(text).targets
+    assert shader(text).results_of(TARGET)
 
 
 def test_loops_inside_of_lights() -> None:

@@ -9,6 +9,7 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.meaning import RGB, Meaning
 from burnish.compiler.ir.node import reachable
+from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import Type
 from burnish.compiler.semantics.declarations import contracts
 from burnish.compiler.semantics.types import meaning_rules
@@ -84,7 +85,7 @@ def test_a_light_sees_its_own_transform_before_the_surface() -> None:
     material M { color = shown() }
     """
     whole = shader(source)
-    assert whole.targets
+    assert whole.results_of(TARGET)
 
 
 GENERICS = """
@@ -263,7 +264,7 @@ def test_every_check_of_a_declaration_finds_something(
 
 def test_no_ascription_is_left() -> None:
     whole = shader("material M { color = (vec3(normal) as rgb) + #fff * sin(20deg) }")
-    roots = [whole.clip_position, *(target.value for target in whole.targets)]
+    roots = whole.roots
     assert all(node.op != "as" for node in reachable(roots))
 
 

@@ -8,6 +8,7 @@ import pytest
 
 import burnish
 from burnish.compiler.ir.node import reachable
+from burnish.compiler.ir.stages import DISCARD, TARGET
 
 from .kit import Given, amid, color, shader
 
@@ -86,8 +87,8 @@ def test_mixins_for_passes() -> None:
     material Made { color = vec3(0.25) }
     """
     whole = shader(text, pass_="Twice")
-    assert whole.discard is not None
-    assert [target.name for target in whole.targets] == ["color"]
+    assert whole.results_of(DISCARD)
+    assert [r.target and r.target.name for r in whole.results_of(TARGET)] == ["color"]
 
 
 def test_attributes_that_two_mixins_bring_along_are_one() -> None:
@@ -128,7 +129,7 @@ CORNERS: list[Given] = [
 
 def test_a_matrix_of_the_vertices_crosses_column_by_column() -> None:
     whole = shader("material M { attribute turn : mat2  color = vec3(turn * vec2(1, 10), 0) }")
-    value = amid(whole, whole.targets[0].value, CORNERS)
+    value = amid(whole, whole.results_of(TARGET)[0].value, CORNERS)
     assert value[:2] == pytest.approx((2 + 10 * 4, 4 + 10 * 6))
 
 
@@ -143,7 +144,7 @@ def test_what_each_instance_has_is_not_interpolated() -> None:
     whole = shader(text)
     modes = {
         getattr(node.operands[0].data, "name", node.operands[0].data): node.data
-        for node in reachable([whole.targets[0].value])
+        for node in reachable([whole.results_of(TARGET)[0].value])
         if node.op == "interpolate"
     }
     assert modes == {

@@ -6,6 +6,7 @@ import pytest
 
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.shader import Shader
+from burnish.compiler.ir.stages import DISCARD, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
 from .kit import Given, Painted, at, shader
@@ -21,7 +22,7 @@ def drawn(pass_: str, material: str = MATERIAL) -> Shader:
 def outputs(pass_: str, given: Given | None = None, material: str = MATERIAL) -> list[Lanes]:
     """What a pass writes to its targets."""
     whole = drawn(pass_, material)
-    return [at(whole, target.value, given) for target in whole.targets]
+    return [at(whole, result.value, given) for result in whole.results_of(TARGET)]
 
 
 OVERRIDES: dict[str, Lanes] = {
@@ -34,6 +35,12 @@ OVERRIDES: dict[str, Lanes] = {
     "sheen = 3.0  color = vec3(sheen, material.sheen, 0)": (3, 0.75, 0, 0.25),
     "param width : float = 2  alpha = width": (0.5, 0.75, 0, 2),
 }
+
+
+def states(whole: Shader) -> list[tuple[str, str, str]]:
+    """Name, format and blending of each render target."""
+    targets = [result.target for result in whole.results_of(TARGET)]
+    return [(target.name, target.format, target.blend) for target in targets if target]
 
 
 @pytest.mark.parametrize(("slots", "expected"), OVERRIDES.items(), ids=OVERRIDES)
@@ -63,7 +70,7 @@ pass P blend add {
 
 def test_several_targets() -> None:
     assert outputs(MANY) == [(0.5, 0.75, 0, 0.25), (0.5,), (0.25, 0.75)]
-    rows = [(target.name, target.format, target.blend) for target in drawn(MANY).targets]
+    rows = states(drawn(MANY))
     assert rows == [("light", "rgba16f", "add"), ("depth", "r32f", "none"), ("coord", "rg8", "add")]
 
 
@@ -73,7 +80,7 @@ def test_an_heir_replaces_a_target_and_adds_others() -> None:
         pass P : B { target three : r8 = 3  target one : r16f = 4 blend multiply
                      clip_position = vec4(position, 1) }
     """
-    rows = [(target.name, target.format, target.blend) for target in drawn(heir).targets]
+    rows = states(drawn(heir))
     assert rows == [("one", "r16f", "multiply"), ("two", "r8", "alpha"), ("three", "r8", "alpha")]
     assert outputs(heir) == [(4,), (2,), (3,)]
 
@@ -90,8 +97,8 @@ DISCARDS: dict[tuple[float, float], bool] = {
 def test_discards_are_joined(coordinate: Lanes, expected: bool) -> None:
     passes = "abstract pass B : Forward { discard when uv.x > 0.5 }\n"
     whole = drawn(passes + "pass P : B { discard when uv.y > 0.5 }")
-    assert whole.discard is not None
-    assert at(whole, whole.discard, {"vertex_uv": coordinate}) == (expected,)
+    (discard,) = whole.results_of(DISCARD)
+    assert at(whole, discard.value, {"vertex_uv": coordinate}) == (expected,)
 
 
 def test_leaves_of_a_pass_are_not_those_of_its_material() -> None:
@@ -104,7 +111,7 @@ def test_leaves_of_a_pass_are_not_those_of_its_material() -> None:
         "t": (Painted(lambda _u, _v: (1, 10, 100, 1)),),
         "P.t": (Painted(lambda _u, _v: (1, 2, 3, 1)),),
     }
-    assert at(whole, whole.targets[0].value, given)[:3] == (6, 120, 1800)
+    assert at(whole, whole.results_of(TARGET)[0].value, given)[:3] == (6, 120, 1800)
 
 
 def test_an_attribute_of_both_is_one() -> None:

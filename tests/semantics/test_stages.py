@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
 from .kit import Given, amid, at, shader
@@ -38,7 +39,7 @@ def middle(expression: str) -> float:
     """An expression's value in the middle of ``CORNERS``."""
     members = "param k : float = 7  attribute mark : int  squared = uv.x * uv.x"
     whole = shader(f"material M {{ {members}  color = vec3({expression}) }}")
-    value = amid(whole, whole.targets[0].value, CORNERS)[0]
+    value = amid(whole, whole.results_of(TARGET)[0].value, CORNERS)[0]
     assert isinstance(value, float)
     return value
 
@@ -54,7 +55,7 @@ def crossings(root: Node) -> list[Node]:
 
 def test_what_does_not_vary_does_not_cross() -> None:
     whole = shader("material M { param k : float = 7  color = vec3(@vertex sqrt(k)) }")
-    assert not crossings(whole.targets[0].value)
+    assert not crossings(whole.results_of(TARGET)[0].value)
 
 
 def test_nothing_crosses_on_the_way_to_the_clip_position() -> None:
@@ -64,19 +65,19 @@ def test_nothing_crosses_on_the_way_to_the_clip_position() -> None:
         clip_position = vec4(moved, 1)
     }"""
     whole = shader(text)
-    assert not crossings(whole.clip_position)
-    assert at(whole, whole.clip_position, CORNERS[1]) == (0, 12, 0, 1)
+    assert not crossings(whole.results_of(CLIP_POSITION)[0].value)
+    assert at(whole, whole.results_of(CLIP_POSITION)[0].value, CORNERS[1]) == (0, 12, 0, 1)
 
 
 def test_the_default_clip_position_is_that_of_the_camera() -> None:
     whole = shader("material M {}")
     columns: Lanes = ((2.0, 0.0, 0.0, 0.0), (0.0, 2.0, 0.0, 0.0), (0.0, 0.0, 2.0, 0.0))
     given = {"view_projection": (*columns, (1.0, 0.0, 0.0, 1.0))}
-    assert at(whole, whole.clip_position, given) == (2, 0.5, 0, 1)
+    assert at(whole, whole.results_of(CLIP_POSITION)[0].value, given) == (2, 0.5, 0, 1)
 
 
 def test_booleans_and_integers_cross_without_interpolation() -> None:
     text = "material M { attribute n : ivec2  color = if @vertex (n.x > 0) then 0 else vec3(n.y) }"
     whole = shader(text.replace("vec3(n.y)", "vec3(float(n.y))"))
-    modes = {node.data for node in crossings(whole.targets[0].value)}
+    modes = {node.data for node in crossings(whole.results_of(TARGET)[0].value)}
     assert modes == {"flat"}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
 from burnish.compiler.ir.types import Texture
 
 from .kit import shader
@@ -52,7 +53,7 @@ def reads(expression: str, type_: str = "vec4", more: str = "") -> list[Node]:
     """The reads in a material whose colour is an expression."""
     form = LANES.get(type_) or f"vec3(float({INTEGERS[type_]}))"
     text = f"material M {{ {MAPS} {more} color = {form.format(expression)} }}"
-    nodes = reachable(target.value for target in shader(text).targets)
+    nodes = reachable(result.value for result in shader(text).results_of(TARGET))
     return [node for node in nodes if any(isinstance(o.type, Texture) for o in node.operands)]
 
 
@@ -72,7 +73,7 @@ def test_a_texture_is_read_through_a_function() -> None:
     text = f"""
     fn twice<T: textures>(t: T, p: vec2) = t.level(p, 1) + t.level(p, 2)
     material M {{ {MAPS} color = twice(colors, uv).rgb }}"""
-    nodes = reachable(target.value for target in shader(text).targets)
+    nodes = reachable(result.value for result in shader(text).results_of(TARGET))
     assert [node.data for node in nodes if node.op == "call"].count("sample_level") == 2
 
 
@@ -81,7 +82,7 @@ def test_a_texture_of_the_base_is_read_by_its_methods() -> None:
     abstract material B {{ {MAPS} }}
     material M : B {{ color = inherited.colors.level(uv, 1).rgb }}"""
     assert "sample_level" in [
-        node.data for node in reachable(target.value for target in shader(text).targets)
+        node.data for node in reachable(result.value for result in shader(text).results_of(TARGET))
     ]
 
 
@@ -91,4 +92,5 @@ def test_a_read_that_names_its_level_moves_vertices() -> None:
         map heights : texture2d
         position = @vertex (inherited.position + heights.level(uv, 0).rgb)
     }""")
-    assert "sample_level" in [node.data for node in reachable([given.clip_position])]
+    (position,) = given.results_of(CLIP_POSITION)
+    assert "sample_level" in [node.data for node in reachable([position.value])]

@@ -10,14 +10,25 @@ from burnish.compiler.ir.program import (
     Branch,
     Field,
     Function,
+    Interface,
     Let,
     Loop,
+    Output,
     Program,
     Region,
     Stage,
     StoredMember,
     Varying,
     texture_reads,
+)
+from burnish.compiler.ir.stages import (
+    CLIP_POSITION,
+    DISCARD,
+    FRAGMENT,
+    TARGET,
+    VARYING,
+    VERTEX,
+    StageRow,
 )
 from burnish.compiler.ir.types import (
     BOOL,
@@ -101,30 +112,41 @@ def size_of(type_: Type) -> int:
             return SIZES[type_]
 
 
-def stage(name: str, **parts: object) -> Stage:
-    """A stage with nothing in it but ``parts``."""
+def stage(row: StageRow, *results: Output, **parts: object) -> Stage:
+    """A stage with nothing in it but its results and ``parts``."""
     empty: dict[str, object] = {
-        "inputs": (), "outputs": (), "blocks": (), "resources": (), "functions": (),
-        "region": Region(()), "position": None, "results": (), "discard": None,
+        "inputs": (), "blocks": (), "resources": (), "functions": (), "region": Region(()),
     }  # fmt: skip
-    made = Stage(name=name, **{**empty, **parts})  # type: ignore[arg-type]
+    made = Stage(row=row, results=results, **{**empty, **parts})  # type: ignore[arg-type]
     lets = [item.node for item in made.region.statements if isinstance(item, Let)]
-    reads = texture_reads(reachable((*made.results, *lets)))
+    reads = texture_reads(reachable((*made.roots, *lets)))
     return changed(made, reads=reads)
+
+
+def written(name: str, value: Node, location: int = 0, doc: str = "") -> Output:
+    """A result that goes to a render target."""
+    return Output(TARGET, value, Field(name, value.type, location, doc=doc))
+
+
+def between(*varyings: Varying) -> tuple[Interface, ...]:
+    """What crosses from the vertices to the fragments."""
+    return (Interface(VERTEX.domain, FRAGMENT.domain, varyings),)
 
 
 def tiny(color: Node, make: Maker, blocks: tuple[Block, ...] = (), **fragment: object) -> Program:
     """A program whose fragment stage yields ``color``; its vertex stage does next to nothing."""
     zero = build.constant(make.graph, VEC4, (0.0, 0.0, 0.0, 1.0))
-    parts = {"blocks": blocks, "results": (color,), **fragment}
+    parts = {"blocks": blocks, **fragment}
     return Program(
         name="Tiny",
         doc="",
-        vertex=stage("vertex", position=zero),
-        fragment=stage("fragment", outputs=(Field("color", color.type, 0),), **parts),
+        stages=(
+            stage(VERTEX, Output(CLIP_POSITION, zero)),
+            stage(FRAGMENT, written("color", color), **parts),
+        ),
         blocks=blocks,
         resources=fragment.get("resources", ()),  # type: ignore[arg-type]
-        varyings=(),
+        interfaces=between(),
     )
 
 
@@ -153,14 +175,14 @@ def placing(
         Varying(fields[1], (normal_world, make.number(0.5))),
         Varying(fields[2], (uv,)),
     )
+    values = (position_world, packed, uv)
     made = stage(
-        "vertex",
+        VERTEX,
+        Output(CLIP_POSITION, clip),
+        *(Output(VARYING, value, field) for value, field in zip(values, fields, strict=True)),
         inputs=(Field("position", VEC3, 0), Field("normal", VEC3, 1), Field("uv", VEC2, 2)),
-        outputs=fields,
         blocks=blocks,
         region=Region((Let("position", placed, "In world space, homogeneous"),)),
-        position=clip,
-        results=(position_world, packed, uv),
     )
     return made, varyings
 
@@ -257,9 +279,9 @@ def plastic() -> Program:
     color = make.native("add", VEC3, make.native("add", VEC3, ambient, from_sun), total)
     faded = make.native("mul", VEC3, color, make.parameter(sun_cos))
     fragment = stage(
-        "fragment",
+        FRAGMENT,
+        written("color", build.vector(make.graph, (faded, one)), doc="Linear colour"),
         inputs=fields,
-        outputs=(Field("color", VEC4, 0, doc="Linear colour"),),
         blocks=(view, rig, derived, material),
         resources=(albedo,),
         functions=(shade,),
@@ -282,16 +304,14 @@ def plastic() -> Program:
                 Let("color", faded),
             )
         ),
-        results=(build.vector(make.graph, (faded, one)),),
     )
     return Program(
         name="Plastic",
         doc="Plastic after the classic three-term model.\nSecond line \\",
-        vertex=vertex,
-        fragment=fragment,
+        stages=(vertex, fragment),
         blocks=(view, rig, derived, material, draw),
         resources=(albedo,),
-        varyings=varyings,
+        interfaces=between(*varyings),
     )
 
 
@@ -310,7 +330,7 @@ def odd() -> Program:
     position = build.vector(graph, (lifted, make.number(-0.5), make.number(1e-7), make.number(1.0)))
     field = Field("id", UINT, 0, "flat")
     vertex = stage(
-        "vertex", outputs=(field,), position=position, results=(id_,),
+        VERTEX, Output(CLIP_POSITION, position), Output(VARYING, id_, field),
         builtin_inputs=("vertex_index", "instance_index"),
     )  # fmt: skip
     seen = make.crossing(id_, "flat")
@@ -341,9 +361,11 @@ def odd() -> Program:
     second = build.constant(graph, VEC2, (0.25, 0.25))
     below = make.native("lt", BOOL, lane, make.parameter(threshold))
     fragment = stage(
-        "fragment",
+        FRAGMENT,
+        written("color", first),
+        written("motion", second, 1),
+        Output(DISCARD, below),
         inputs=(field,),
-        outputs=(Field("color", VEC4, 0), Field("motion", VEC2, 1)),
         blocks=(material,),
         region=Region(
             (
@@ -358,16 +380,13 @@ def odd() -> Program:
                 Let("final", powered),
             )
         ),
-        results=(first, second),
-        discard=below,
         builtin_inputs=("frag_coord", "front_facing"),
     )
     return Program(
         name="Odd",
         doc="",
-        vertex=vertex,
-        fragment=fragment,
+        stages=(vertex, fragment),
         blocks=(material,),
         resources=(),
-        varyings=(Varying(field, (id_,)),),
+        interfaces=between(Varying(field, (id_,))),
     )

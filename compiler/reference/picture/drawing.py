@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from ...ir.shader import Shader
+from ...ir.stages import DISCARD
 from ...ir.types import width
 from ..namespace import Lanes
 from .coverage import Fragments, fragments_of
@@ -58,11 +59,12 @@ class _Drawing:
         self._stages = Stages(shader, values, textures, rules)
         self._vertices: Vertices = self._stages.vertices(geometry)
         self._faces: Faces = assemble(self._vertices.positions, geometry.triangles, rules)
-        self._lanes = [width(target.value.type) for target in shader.targets]
-        blends = [target.blend != "none" for target in shader.targets]
-        self._opaque = shader.discard is None and not any(blends)
+        written = [(r.target, r.value.type) for r in shader.results if r.target is not None]
+        self._lanes = [width(type_) for _, type_ in written]
+        blends = [target.blend != "none" for target, _ in written]
+        self._opaque = not shader.results_of(DISCARD) and not any(blends)
         pixels = rules.width * rules.height
-        self._canvas = Canvas(pixels, len(self._stages.ways), clear, shader.targets)
+        self._canvas = Canvas(pixels, len(self._stages.ways), clear, written)
 
     def drawn(self, progress: Callable[[float], None] | None) -> Expected:
         canvas = self._canvas

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...ir.shader import TargetInfo
-from ...ir.types import width
+from ...ir.shader import RenderTarget
+from ...ir.types import Type, width
 from .coverage import Fragments
 from .scene import Bools, Floats, Ints
 
@@ -36,10 +36,11 @@ class Canvas:
         pixels: int,
         ways: int,
         clear: Sequence[Sequence[float]],
-        targets: Sequence[TargetInfo],
+        written: Sequence[tuple[RenderTarget, Type]],
     ) -> None:
-        self._lanes = [width(target.value.type) for target in targets]
-        self._infos = targets
+        """``written`` are the render targets with the types of what is written to them."""
+        self._lanes = [width(type_) for _, type_ in written]
+        self._states = [target for target, _ in written]
         self.targets = [
             np.tile(np.asarray(with_missing(colour, count), dtype=np.float64), (ways, pixels, 1))
             for colour, count in zip(clear, self._lanes, strict=True)
@@ -50,7 +51,7 @@ class Canvas:
         """By what they cover."""
         self.shaky = np.zeros(pixels, dtype=np.bool_)
         """By what is drawn there, so far."""
-        self._opaque = all(target.blend == "none" for target in targets)
+        self._opaque = all(state.blend == "none" for state in self._states)
 
     def draw(self, pixel: Ints, depth: Floats, shades: Shades) -> None:
         """Fragments in the order of drawing; several may be of one pixel."""
@@ -73,19 +74,19 @@ class Canvas:
         place = pixel[drawn]
         self.depth[place] = depth[drawn]
         self.covered[place] = True
-        rows = zip(self.targets, shades.colours, self._infos, self._lanes, strict=True)
-        for target, colours, info, lanes in rows:
-            blended = _blended(info, colours[:, drawn], target[:, place])
+        rows = zip(self.targets, shades.colours, self._states, self._lanes, strict=True)
+        for target, colours, state, lanes in rows:
+            blended = _blended(state, colours[:, drawn], target[:, place])
             target[:, place, :lanes] = blended[..., :lanes]
 
 
-def _blended(info: TargetInfo, source: Floats, behind: Floats) -> Floats:
+def _blended(state: RenderTarget, source: Floats, behind: Floats) -> Floats:
     """What a target holds after a colour is drawn over another, (…, 4) each.
 
     Where it is in fixed point, colours are clamped first (Vulkan, 29.1 "Blending").
     """
-    clamped = info.fixed_point and info.blend != "none"
-    return BLENDING[info.blend](np.clip(source, 0.0, 1.0) if clamped else source, behind)
+    clamped = state.fixed_point and state.blend != "none"
+    return BLENDING[state.blend](np.clip(source, 0.0, 1.0) if clamped else source, behind)
 
 
 def nearest(fragments: Fragments, depth: Floats) -> tuple[Ints, Ints]:

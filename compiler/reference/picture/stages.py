@@ -13,6 +13,7 @@ from ....stdlib.builtins import BUILTINS, texture
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
 from ...ir.shader import Shader
+from ...ir.stages import CLIP_POSITION, DISCARD, TARGET
 from ...ir.types import scalar_kind, width
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
@@ -70,9 +71,11 @@ class Stages:
         rules: RasterRules,
     ) -> None:
         self.values = values
-        self._position = shader.clip_position
-        self._targets = tuple(target.value for target in shader.targets)
-        self._discard = shader.discard
+        ((self._position,), self._targets, discards) = (
+            tuple(result.value for result in shader.results_of(kind))
+            for kind in (CLIP_POSITION, TARGET, DISCARD)
+        )
+        self._discard = next(iter(discards), None)
         self._functions = dict(rules.functions)
         self._relative = 0.0 if rules.rounding_bits is None else 2.0**-rules.rounding_bits
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))

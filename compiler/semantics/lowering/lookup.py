@@ -6,7 +6,7 @@ those of a surface that happens to define the same name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ....frozen import changed
@@ -14,9 +14,9 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.nearest import nearest
 from ...diagnostics.source import Span
-from ...ir.leaves import PIPELINE_TYPES
 from ...ir.node import Formal, Node, bare
-from ...ir.types import Array, Texture, Type
+from ...ir.stages import SYSTEM_INPUTS
+from ...ir.types import Array, Texture
 from ...syntax import ast
 from ...trampoline import Reply, Step
 from ..declarations import assignments, contracts
@@ -24,7 +24,6 @@ from ..declarations.written_types import declared_type
 from ..hints import advice
 from ..inheritance.records import Definition, Record
 from ..names.modules import Module, Symbol
-from ..state.crossings import VERTEX_INPUTS
 from ..state.scope import (
     FAILURE,
     Failure,
@@ -39,10 +38,6 @@ from ..state.scope import (
 
 if TYPE_CHECKING:
     from ..state.context import Lowering
-
-INPUTS: Mapping[str, Type] = {name: PIPELINE_TYPES[name] for name in ("frag_coord", "front_facing")}
-"""What the pipeline supplies to the fragment stage: pixel centres at .5, y down, w = 1 / clip w;
-and whether the counter-clockwise side is seen."""
 
 OUTERMOST = -1
 """The level at which a name means what was given from outside, if anything was."""
@@ -64,11 +59,8 @@ def value(low: Lowering, name: str, span: Span, scope: Scope) -> Reply[Value]:
         return _symbol_value(low, symbols[0], span)
     if scope.surface is not None and scope.surface.has(name):
         return slot(low, scope.surface, name, span)
-    if name in INPUTS and scope.surface is not None:
-        return low.graph.node("input", INPUTS[name], (), name)
-    if name in VERTEX_INPUTS and scope.surface is not None:
-        supplied = low.graph.node("input", PIPELINE_TYPES[name], (), name)
-        return low.stages.attribute(supplied)
+    if name in SYSTEM_INPUTS and scope.surface is not None:
+        return low.stages.supplied(SYSTEM_INPUTS[name])
     _unknown_name(low, name, span, scope)
     return FAILURE
 
@@ -114,7 +106,7 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
         low.report.add(rules.OUTSIDE_LIGHT, span, name=name, hint=hint if in_term else "")
         return
     parts = () if scope.parts is None else scope.parts.declared
-    known = [*scope.locals, *parts, *scope.module.visible(), *INPUTS, *VERTEX_INPUTS]
+    known = [*scope.locals, *parts, *scope.module.visible(), *SYSTEM_INPUTS]
     for instance in (scope.instance, scope.surface):
         if instance is not None and instance.record.baseless:
             return

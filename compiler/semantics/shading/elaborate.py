@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
-from ....frozen import changed, frozen
+from ....frozen import changed
 from ...diagnostics import rules
 from ...ir.node import Node
-from ...ir.shader import ExternInfo, ParameterInfo, Shader, TargetInfo
+from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
+from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT, TARGET, VERTEX
 from ...ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ...syntax import ast
 from ...trampoline import run
@@ -33,26 +34,17 @@ FORMATS: Mapping[str, Type] = {
 
 BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
 
-CLIP_POSITION = "clip_position"
-"""The slot that every pass (or its material) has to define: a vec4 in the vertex domain."""
 
+def results_of(setting: Setting) -> tuple[Result, ...]:
+    """Lower what the pass delivers, and everything else that the parts say.
 
-@frozen
-class Results:
-    """What a pass delivers of a material."""
-
-    clip: Node | Failure
-    targets: tuple[TargetInfo, ...]
-    discard: Node | None
-
-
-def results_of(setting: Setting) -> Results:
-    """Lower what the pass delivers, and everything else that the parts say."""
+    What is wrong has been reported, and is not among the results.
+    """
     low, surface, passing = setting.low, setting.surface, setting.passing
-    found = Results(
-        _clip_position(low, passing, surface),
-        _targets(low, passing.record, passing),
-        _discard(low, passing.record, passing),
+    found = (
+        *_clip_position(low, passing, surface),
+        *_targets(low, passing.record, passing),
+        *_discard(low, passing.record, passing),
     )
     check_slots(low, surface, passing)
     low.externs.learn(setting.parts.module)
@@ -70,12 +62,12 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     results = results_of(setting)
     check_rig(low, setting.surface)
     reached.update((parts.material, parts.rig, parts.pass_, *low.reached()))
-    if low.report.failed or isinstance(results.clip, Failure):
+    if low.report.failed or not places_vertices(results):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     leaves, entries = setting.leaves, setting.entries
-    clip, targets, discard = _numbers_only(low, results.clip, results.targets, results.discard)
+    values = shared(low, [result.value for result in results])
     return Shader(
         name=setting.surface.record.name,
         doc=declaration.doc,
@@ -87,21 +79,14 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
-        clip_position=clip,
-        targets=targets,
-        discard=discard,
+        results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=low.externs.blocks,
     )
 
 
-def _numbers_only(
-    low: Lowering, clip: Node, targets: tuple[TargetInfo, ...], discard: Node | None
-) -> tuple[Node, tuple[TargetInfo, ...], Node | None]:
-    """What a shader delivers, without what was noted of meanings and calls."""
-    roots = [clip, *(target.value for target in targets), *([] if discard is None else [discard])]
-    clip, *values = shared(low, roots)
-    given = tuple(changed(t, value=v) for t, v in zip(targets, values, strict=False))
-    return clip, given, None if discard is None else values[-1]
+def places_vertices(results: Iterable[Result]) -> bool:
+    """Whether there is a clip position, without which a pass draws nothing."""
+    return any(result.kind == CLIP_POSITION for result in results)
 
 
 def _all_parameters(
@@ -118,30 +103,32 @@ def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
     return Scope(symbol.module, passing, level, surface, {"material": surface})
 
 
-def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Node | Failure:
+def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Iterator[Result]:
+    """The slot that every pass (or its material) has to define."""
     holder = passing if passing.has(CLIP_POSITION) else surface
     declared = passing.record.symbol.declaration.name.span
     if not holder.has(CLIP_POSITION):
-        if is_declared_abstract(passing.record):
-            return Failure()
-        low.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
-        return Failure()
+        if not is_declared_abstract(passing.record):
+            low.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
+        return
     span = holder.record.definitions[CLIP_POSITION][0].member.name.span
     node = low.fit(run(lookup.slot(low, holder, CLIP_POSITION, declared)), VEC4, "vec4", span)
-    return node if isinstance(node, Failure) else low.stages.checked_at_vertex(node, span)
+    placed = node if isinstance(node, Failure) else low.stages.checked_at_vertex(node, span)
+    if isinstance(placed, Node):
+        yield Result(CLIP_POSITION, VERTEX, placed)
 
 
-def _targets(low: Lowering, drawn: Record, passing: Instance) -> tuple[TargetInfo, ...]:
+def _targets(low: Lowering, drawn: Record, passing: Instance) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
     if not written and not drawn.baseless and not is_declared_abstract(drawn):
         low.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(low, drawn, passing, *row) for row in written)
-    return tuple(target for target in found if target is not None)
+    return (target for target in found if target is not None)
 
 
 def _target(
     low: Lowering, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
-) -> TargetInfo | None:
+) -> Result | None:
     format_, blend = target.format.text, _blend(low, drawn, target)
     if format_ not in FORMATS:
         lookup.unknown(low, "format", format_, target.format.span, FORMATS)
@@ -154,7 +141,8 @@ def _target(
         return None
     name = target.name.text
     low.notes.names.setdefault(value.id, name)
-    return TargetInfo(name, format_, blend, value, target.doc, target.span)
+    state = RenderTarget(name, format_, blend, target.doc, target.span)
+    return Result(TARGET, FRAGMENT, value, state)
 
 
 def _blend(low: Lowering, drawn: Record, target: ast.Target) -> str:
@@ -169,7 +157,7 @@ def _blend(low: Lowering, drawn: Record, target: ast.Target) -> str:
     return chosen.text
 
 
-def _discard(low: Lowering, drawn: Record, passing: Instance) -> Node | None:
+def _discard(low: Lowering, drawn: Record, passing: Instance) -> Iterator[Result]:
     combined: Node | None = None
     for discard, owner, level in drawn.every(ast.Discard):
         scope = _scope(owner, passing, level)
@@ -179,4 +167,5 @@ def _discard(low: Lowering, drawn: Record, passing: Instance) -> Node | None:
         combined = condition if combined is None else low.graph.node(
             "call", BOOL, (combined, condition), "or"
         )  # fmt: skip
-    return combined
+    if combined is not None:
+        yield Result(DISCARD, FRAGMENT, combined)

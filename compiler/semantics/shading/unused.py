@@ -28,7 +28,7 @@ from ..state.scope import Scope
 from ..types.generics import examples, unfounded, untold
 from ..types.typenames import Variables
 from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
-from .elaborate import results_of
+from .elaborate import places_vertices, results_of
 from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
@@ -223,7 +223,7 @@ class _Trial:
 
 def _check_parts(parts: Parts, setting: Setting) -> bool:
     other = set_up_beside(setting, parts)
-    delivered = isinstance(results_of(other).clip, Node)
+    delivered = places_vertices(results_of(other))
     return delivered or is_declared_abstract(other.passing.record)
 
 

@@ -15,11 +15,9 @@ from ...ir import build
 from ...ir.leaves import Attribute, InterpolationMode
 from ...ir.node import Graph, Node, reachable
 from ...ir.shader import Notes
+from ...ir.stages import SYSTEM_INPUTS, VERTEX, SystemInput
 from ...ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
-
-VERTEX_INPUTS = ("vertex_index", "instance_index")
-"""What the pipeline supplies to the vertex stage: numbers of the vertex and of the instance."""
 
 
 class Stages:
@@ -39,6 +37,11 @@ class Stages:
             return self._crossing(leaf)
         columns = tuple(self._crossing(column) for column in leaf.operands)
         return self._graph.node("matrix", leaf.type, columns)
+
+    def supplied(self, row: SystemInput) -> Node:
+        """A value of the pipeline's own as the fragment stage sees it."""
+        leaf = self._graph.node("input", row.type, (), row.name)
+        return self._crossing(leaf) if row in VERTEX.inputs else leaf
 
     def interpolated(self, node: Node, span: Span) -> Node | Failure:
         """``@vertex node``; the node itself where it is the same at every vertex."""
@@ -116,11 +119,11 @@ def _of_instance(leaf: Node) -> bool:
     """Whether an input is the same at all vertices of an instance."""
     if isinstance(leaf.data, Attribute):
         return leaf.data.step == "instance"
-    return leaf.data == "instance_index"
+    return SYSTEM_INPUTS[str(leaf.data)].per_instance
 
 
 def _fragment_only(node: Node) -> bool:
     """Whether a value exists in the fragment stage alone."""
     if node.op == "call":
         return BUILTINS[str(node.data)].uniform_control_flow
-    return node.op == "input" and node.data not in VERTEX_INPUTS
+    return node.op == "input" and SYSTEM_INPUTS[str(node.data)] not in VERTEX.inputs

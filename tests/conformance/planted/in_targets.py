@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from burnish.compiler.ir.node import Node
-from burnish.compiler.ir.program import Program
+from burnish.compiler.ir.program import Varying
 from burnish.frozen import changed
 from burnish.targets.emit import leaves
 from burnish.targets.emit.description import Spelling
@@ -168,9 +168,9 @@ def _reversed(expressions: Expressions, node: Node) -> Text:
 crossings = leaves._crossings
 
 
-def _shifted(program: Program) -> Iterator[Any]:
+def _shifted(varyings: Iterable[Varying]) -> Iterator[Any]:
     """Crossings whose first lanes are off by one where there is room."""
-    for key, (slot, first, total) in crossings(program):
+    for key, (slot, first, total) in crossings(varyings):
         yield key, (slot, max(first - 1, 0), total)
 
 
