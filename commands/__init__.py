@@ -1,1 +1,4 @@
-"""The commands of ``burnish``, one file each; what they need is imported when they run."""
+"""The commands of ``burnish``, one file for each; ``cli.py`` registers them.
+
+A command imports what it needs when it runs, so that starting the program stays fast.
+"""

@@ -1,4 +1,4 @@
-"""``burnish check``: what is wrong with a file, and nothing else."""
+"""``burnish check``: reports what is wrong with a file, and writes nothing."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ def check(
 ) -> None:
     """Report what is wrong with FILE, and write nothing.
 
-    Everything that FILE declares is checked, whether anything uses it or not, and of the files that
-    it imports what it uses. Without --rig, each material has to agree with one of its rigs.
+    Everything that FILE declares is checked, even if nothing uses it. Of the files that it imports,
+    what it uses is checked. Without --rig, each material must be correct with one of FILE's rigs.
 
     The exit code is 1 if there are errors; warnings alone do not fail.
 

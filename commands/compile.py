@@ -1,4 +1,4 @@
-"""``burnish compile``: from a file to shader texts on disk."""
+"""``burnish compile``: compiles a file and writes shader texts and reflections to disk."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ STDOUT = "-"
 
 
 class Request(NamedTuple):
-    """What the command line asks for."""
+    """The command line after parsing; the names are those of the options."""
 
     file: Path
     targets: tuple[str, ...]
-    """Empty for all there are."""
+    """Empty for the default ones."""
     output: str
     """A folder, or ``-``."""
     validate: bool
@@ -50,28 +50,28 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
     metavar="NAME[:PROFILE],…",
     multiple=True,
     callback=_split,
-    help="What to write; see `burnish targets`. By default each target's first profile; `all` "
-    "is every profile.",
+    help="What to write; see `burnish targets`. Default: the first profile of every target that is "
+    "not marked as unproven there; `all` means every profile.",
 )
 @click.option(
     "-o",
     "--output",
     metavar="FOLDER",
     required=True,
-    help="Where to put the files; made if it is not there. `-` prints the shaders instead.",
+    help="Where to put the files; created if needed. `-` prints the shaders instead.",
 )
 @click.option("--material", metavar="NAME", help="Only this material, instead of all in the file.")
 @rig_option
 @pass_option
 @search_option
-@click.option("--validate", is_flag=True, help="Have the real compilers check what is written.")
+@click.option("--validate", is_flag=True, help="Have the real compilers check the texts.")
 @click.option("--watch", is_flag=True, help="Compile again whenever a source changes.")
 @click.option("--single-file", is_flag=True, help="Both stages in one text: vs_main and fs_main.")
-@click.option("--flip-y", is_flag=True, help="Turn the picture over, for drawing into textures.")
+@click.option("--flip-y", is_flag=True, help="Turn the picture upside down, to draw into textures.")
 @click.option(
     "--line-directives",
     is_flag=True,
-    help="Name lines of the material by #line, where a target has it, for other tools' messages.",
+    help="Write #line directives, so that other tools name lines of the material in messages.",
 )
 @hoist_option
 def compile_(watch: bool, **chosen: Any) -> None:
@@ -96,7 +96,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
 
 
 def _succeeds(request: Request) -> bool:
-    """Do what is asked once, telling what there is to tell; whether it came to an output."""
+    """Compile once and report what was found; returns whether there was any output."""
     from ..compiler.diagnostics.diagnostic import CompileError
 
     warnings: tuple[Diagnostic, ...] = ()
@@ -113,11 +113,10 @@ def _succeeds(request: Request) -> bool:
 
 def _compiled(request: Request) -> CompileResult:
     from .. import api
-    from ..targets import registry
 
     return api.compile(
         request.file,
-        request.targets or registry.names(),
+        request.targets or api.DEFAULT,
         material=request.material,
         rig=request.rig,
         pass_=request.pass_,
@@ -161,9 +160,9 @@ def _insist_on_acceptance(result: CompileResult) -> None:
 
 
 def _print(result: CompileResult) -> None:
-    """Print the shaders as they are, with a heading for each where there are several.
+    """Print the shaders as they are, with a heading for each one if there are several.
 
-    As bytes: what a shader's comments say should not depend on the terminal's encoding.
+    They are printed as bytes, so that comments with any characters come out in every terminal.
     """
     from .output import unwritable
 

@@ -1,4 +1,4 @@
-"""``burnish conform``: whether all backends draw what a material means."""
+"""``burnish conform``: checks whether all backends draw what a material means."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ DISAGREEMENT = {"differs", "overflows", "undecided", "failed"}
 
 
 class Request(NamedTuple):
-    """What the command line asks for."""
+    """The command line after parsing; the names are those of the options."""
 
     files: tuple[Path, ...]
     routes: str
@@ -42,31 +42,31 @@ class Request(NamedTuple):
 @click.argument("files", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="FILE…")
 @click.option(
     "--routes", metavar="ROUTE,…", default="all", show_default=True,
-    help="Ways to a picture, as `burnish doctor` lists them: `lavapipe`, `chromium:webgpu`, ….",
+    help="Routes to draw with, as `burnish doctor` lists them: `lavapipe`, `chromium:webgpu`, ….",
 )  # fmt: skip
 @click.option(
     "--report", metavar="FOLDER", type=click.Path(path_type=Path),
-    help="Where to put report.json and index.html, with pictures of what differs.",
+    help="Where to put report.json and index.html, with pictures of the differences.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,
-    help="Where parameters, textures and vertex inputs are drawn from.",
+    help="The seed of random parameters, textures and vertex inputs.",
 )  # fmt: skip
 @rig_option
 @pass_option
 @search_option
 @hoist_option
 def conform(**chosen: Any) -> None:
-    """Draw each FILE by every route, and hold it against the reference.
+    """Draw each FILE with every route, and compare the pictures with the reference.
 
     A route is one way from Burnish's text to a picture: a compiler and a driver. Each material is
-    drawn in several scenes, with default and drawn values, in every rig and by every pass that its
+    drawn in several scenes, with default and random values, with every rig and every pass that its
     file declares, unless --rig and --pass name one.
 
     The exit code is 1 if any route differs from the reference or fails, if a value overflows, or if
-    so much hangs on rounding that agreement would prove nothing. A route that lacks its tools, or
-    something that the material needs, is `not run`, which is no pass: the exit code is 1, too, if
-    such a route was asked for by name, or nothing was run.
+    so much depends on rounding that agreement would prove nothing. A route that lacks its tools, or
+    a feature that the material needs, is `not run`. The exit code is also 1 if such a route was
+    named on the command line, or if no route was run.
 
     \b
     Example:
@@ -85,7 +85,7 @@ def conform(**chosen: Any) -> None:
 
 
 def _check_report(folder: Path | None) -> None:
-    """Before anything is drawn, which may take long. Raises ``CompileError``."""
+    """Raise ``CompileError`` if no report can be written, before drawing, which may take long."""
     from .output import obstacle, unwritable
 
     if folder is not None and (reason := obstacle(folder)):
@@ -110,7 +110,7 @@ def _rows(request: Request) -> list[Row]:
 
 
 def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, CompiledMaterial]]:
-    """Every material in every rig and pass, with the name that it goes by."""
+    """Every material with every rig and pass, each with the label that the table shows."""
     from .. import api
 
     profiles = sorted({route.profile for route in routes})
@@ -131,11 +131,11 @@ def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, Comp
 
 
 Variant = tuple[str | None, str | None]
-"""Names of a rig and a pass; ``None`` is the library's."""
+"""The names of a rig and of a pass; ``None`` means the library's."""
 
 
 def _variants(path: Path, request: Request) -> list[Variant]:
-    """All that the command line leaves a choice of."""
+    """The combinations of rig and pass that the command line does not exclude."""
     from .. import api
 
     found = api.variants(path, search_path=request.search_path)
@@ -144,7 +144,7 @@ def _variants(path: Path, request: Request) -> list[Variant]:
 
 
 def _label(path: Path, paths: Sequence[Path], material: CompiledMaterial, variant: Variant) -> str:
-    """What a material goes by: its file's name, or all of the path where names are alike."""
+    """The label of a material: its file's name, or the whole path if two names are equal."""
     alike = sum(other.name == path.name for other in paths) > 1
     file = path if alike else path.name
     return " × ".join([f"{file}: {material.name}", *filter(None, variant)])
@@ -168,7 +168,7 @@ def _tell(rows: Sequence[Row]) -> None:
 
 
 def _print_table(rows: Sequence[Row]) -> None:
-    """A heading for each material, and below it a line for each route."""
+    """Print a heading for each material, and below it a line for each route."""
     from ..targets.conformance.summary import HEADINGS, by_material, cells
 
     widths = [max(map(len, column)) for column in zip(HEADINGS, *map(cells, rows), strict=True)]

@@ -1,4 +1,4 @@
-"""What all commands share about talking to people."""
+"""Printing diagnostics and remarks to people; every command uses this."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from ..compiler.diagnostics.diagnostic import Diagnostic, Severity
 
 FAILED = 1
-"""Exit code for errors in the input."""
+"""The exit code for errors in the input."""
 
 
 def wants_color(stream: IO[Any] | None) -> bool:
-    """Whether colours make sense there: on a terminal whose user did not set ``NO_COLOR``.
+    """Whether to use colours: on a terminal, unless its user has set ``NO_COLOR``.
 
     ``None`` is a stream that was closed before the program began.
     """
@@ -26,7 +26,7 @@ def wants_color(stream: IO[Any] | None) -> bool:
 
 
 def show(diagnostics: Iterable[Diagnostic]) -> None:
-    """Print diagnostics to standard error, each once, and how many there were."""
+    """Print each diagnostic once to standard error, and how many there were."""
     found = tuple(
         {(one.rule.code, one.message, str(one.span)): one for one in diagnostics}.values()
     )
@@ -39,7 +39,7 @@ def show(diagnostics: Iterable[Diagnostic]) -> None:
 
 
 def remark(severity: Severity, text: str) -> None:
-    """Print to standard error what has no place in a file."""
+    """Print a message that belongs to no place in a file to standard error."""
     from ..compiler.diagnostics.display import harmless
     from ..compiler.diagnostics.style import Style
 

@@ -1,4 +1,4 @@
-"""``burnish doctor``: which of the external tools are there, and what can be drawn with them."""
+"""``burnish doctor``: lists the external tools, and the routes that can draw with them."""
 
 from __future__ import annotations
 
@@ -21,9 +21,8 @@ def doctor() -> None:
     """Look for external tools, and say what they are for.
 
     `compile --validate`, `render --on`, `conform` and the tests use them; compiling needs none. For
-    each that is missing the command that installs it is shown, and what there is not without it;
-    the exit code is 1 if one is. Below stand the routes by which pictures are drawn, and which of
-    them can run.
+    each missing tool, the output has the command that installs it, and says what does not work
+    without it; the exit code is then 1. A list of the routes follows, and whether each can draw.
 
     \b
     Example:
@@ -54,7 +53,7 @@ def _tools(states: Mapping[str, ToolState]) -> Iterator[str]:
 
 
 def _remedy(state: ToolState) -> Iterator[str]:
-    """How to get a tool, and why one should."""
+    """Lines that say how to install a tool, and what does not work without it."""
     from ..targets.runner.routes import routes_needing
     from ..targets.toolchain.checkers import checkers_needing
 

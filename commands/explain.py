@@ -1,4 +1,4 @@
-"""``burnish explain``: what a diagnostic's code stands for."""
+"""``burnish explain``: explains the code of a diagnostic."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("code")
 def explain(code: str) -> None:
-    """Say what the diagnostic CODE means and how to satisfy it.
+    """Explain the diagnostic CODE, and what to do about it.
 
     \b
     Example:

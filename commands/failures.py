@@ -1,4 +1,4 @@
-"""What a command that draws says when something is wrong, and what it needs to be installed."""
+"""Turns exceptions of commands that draw into messages and an exit code."""
 
 from __future__ import annotations
 
@@ -14,14 +14,18 @@ PACKAGES = {"numpy": "NumPy", "PIL": "Pillow"}
 
 
 def fail(text: str) -> NoReturn:
-    """Tells an error that has no place in a file, and ends the command."""
+    """Print an error that belongs to no place in a file, and end the command."""
     remark("error", text)
     click.get_current_context().exit(FAILED)
 
 
 @contextmanager
 def told() -> Iterator[None]:
-    """Tells what goes wrong inside: errors in the material, in values, in pictures, in drivers."""
+    """Report what goes wrong inside the ``with`` block, and end the command.
+
+    ``render`` and ``conform`` run in such a block. It catches errors in the material, in values, in
+    pictures and in drivers.
+    """
     try:
         from ..compiler.diagnostics.diagnostic import CompileError
         from ..targets.runner.codes import CodeError
@@ -51,7 +55,7 @@ def told() -> Iterator[None]:
 
 
 def needed(error: ModuleNotFoundError) -> NoReturn:
-    """Says how to install what is missing; anything but the known packages is a defect."""
+    """Say how to install a missing package; any other missing module is a bug, and raised again."""
     package = PACKAGES.get((error.name or "").partition(".")[0])
     if package is None:
         raise error

@@ -1,4 +1,4 @@
-"""Options that several commands take."""
+"""Arguments and options that several commands share."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import click
 file_argument = click.argument("file", type=click.Path(path_type=Path))
 
 rig_option = click.option(
-    "--rig", metavar="NAME", help="The rig to use, where the file declares several."
+    "--rig", metavar="NAME", help="The rig to use, if the file declares several."
 )
 pass_option = click.option(
     "--pass", "pass_", metavar="NAME", help="The pass that draws, if not the library's Forward."
@@ -21,12 +21,12 @@ search_option = click.option(
     metavar="FOLDER",
     multiple=True,
     type=click.Path(path_type=Path),
-    help="A folder to look for imported files in; may be given several times.",
+    help="A folder in which to look for imported files; may be given several times.",
 )
 hoist_option = click.option(
     "--hoist/--no-hoist",
     default=True,
-    help="Leave what depends on parameters only to the host, or compute it in the shader.",
+    help="Leave values that depend only on parameters to the host, or compute them in the shader.",
     show_default=True,
 )
 format_option = click.option(

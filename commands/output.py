@@ -1,4 +1,4 @@
-"""Puts files in place all together, or none of them."""
+"""Writes the files of a command to a folder: either all of them or none."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from ..compiler.diagnostics.diagnostic import CompileError, Report
 
 
 def obstacle(folder: Path, file: str = "") -> str | None:
-    """Why nothing, or no such file, can be written into a folder, which need not be there yet.
+    """Why a folder, which need not exist yet, or a file in it cannot be written; else ``None``.
 
-    ``None`` if it may work. To be asked before what takes long.
+    Commands ask this before work that takes long. ``None`` does not guarantee that writing
+    succeeds.
     """
     try:
         nearest = next(path for path in (folder, *folder.absolute().parents) if path.exists())
@@ -28,10 +29,10 @@ def obstacle(folder: Path, file: str = "") -> str | None:
 
 
 def write_all(folder: Path, texts: Mapping[str, str]) -> None:
-    """Write each text under its name; ``CompileError`` if that cannot be, and nothing is changed.
+    """Write each text under its name, or raise ``CompileError`` and change nothing.
 
-    Everything is written to a folder beside its final place first, because a rename on one disk
-    neither runs out of space nor shows anybody half a file.
+    Everything is first written to a temporary folder inside the final one, because a rename on the
+    same disk cannot run out of space, and nobody ever sees half a file.
     """
     blocked = next((name for name in texts if (folder / name).is_dir()), None)
     if blocked is not None:
@@ -57,7 +58,7 @@ def _write_through(staging: Path, folder: Path, texts: Mapping[str, str]) -> Non
 
 
 def unwritable(path: Path, reason: str) -> CompileError:
-    """What to raise about an output that cannot be written."""
+    """The error to raise if an output cannot be written."""
     report = Report()
     report.add(rules.UNWRITABLE_OUTPUT, None, path=path, reason=reason)
     return CompileError(report.diagnostics)

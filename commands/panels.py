@@ -1,4 +1,4 @@
-"""The pictures that ``burnish render`` makes: of each subject by each route."""
+"""Draws the pictures of ``burnish render``: one panel for each subject and route."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from ..targets.toolchain import Toolchain
 
 NOT_RUN = "not run"
-"""What a panel says of a route that lacks its tools, or something that the material needs."""
+"""The title of a panel whose route lacks its tools, or a feature that the material needs."""
 BROKEN = "failed"
-"""What it says where a compiler or a driver refused."""
+"""The title of a panel for which a compiler or a driver failed."""
 
 
 def panels(
@@ -31,10 +31,10 @@ def panels(
     runner: Runner,
     progress: Progress,
 ) -> Iterator[Panel]:
-    """A panel for each subject and route, in rows of subjects; the route ``None`` is the reference.
+    """A panel for each subject and route, one row per subject; the route ``None`` is the reference.
 
-    ``target`` is the render target that is shown. What could not be drawn is a panel that says so;
-    where there is only one, ``CodeError`` or ``DriverError`` is raised.
+    ``target`` names the render target to show. If something could not be drawn, its panel says so;
+    if there is only one panel, ``CodeError`` or ``DriverError`` is raised instead.
     """
     from ..targets.runner.codes import CodeError
     from ..targets.runner.drivers.draw import DriverError
@@ -65,7 +65,7 @@ def panels(
 
 
 def _problem(subject: Subject, route: Route, runner: Runner) -> str | None:
-    """Why a route cannot draw a material."""
+    """Why a route cannot draw a material, or ``None``."""
     return runner.problem(route) or subject.material.lacking.get(route.profile)
 
 
@@ -76,7 +76,7 @@ def _drawn(
     toolchain: Toolchain,
     tell: Callable[[float], None],
 ) -> tuple[str, tuple[Floats, ...]]:
-    """What drew, and what is in the targets."""
+    """The name of the device that drew, and the render targets' contents."""
     from ..targets.runner.render import by_reference, by_route
 
     if route is None:

@@ -1,4 +1,4 @@
-"""A progress bar that appears only where something takes longer than a moment."""
+"""A progress bar for ``render`` and ``conform``, which appears only if they take long."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from typing import Any, Self
 import click
 
 PATIENCE = 1.0
-"""Seconds after which people want to know."""
+"""After how many seconds the bar appears."""
 
 _STEPS = 1000
 
 
 class Progress:
-    """A bar on standard error, if that is a terminal; a context manager."""
+    """A context manager that shows a bar on standard error if that is a terminal."""
 
     def __init__(self, label: str) -> None:
         self._bar: Any = None
@@ -47,7 +47,7 @@ class Progress:
             self._bar = None
 
     def tell(self, share: float) -> None:
-        """``share`` of the work is done, from 0 to 1."""
+        """Report that ``share`` of the work is done, from 0 to 1."""
         with self._lock:
             self._reached = round(share * _STEPS)
             self._draw()

@@ -1,4 +1,4 @@
-"""``burnish render``: pictures of a material, by the reference or by real drivers."""
+"""``burnish render``: draws a material with the reference or with real drivers."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 REFERENCE = "reference"
 LARGEST = 4096
-"""Pixels of a side. The reference takes 4 GB of memory for a square of them."""
+"""The most pixels of a side. The reference needs 4 GB of memory for a square of this size."""
 LARGEST_SHEET = 2**27
-"""Pixels of all pictures on a sheet together."""
+"""The most pixels of all pictures on a sheet together."""
 MESHES = ("sphere", "plane", "cube", "torus")
 BACKGROUND = "#1b1d21"
 
@@ -74,22 +74,22 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 )  # fmt: skip
 @click.option(
     "--on", metavar="ROUTE,…", default=REFERENCE, show_default=True, callback=_names,
-    help="What draws: `reference`, routes as `burnish doctor` lists them, or `all`.",
+    help="What to draw with: `reference`, routes as `burnish doctor` lists them, or `all`.",
 )  # fmt: skip
 @click.option(
     "--mesh",
     type=click.Choice(MESHES),
     default="sphere",
     show_default=True,
-    help="What to draw on.",
+    help="The mesh to draw.",
 )
 @click.option(
     "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
-    help="How often the mesh is drawn, if the material tells instances apart.",
+    help="How often to draw the mesh, if the material distinguishes instances.",
 )  # fmt: skip
 @click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,
-    help="Pixels of the picture, or of each one on a sheet.",
+    help="Pixels of the picture, or of each picture on a sheet.",
 )  # fmt: skip
 @click.option(
     "--set", "values", metavar="NAME=VALUE", multiple=True, callback=_pairs,
@@ -97,7 +97,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 )  # fmt: skip
 @click.option(
     "--background", metavar="COLOR", default=BACKGROUND, show_default=True, callback=_color,
-    help="What is behind the mesh.",
+    help="The colour behind the mesh.",
 )  # fmt: skip
 @click.option("--target", metavar="NAME", help="The render target to show, if not the first.")
 @click.option("--material", metavar="NAME", help="Only this material, instead of all in the file.")
@@ -108,19 +108,19 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 def render(**chosen: Any) -> None:
     """Draw the materials of FILE.
 
-    The reference, which needs no GPU, defines what a picture has to be. Other routes are Burnish's
-    texts on real compilers and drivers. Of several materials, rigs or routes there is a picture
-    each, side by side on a sheet.
+    The reference, which needs no GPU, defines what the picture must be. Other routes draw the
+    emitted shaders with real compilers and drivers. If there are several materials, rigs or routes,
+    their pictures are put side by side on a sheet.
 
-    A scene with a camera and lights is set up by itself; --set changes it. A value is written as
+    The command sets up a scene with a camera and lights; --set changes it. Values are written as
 
     \b
         power=32                     a number; also 40deg, true
         base=#ff8800                 a colour; or base=1,0.25,0 in linear light
         torch.axis=0,-1,0            a part of a light, or of a structure
-        lamps.count=2                how many lights of an array shine
-        'lamps[0].place=0,2,1'       one of them
-        albedo=bricks.png            a texture: data, or with srgb:bricks.jpg colours
+        lamps.count=2                how many lights of an array are switched on
+        'lamps[0].place=0,2,1'       a part of one light of an array
+        albedo=bricks.png            a texture of numbers; srgb:bricks.jpg is one of colours
         sky=px.png,nx.png,…          a cube's faces +x, -x, +y, -y, +z, -z; or layers, slices
 
     \b
@@ -155,7 +155,10 @@ def _render(request: Request) -> None:
 
 
 def _check_output(path: Path) -> None:
-    """Before anything is drawn, which may take long. Raises ``PictureError``."""
+    """End the command if the file cannot be written, before drawing, which may take long.
+
+    Raises ``PictureError`` for an unknown image format.
+    """
     from ..targets.runner.pictures import check_format
     from .output import obstacle
 
@@ -165,7 +168,7 @@ def _check_output(path: Path) -> None:
 
 
 def _routes(names: Sequence[str]) -> list[Route | None]:
-    """What draws; ``None`` is the reference. Raises ``UnknownRouteError``."""
+    """The routes to draw with; ``None`` is the reference. Raises ``UnknownRouteError``."""
     from ..targets.runner.routes import select
 
     own = [None] if {REFERENCE, EVERYTHING} & set(names) else []
@@ -176,7 +179,7 @@ def _routes(names: Sequence[str]) -> list[Route | None]:
 
 
 def _tell_lacking_tools(routes: Sequence[Route], runner: Runner, *, fatal: bool) -> None:
-    """Says which routes cannot draw on this machine, and why; where ``fatal``, ends the command."""
+    """Report routes that cannot draw on this machine, and why; if ``fatal``, end the command."""
     lacking: dict[str, list[str]] = {}
     for route in routes:
         if problem := runner.problem(route):
@@ -188,7 +191,7 @@ def _tell_lacking_tools(routes: Sequence[Route], runner: Runner, *, fatal: bool)
 
 
 def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route]) -> None:
-    """Says which routes cannot draw a material, and why."""
+    """Report which routes cannot draw which material, and why."""
     for subject, route in product(subjects, routes):
         if problem := subject.material.lacking.get(route.profile):
             remark("note", f"{subject.label} is not drawn by {route.name}: {problem}")
@@ -204,7 +207,11 @@ def _check_total(count: int, size: tuple[int, int]) -> None:
 
 
 def _save(drawn: Sequence[Panel], routes: int, request: Request) -> None:
-    """Writes the picture, or a sheet: a row for each subject by its routes, or nearly a square."""
+    """Write a single picture, or a sheet.
+
+    If there are several subjects and several routes, the sheet is a table with a row for each
+    subject; otherwise it is nearly square.
+    """
     from ..targets.runner.pictures import save
     from ..targets.runner.sheet import sheet
 
@@ -217,7 +224,7 @@ def _save(drawn: Sequence[Panel], routes: int, request: Request) -> None:
 
 
 def _tell_failures(drawn: Sequence[Panel]) -> None:
-    """Says why what could not be drawn could not, and ends the command if there is such."""
+    """Report why drawing failed, and end the command if any picture is missing because of that."""
     from .panels import BROKEN
 
     failures = [panel for panel in drawn if panel.problem == BROKEN]

@@ -1,4 +1,4 @@
-"""What ``burnish render`` draws: the materials of a file, each in its rigs, set up in a scene."""
+"""Prepares what ``burnish render`` draws: compiles the materials and sets up their scenes."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ Color = tuple[float, float, float, float]
 
 
 class Request(NamedTuple):
-    """What the command line of ``burnish render`` asks for."""
+    """The command line after parsing; the names are those of the options."""
 
     file: Path
     output: Path
     on: tuple[str, ...]
     mesh: str
     instances: int
-    """How many there are of what tells instances apart."""
+    """How many instances to draw if the material distinguishes them."""
     size: tuple[int, int]
     values: tuple[tuple[str, str], ...]
     background: Color
-    """Linear light."""
+    """In linear light."""
     target: str | None
     material: str | None
     rig: str | None
@@ -44,29 +44,29 @@ class Request(NamedTuple):
 
     @property
     def draws_everything(self) -> bool:
-        """Whether routes are to draw that can, and not those that are named."""
+        """Whether all routes that can draw shall draw, instead of named ones."""
         return EVERYTHING in self.on
 
 
 class Subject(NamedTuple):
-    """One material in one rig."""
+    """One material with one rig, ready to draw."""
 
     titles: tuple[str, ...]
-    """Lines that say what it is."""
+    """The lines above its picture."""
     material: CompiledMaterial
     shot: Shot
 
     @property
     def label(self) -> str:
-        """The same on one line."""
+        """The titles on one line."""
         return ", ".join(self.titles)
 
 
 def subjects(request: Request, routes: Iterable[Route]) -> list[Subject]:
-    """All that the command line asks for, compiled for some routes and with every value set.
+    """Compile all that the command line asks for, for some routes, and set every value.
 
-    Warnings and notes are told. What is wrong with a material, a value or a name is raised, or ends
-    the command.
+    Warnings and notes are printed. An error in a material, a value or a name is raised, or ends the
+    command.
     """
     found = [
         Subject(titles, material, _shot(material, request))
@@ -79,7 +79,7 @@ def subjects(request: Request, routes: Iterable[Route]) -> list[Subject]:
 
 
 def target_number(reflection: Mapping[str, Any], wanted: str | None) -> int:
-    """Which render target is shown; ends the command if there is none of that name."""
+    """The number of the render target to show; ends the command if there is none of this name."""
     names = [row["name"] for row in reflection["targets"]]
     if wanted is None:
         return 0
@@ -94,7 +94,7 @@ def target_number(reflection: Mapping[str, Any], wanted: str | None) -> int:
 def _compiled(
     request: Request, routes: Iterable[Route]
 ) -> Iterator[tuple[tuple[str, ...], CompiledMaterial]]:
-    """Each material in each rig that the command line leaves a choice of, with its titles."""
+    """Each material with each rig that the command line does not exclude, and its titles."""
     from .. import api
 
     variants = api.variants(request.file, search_path=request.search_path)
@@ -124,7 +124,7 @@ def _shot(material: CompiledMaterial, request: Request) -> Shot:
 
 
 def _mesh(reflection: Mapping[str, Any], request: Request, eye: Sequence[float]) -> Mesh:
-    """The mesh of that name with all that the material reads, ordered for blending if it blends."""
+    """The named mesh with all inputs that the material reads; sorted by depth if it blends."""
     from ..targets.runner.meshes import farthest_first, mesh
     from ..targets.runner.scene import with_inputs
 
@@ -141,9 +141,9 @@ def _mesh(reflection: Mapping[str, Any], request: Request, eye: Sequence[float])
 
 
 def _set_values(instances: Sequence[Instance], values: Iterable[tuple[str, str]]) -> None:
-    """Sets each value wherever there is something of its name.
+    """Set each value in every instance that has a parameter or texture of this name.
 
-    Raises ``UnknownParameterError`` if there is nothing.
+    Raises ``UnknownParameterError`` if no instance has one.
     """
     from ..targets.runner.instances.values import UnknownParameterError
 
@@ -155,12 +155,12 @@ def _set_values(instances: Sequence[Instance], values: Iterable[tuple[str, str]]
             except UnknownParameterError as error:
                 unknown.append(error)
         if len(unknown) == len(instances):
-            # The shortest one names what is near; the others list all there is.
+            # The shortest message suggests a similar name; the others list all names.
             raise min(unknown, key=lambda error: len(str(error)))
 
 
 def _insist_on_values(instances: Sequence[Instance]) -> None:
-    """Ends the command if anything has no value, and says how to set it."""
+    """End the command if any parameter has no value, and say how to set it."""
     lacking = [instance for instance in instances if instance.missing]
     if not lacking:
         return

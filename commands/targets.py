@@ -1,4 +1,4 @@
-"""``burnish targets``: the backends' rows, for people and for programs."""
+"""``burnish targets``: lists target languages and profiles, for people and for programs."""
 
 from __future__ import annotations
 
@@ -42,6 +42,8 @@ def targets(form: str) -> None:
 
 def _lines(target: Target) -> Iterator[str]:
     yield click.style(f"{target.name}", bold=True) + f"  {target.title}, *.{target.extension}"
+    if target.unproven:
+        yield f"  {click.style('unproven', fg='yellow')}: {target.unproven}"
     for profile in target.profiles:
         default = "" if profile is not target.profiles[0] else " (default)"
         yield f"  {target.name}:{profile.name}{default}"
@@ -50,7 +52,7 @@ def _lines(target: Target) -> Iterator[str]:
 
 
 def _abilities(profile: Profile) -> Iterator[str]:
-    """What a host has to know to choose a profile, in words."""
+    """What a host must know to choose a profile, in words."""
     yield "textures with their samplers" if profile.samplers.combined else "separate samplers"
     yield "bindings in the text" if profile.explicit_bindings else "bindings set by name"
     yield f"depth {profile.framebuffer.clip_depth}"
@@ -65,6 +67,7 @@ def _data(target: Target) -> dict[str, Any]:
         "name": target.name,
         "title": target.title,
         "extension": target.extension,
+        "unproven": target.unproven,
         "profiles": [_profile_data(profile) for profile in target.profiles],
     }
 

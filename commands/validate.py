@@ -1,4 +1,8 @@
-"""What the downstream compilers say about emitted texts, told where the user can do something."""
+"""``burnish compile --validate``: has the real compilers check texts, and relays their messages.
+
+Each message is reported at the place of the material that the emitted line came from, because the
+user can change that place.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +18,7 @@ from ..targets.toolchain import Job, Message, Toolchain, Verdict
 
 
 def validate(files: Iterable[OutputFile]) -> tuple[Diagnostic, ...]:
-    """Everything that the compilers of the files' profiles object to; they run in parallel."""
+    """Run the compilers of the files' profiles in parallel; returns everything that they report."""
     asked = [(file, job) for file in files for job in _jobs(file)]
     with Toolchain() as toolchain:
         verdicts = toolchain.check([job for _, job in asked])
@@ -43,7 +47,7 @@ def _tell(file: OutputFile, verdict: Verdict, report: Report) -> None:
 
 
 def _relay(file: OutputFile, checker: str, message: Message, report: Report) -> None:
-    """Report a tool's message at the Burnish text that the line in question came from."""
+    """Report a tool's message at the Burnish text that the emitted line came from."""
     rule = rules.REJECTED if message.severity == "error" else rules.DOUBTED
     directed = _directed(file, message)
     emitted = None if directed else _emitted(file, message)
@@ -56,7 +60,7 @@ def _relay(file: OutputFile, checker: str, message: Message, report: Report) -> 
 
 
 def _directed(file: OutputFile, message: Message) -> Span | None:
-    """The place in Burnish text that a message names by the text's own line directives."""
+    """The place in Burnish text, if the tool's message names it because of line directives."""
     named = {plain(source.name): source for source in file.sources}
     named |= {str(number): source for number, source in enumerate(file.sources, start=1)}
     source, line = named.get(message.source), message.line

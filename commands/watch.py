@@ -1,4 +1,4 @@
-"""``burnish compile --watch``: does something again whenever one of a file's sources changes."""
+"""``burnish compile --watch``: compiles again whenever one of a file's sources changes."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from ..compiler.diagnostics.diagnostic import Report
 from ..compiler.frontend import Frontend
 
 _POLL = 1000
-"""Milliseconds after which files are looked at even without news of them."""
+"""After how many milliseconds files are examined even if no change was reported."""
 
 Stamps = dict[Path, int]
 
 
 def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) -> None:
-    """Call ``act`` now and after each change to ``file`` or what it imports; never returns.
+    """Call ``act`` now and after each change to ``file`` or its imports; never returns.
 
-    The folders are watched and not the files, as editors put a new file in the old one's place.
+    It watches folders, not files, because editors replace a file by a new one.
     """
     try:
         from watchfiles import watch as changes
@@ -34,7 +34,7 @@ def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) ->
 
 
 def _folders(file: Path, search_path: Sequence[Path]) -> list[Path]:
-    """Where the file and its imports lie, including those that only need mending to be found."""
+    """The folders of the file and its imports, also of imports that cannot be found yet."""
     frontend = Frontend(Report(), search_path)
     frontend.open_file(file)
     files = (file, *frontend.files)
@@ -43,6 +43,6 @@ def _folders(file: Path, search_path: Sequence[Path]) -> list[Path]:
 
 
 def _stamps(file: Path, folders: Sequence[Path]) -> Stamps:
-    """When each source in the folders was last changed: compared, no change is ever missed."""
+    """When each source in the folders was last changed. Comparing these never misses a change."""
     sources = {file, *(path for folder in folders for path in folder.glob("*.burnish"))}
     return {path: path.stat().st_mtime_ns for path in sources if path.is_file()}

@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 from ..stdlib.builtins import BUILTINS
 from .ir.leaves import Attribute, Parameter, Resource
-from .ir.node import Folding, Formal, Node
+from .ir.node import Formal, Node
+from .ir.operations import CALL, CONSTANT, FOLD, MEMBER, SWIZZLE, builtin_of
 from .ir.shader import Notes
 from .ir.types import Scalar
 
@@ -69,9 +70,8 @@ class Formulas:
         if depth <= 0 and node.operands:
             return "…"
         text = self._formula(node, depth, named)
-        loose = (
-            node.op in ("call", "native") and _TIGHTNESS.get(str(node.data), _TIGHTEST) < tightness
-        )
+        builtin = builtin_of(node)
+        loose = builtin is not None and _TIGHTNESS.get(builtin, _TIGHTEST) < tightness
         return f"({text})" if loose or (tightness and node.op in ("select", "fold")) else text
 
     def _formula(self, node: Node, depth: int, named: Callable[[Node], str | None]) -> str:
@@ -81,27 +81,25 @@ class Formulas:
         operands = node.operands
         match node.op:
             case "call" | "native":
-                return self._call(str(node.data), operands, depth - 1, named)
+                return self._call(CALL.data(node), operands, depth - 1, named)
             case "constant":
                 return _constant(node)
             case "swizzle":
-                assert isinstance(node.data, tuple)
-                return (
-                    f"{part(operands[0], _TIGHTEST)}.{''.join(_LANES[lane] for lane in node.data)}"
-                )
+                lanes = "".join(_LANES[lane] for lane in SWIZZLE.data(node))
+                return f"{part(operands[0], _TIGHTEST)}.{lanes}"
             case "index":
                 return f"{part(operands[0], _TIGHTEST)}[{part(operands[1])}]"
             case "member":
-                return f"{part(operands[0], _TIGHTEST)}.{node.data}"
+                return f"{part(operands[0], _TIGHTEST)}.{MEMBER.data(node)}"
             case "select":
                 condition, then, otherwise = map(part, operands)
                 return f"if {condition} then {then} else {otherwise}"
             case "interpolate":
                 return f"@vertex {part(operands[0], _TIGHTEST)}"
             case "fold":
-                assert isinstance(node.data, Folding)
-                word = _FOLDS.get(node.data.operator, node.data.operator)
-                index = node.data.index.name if node.data.index else _INDEX
+                data = FOLD.data(node)
+                word = _FOLDS.get(data.operator, data.operator)
+                index = data.index.name if data.formals else _INDEX
                 return f"{word} {index} in 0..{part(operands[0])} : {part(operands[2])}"
             case "iterate":
                 return f"iterate up to {part(operands[0])} from {part(operands[1])}"
@@ -134,7 +132,8 @@ _BOOLS: Mapping[bool, str] = {True: "true", False: "false"}
 
 
 def _constant(node: Node) -> str:
-    lanes = node.data if isinstance(node.data, tuple) else (node.data,)
+    data = CONSTANT.data(node)
+    lanes = data if isinstance(data, tuple) else (data,)
     texts = [_BOOLS[lane] if isinstance(lane, bool) else _number(lane) for lane in lanes]
     if isinstance(node.type, Scalar):
         return texts[0]

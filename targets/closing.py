@@ -1,4 +1,4 @@
-"""What owns workers or devices, as a context manager."""
+"""The base class of everything that owns workers or devices and has to be closed."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from typing import Self
 
 
 class Closing:
-    """Closes itself at the end of a ``with`` block."""
+    """A context manager that calls ``close`` at the end of its ``with`` block."""
 
     def close(self) -> None:
-        """Ends all that it owns."""
+        """End everything that it owns."""
         raise NotImplementedError
 
     def __enter__(self) -> Self:

@@ -8,7 +8,8 @@ from itertools import pairwise
 from ...compiler.diagnostics.source import Span
 from ...compiler.formula import Formulas
 from ...compiler.ir.leaves import Parameter
-from ...compiler.ir.node import Folding, Formal, Iterating, Node
+from ...compiler.ir.node import Formal, Node, formals_of
+from ...compiler.ir.operations import ITERATE, LOOPS, OUTSIDE
 from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region, Stage
 from ...compiler.ir.shader import Notes, Shader
 from ...compiler.ir.stages import VARYING
@@ -19,7 +20,7 @@ from ...compiler.passes.walks import operands_of, visible
 from ...frozen import frozen
 from .model import KINDS, Box, Cluster, Kind, Picture
 
-LEAVES = frozenset({"parameter", "attribute", "input", "resource", "formal"})
+LEAVES = OUTSIDE | {"formal"}
 ADDED = "each"
 """What a loop adds in each turn, or multiplies."""
 
@@ -297,19 +298,15 @@ class _Part:
 
 def _variables(node: Node) -> frozenset[Formal]:
     """What a loop binds: its index and its states; nothing for any other value."""
-    if isinstance(node.data, Folding) and node.data.index is not None:
-        return frozenset({node.data.index})
-    if isinstance(node.data, Iterating):
-        return frozenset(node.data.formals or ())
-    return frozenset()
+    return frozenset(formals_of(node)) if node.op in LOOPS else frozenset()
 
 
 def _turn(loop: Node) -> dict[int, str]:
     """What a turn comes to, by the ids of its values: what it adds, or the states that follow."""
-    if not isinstance(loop.data, Iterating):
+    if loop.op == "fold":
         return {loop.operands[2].id: ADDED}
-    going, *following = loop.operands[1 + loop.data.states :]
-    names = [formal.name for formal in (loop.data.formals or ())[1:]]
+    going, *following = loop.operands[1 + ITERATE.data(loop).states :]
+    names = [formal.name for formal in formals_of(loop)[1:]]
     named = {node.id: f"next {name}" for node, name in zip(following, names, strict=True)}
     return named if going.op == "constant" else {going.id: "while", **named}
 

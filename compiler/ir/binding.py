@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from .node import Formal, Graph, Node, binders, bodies_of
+from .operations import BOUND, FORMAL
 
 Moved = Callable[[Node, Node], None]
 """Told of every node that was rebuilt: ``(old, new)``."""
@@ -27,9 +28,8 @@ def close(graph: Graph, body: Node, formals: Sequence[Formal], moved: Moved | No
     position = {formal: i for i, formal in enumerate(formals)}
 
     def leaf(node: Node, depth: int) -> Node | None:
-        if node.op == "formal" and isinstance(node.data, Formal) and node.data in position:
-            return graph.node("bound", node.type, (), depth + position[node.data])
-        return None
+        number = position.get(FORMAL.data(node)) if node.op == "formal" else None
+        return None if number is None else graph.node("bound", node.type, (), depth + number)
 
     wanted = frozenset(formals)
     return _transform(graph, body, leaf, lambda node, _: _needs(node, wanted), moved)
@@ -45,12 +45,12 @@ def open_body(
     """
 
     def leaf(node: Node, depth: int) -> Node | None:
-        if node.op != "bound" or not isinstance(node.data, int) or node.data < depth:
+        if node.op != "bound" or BOUND.data(node) < depth:
             return None
-        position = node.data - depth
+        position = BOUND.data(node) - depth
         if position < len(arguments):
             return arguments[position]
-        return graph.node("bound", node.type, (), node.data - len(arguments))
+        return graph.node("bound", node.type, (), BOUND.data(node) - len(arguments))
 
     return _transform(graph, body, leaf, lambda node, depth: node.free >> depth != 0, moved)
 
@@ -60,9 +60,9 @@ def freed(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     variables: dict[int, Node] = {}
 
     def leaf(node: Node, depth: int) -> Node | None:
-        if node.op != "bound" or not isinstance(node.data, int) or node.data < depth:
+        if node.op != "bound" or BOUND.data(node) < depth:
             return None
-        position = node.data - depth
+        position = BOUND.data(node) - depth
         if position not in variables:
             variables[position] = graph.node("formal", node.type, (), Formal(str(position)))
         return variables[position]
@@ -80,9 +80,7 @@ def substitute(
     wanted = frozenset(replacements)
 
     def leaf(node: Node, _depth: int) -> Node | None:
-        if node.op == "formal" and isinstance(node.data, Formal):
-            return replacements.get(node.data)
-        return None
+        return replacements.get(FORMAL.data(node)) if node.op == "formal" else None
 
     return _transform(graph, root, leaf, lambda node, _: _needs(node, wanted), moved)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from .node import Graph, Iterating, Node, Op
+from .node import Applying, Formals, Graph, Iterating, Node, Op
 from .types import (
     FLOAT,
     INT,
@@ -169,7 +169,15 @@ def iterate(
     return graph.node("iterate", type_, (count, *starts, going, *nexts), data)
 
 
+def apply(
+    graph: Graph, body: Node, arguments: tuple[Node, ...], formals: Formals | None = None
+) -> Node:
+    """A call: ``body`` with these arguments for its bound variables, or for ``formals``."""
+    return graph.node("apply", body.type, (body, *arguments), Applying(len(arguments), formals))
+
+
 def state(graph: Graph, loop: Node, position: int) -> Node:
     """What the loop leaves in one of its states."""
-    assert isinstance(loop.data, Iterating)
-    return loop if loop.data.states == 1 else member(graph, loop, str(position))
+    data = loop.data
+    assert isinstance(data, Iterating)
+    return loop if data.states == 1 else member(graph, loop, str(position))

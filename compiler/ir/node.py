@@ -8,39 +8,23 @@ in the passes recurses over the graph.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from operator import attrgetter
 from typing import Literal
 
 from ...frozen import frozen
-from .types import Type
+from .types import INT, Type
 
 Op = Literal[
-    "constant",  # data: scalar, or tuple of lanes
-    "parameter",  # data: Parameter, a member of a uniform block
-    "resource",  # data: Resource, a texture with its sampler state
-    "attribute",  # data: Attribute, a vertex input
-    "input",  # data: name of a value the pipeline supplies, such as front_facing
-    "call",  # data: name of a builtin, with Burnish's meaning
-    "native",  # data: name of a builtin, as the hardware does it
-    "vector",  # lanes of the operands, joined
-    "splat",  # one scalar in every lane
-    "matrix",  # columns
-    "struct",  # one operand for each member
-    "array",  # the elements
-    "swizzle",  # data: tuple of lane numbers
-    "as",  # data: Meaning, or None for bare numbers; the operand itself. Gone after semantics
-    "called",  # data: Callee; (value, *arguments), the value itself. Gone after semantics
-    "index",  # (aggregate, integer)
-    "member",  # data: member name of a struct
-    "select",  # (condition, then, otherwise); data: "branch" where both must not be computed
-    "interpolate",  # data: mode; the operand lives in the vertex domain
-    "fold",  # data: Folding; (count, start, body); the body's bound 0 is the index
-    "iterate",  # data: Iterating; (count, *starts, going, *nexts); bound 0: the turn, then states
-    "apply",  # data: Formals once opened; (body, *arguments); the body's bound i is argument i
-    "bound",  # data: de Bruijn index
-    "formal",  # data: Formal, a binder that has been opened
-]
+    "constant", "parameter", "resource", "attribute", "input", "bound", "formal",
+    "call", "native",
+    "vector", "splat", "matrix", "struct", "array",
+    "swizzle", "index", "member",
+    "select", "interpolate",
+    "fold", "iterate", "apply",
+    "as", "called",
+]  # fmt: skip
+"""What a node does. ``operations.py`` has a row for each, which says all there is to say of it."""
 
 
 @frozen(eq=False)
@@ -53,35 +37,120 @@ class Formal:
 Formals = tuple[Formal, ...]
 
 
-BINDING = frozenset({"fold", "iterate", "apply"})
-"""Operations with bodies, in which they bind variables."""
+class Binder:
+    """Data of an operation that binds variables in some of its operands, its bodies.
+
+    A *closed* binder has no ``formals``: its variables are ``bound`` leaves, numbered by de Bruijn.
+    An *opened* one names its variables: they are the ``formal`` leaves of these formals.
+    """
+
+    __slots__ = ()
+
+    formals: Formals | None
+
+    @property
+    def variables(self) -> Formals:
+        """The variables of an opened binder, in order; none while it is closed."""
+        return self.formals or ()
+
+    @property
+    def count(self) -> int:
+        """How many variables it binds."""
+        raise NotImplementedError
+
+    @property
+    def bodies(self) -> range:
+        """The positions of the operands in which it binds them."""
+        raise NotImplementedError
+
+    def types(self, operands: Sequence[Type]) -> list[Type]:
+        """The types of the variables, from those of all operands."""
+        raise NotImplementedError
+
 
 FoldOperator = Literal["add", "mul", "min", "max", "and", "or"]
 
 
 @frozen
-class Folding:
-    """How a fold combines its terms, and how many there can be at most."""
+class Folding(Binder):
+    """How a fold combines its terms, and how many there can be at most.
+
+    It binds one variable, the number of the turn.
+    """
 
     operator: FoldOperator
     bound: int
-    index: Formal | None = None
-    """The body's variable, once the fold has been opened."""
+    formals: Formals | None = None
+
+    @property
+    def index(self) -> Formal:
+        """The number of the turn, once the fold has been opened."""
+        (index,) = self.variables
+        return index
+
+    @property
+    def count(self) -> int:
+        """The number of the turn only."""
+        return 1
+
+    @property
+    def bodies(self) -> range:
+        """The last of (count, start, body)."""
+        return range(2, 3)
+
+    def types(self, operands: Sequence[Type]) -> list[Type]:  # noqa: ARG002 - always the same
+        """The number of the turn."""
+        return [INT]
 
 
 @frozen
-class Iterating:
+class Iterating(Binder):
     """A loop that takes its states from one turn to the next, while ``going``, up to the last turn.
 
     With one state the node has that state's type; with several, that of ``states_type``, whose
-    members are the states.
+    members are the states. It binds the number of the turn, and the states.
     """
 
     bound: int
     """How many turns there can be at most."""
     states: int
     formals: Formals | None = None
-    """The turn's number and the states, once the loop has been opened."""
+
+    @property
+    def count(self) -> int:
+        """The number of the turn, and each state."""
+        return 1 + self.states
+
+    @property
+    def bodies(self) -> range:
+        """Of (count, *starts, going, *nexts), ``going`` and the ``nexts``."""
+        return range(1 + self.states, 2 + 2 * self.states)
+
+    def types(self, operands: Sequence[Type]) -> list[Type]:
+        """The number of the turn, and what each state starts with."""
+        return [INT, *operands[1 : 1 + self.states]]
+
+
+@frozen
+class Applying(Binder):
+    """A call of a function with so many arguments, which its variables stand for in its body."""
+
+    arguments: int
+    formals: Formals | None = None
+
+    @property
+    def count(self) -> int:
+        """One for each argument."""
+        return self.arguments
+
+    @property
+    def bodies(self) -> range:
+        """The first of (body, *arguments)."""
+        return range(1)
+
+    def types(self, operands: Sequence[Type]) -> list[Type]:
+        """Those of the arguments."""
+        return list(operands[1:])
 
 
 class Node:
@@ -109,44 +178,21 @@ class Node:
 
 def binders(node: Node) -> int:
     """How many de Bruijn variables ``node`` binds in its body; none once it has been opened."""
-    return _binders(node.op, node.operands, node.data) if node.op in BINDING else 0
-
-
-def _binders(op: Op, operands: tuple[Node, ...], data: Hashable) -> int:
-    if isinstance(data, Folding):
-        return 1 if data.index is None else 0
-    if isinstance(data, Iterating):
-        return 1 + data.states if data.formals is None else 0
-    return len(operands) - 1 if op == "apply" and data is None else 0
+    data = node.data
+    return data.count if isinstance(data, Binder) and data.formals is None else 0
 
 
 def bodies_of(node: Node) -> range:
     """The positions of the operands in which a binding node's variables are bound."""
-    return _bodies(node.op, node.data) if node.op in BINDING else _NOWHERE
+    return node.data.bodies if isinstance(node.data, Binder) else _NOWHERE
 
 
 _NOWHERE = range(0)
 
 
-def _bodies(op: Op, data: Hashable) -> range:
-    if op == "fold":
-        return range(2, 3)
-    if isinstance(data, Iterating):
-        return range(1 + data.states, 2 + 2 * data.states)
-    return range(1)
-
-
 def formals_of(node: Node) -> Formals:
     """The variables of an opened binder."""
-    return _formals(node.op, node.data) if node.op in BINDING else ()
-
-
-def _formals(op: Op, data: Hashable) -> Formals:
-    if isinstance(data, Folding):
-        return () if data.index is None else (data.index,)
-    if isinstance(data, Iterating):
-        return data.formals or ()
-    return data if op == "apply" and isinstance(data, tuple) else ()
+    return node.data.variables if isinstance(node.data, Binder) else ()
 
 
 class Graph:
@@ -183,16 +229,14 @@ _NONE: frozenset[Formal] = frozenset()
 
 def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, frozenset[Formal]]:
     """The variables of binders further out: by de Bruijn index, and opened."""
-    if op == "bound":
-        assert isinstance(data, int)
-        return 1 << data, _NONE
-    if op == "formal":
-        assert isinstance(data, Formal)
-        return 0, frozenset((data,))
+    if not operands:
+        if isinstance(data, Formal):
+            return 0, frozenset((data,))
+        return (1 << data if op == "bound" and isinstance(data, int) else 0), _NONE
     free, variables = 0, _NONE
-    if op in BINDING:
-        inside = _bodies(op, data)
-        bound, formals = _binders(op, operands, data), _formals(op, data)
+    if isinstance(data, Binder):
+        inside, formals = data.bodies, data.variables
+        bound = 0 if formals else data.count
         for position in inside:
             free |= operands[position].free >> bound
             variables = variables | operands[position].variables.difference(formals)

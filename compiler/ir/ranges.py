@@ -16,8 +16,18 @@ from ...stdlib.builtins.intervals import outward
 from . import rulebook
 from .invariants import invariants, parts_of
 from .leaves import Parameter
-from .meaning import Meaning
-from .node import Folding, Formal, Iterating, Node, reachable
+from .node import Formal, Node, formals_of, reachable
+from .operations import (
+    ASCRIBE,
+    CALL,
+    CONSTANT,
+    FOLD,
+    FORMAL,
+    INTERPOLATE,
+    ITERATE,
+    MEMBER,
+    PARAMETER,
+)
 from .refinements import refinements
 from .types import Array, Matrix, Struct, scalar_kind
 
@@ -53,20 +63,16 @@ class Ranges:
         """Learn what the formals under ``roots`` stand for."""
         for node in reachable(roots):
             if node.op == "apply":
-                assert isinstance(node.data, tuple)
-                for formal, argument in zip(node.data, node.operands[1:], strict=True):
+                for formal, argument in zip(formals_of(node), node.operands[1:], strict=True):
                     self._sources.setdefault(formal, []).append(argument)
             elif node.op == "fold":
-                assert isinstance(node.data, Folding) and node.data.index is not None
-                self.note_index(node.data.index, node.data.bound)
+                self.note_index(FOLD.data(node).index, FOLD.data(node).bound)
             elif node.op == "iterate":
-                assert isinstance(node.data, Iterating) and node.data.formals is not None
-                turn, *states = node.data.formals
-                self.note_index(turn, node.data.bound)
+                turn, *states = formals_of(node)
+                self.note_index(turn, ITERATE.data(node).bound)
                 self._states.update(dict.fromkeys(states, node))
             elif node.op == "formal":
-                assert isinstance(node.data, Formal)
-                self._leaves[node.data] = node
+                self._leaves[FORMAL.data(node)] = node
 
     def note_index(self, formal: Formal, bound: int) -> None:
         """``formal`` counts the turns of a loop, of which there are at most ``bound``."""
@@ -114,19 +120,18 @@ class Ranges:
     def needs(self, node: Node) -> Sequence[Node]:
         """The values from whose facts that of ``node`` is derived."""
         if node.op == "formal":
-            assert isinstance(node.data, Formal)
-            if node.data in self._states:
-                return () if self._assuming else self._needs_of_state(self._states[node.data])
-            return self._sources.get(node.data, ())
+            formal = FORMAL.data(node)
+            if formal in self._states:
+                return () if self._assuming else self._needs_of_state(self._states[formal])
+            return self._sources.get(formal, ())
         if node.op == "member" and node.operands[0].op == "iterate":
-            return _start_and_next(node.operands[0], str(node.data))
+            return _start_and_next(node.operands[0], MEMBER.data(node))
         return node.operands
 
     def _needs_of_state(self, loop: Node) -> Sequence[Node]:
         """What the states start with, and what is the same in every turn."""
         if loop.id not in self._needed:
-            assert isinstance(loop.data, Iterating)
-            own, states = frozenset(loop.data.formals or ()), loop.data.states
+            own, states = frozenset(formals_of(loop)), ITERATE.data(loop).states
             around = frozenset((*self._states, *self._indices)) - own
             fixed = parts_of(loop.operands[-states:], around)
             self._needed[loop.id] = (*loop.operands[1 : 1 + states], *fixed)
@@ -154,17 +159,19 @@ class Ranges:
         return None if rule is None else rule.name(node)
 
     def _rule(self, node: Node) -> _Rule | None:
-        if node.op == "formal" and node.data in self._indices:
-            return _FOLD_INDEX
-        if node.op == "formal" and node.data in self._states:
-            return None if self._assuming else _IN_TURN
+        if node.op == "formal":
+            formal = FORMAL.data(node)
+            if formal in self._indices:
+                return _FOLD_INDEX
+            if formal in self._states:
+                return None if self._assuming else _IN_TURN
         return _RULES.get(node.op)
 
     def in_turns(self, state: Formal, starts: Sequence[Fact]) -> Fact:
         """What holds of a loop's state in every turn, if the states start with so much."""
         loop = self._states[state]
-        assert isinstance(loop.data, Iterating) and loop.data.formals is not None
-        states, nexts = loop.data.formals[1:], loop.operands[-loop.data.states :]
+        data = ITERATE.data(loop)
+        states, nexts = data.variables[1:], loop.operands[-data.states :]
         starts = starts[: len(states)]
 
         def turn(facts: Sequence[Fact]) -> Sequence[Fact]:
@@ -178,7 +185,7 @@ class Ranges:
 
         key = loop.id, tuple(starts)
         if key not in self._found:
-            self._found[key] = invariants(starts, turn, loop.data.bound)
+            self._found[key] = invariants(starts, turn, data.bound)
         return self._found[key][states.index(state)]
 
     def bound_of(self, index: Formal) -> int:
@@ -213,25 +220,24 @@ def _union(facts: Sequence[Fact]) -> Fact:
 def _constant(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
     if isinstance(node.type, Matrix):
         return UNKNOWN
-    lanes = node.data if isinstance(node.data, tuple) else (node.data,)
-    numbers = [float(lane) for lane in lanes]
+    data = CONSTANT.data(node)
+    lanes = data if isinstance(data, tuple) else (data,)
+    numbers = [float(lane) for lane in lanes if not isinstance(lane, tuple)]
     return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= 2.0**-126 for n in numbers))
 
 
 def _parameter(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
-    assert isinstance(node.data, Parameter)
-    return node.data.fact
+    return PARAMETER.data(node).fact
 
 
 def _contract(node: Node) -> str:
-    assert isinstance(node.data, Parameter)
-    return rulebook.UNIT if node.data.fact.unit else rulebook.DECLARED
+    return rulebook.UNIT if PARAMETER.data(node).fact.unit else rulebook.DECLARED
 
 
 def _call(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     same = len(node.operands) > 1 and len({operand.id for operand in node.operands}) == 1
     same = same and rulebook.SAME not in ranges.without
-    return BUILTINS[str(node.data)].range(tuple(known), same)
+    return BUILTINS[CALL.data(node)].range(tuple(known), same)
 
 
 def _joined(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
@@ -273,7 +279,7 @@ def _member(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     while source.op in ("index", "as"):
         source = source.operands[0]
     if isinstance(source.data, Parameter) and isinstance(node.operands[0].type, Struct):
-        return dict(source.data.member_facts).get(str(node.data), UNKNOWN)
+        return dict(source.data.member_facts).get(MEMBER.data(node), UNKNOWN)
     return UNKNOWN
 
 
@@ -283,7 +289,8 @@ def _member_name(node: Node) -> str:
 
 def _ascribed(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     """Only what has unit length is ever called a direction."""
-    contract = isinstance(node.data, Meaning) and node.data.kind == "direction"
+    meaning = ASCRIBE.data(node)
+    contract = meaning is not None and meaning.kind == "direction"
     return known[0].meet(UNIT) if contract else known[0]
 
 
@@ -309,7 +316,7 @@ def _interpolate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     Rounding may take it a little past either end.
     """
     (at_vertex,) = known
-    if node.data == "flat":
+    if INTERPOLATE.data(node) == "flat":
         return at_vertex
     slack = 1e-5 * max(abs(at_vertex.lo), abs(at_vertex.hi))
     if slack == float("inf"):
@@ -318,25 +325,24 @@ def _interpolate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
 
 
 def _fold(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    assert isinstance(node.data, Folding)
+    data = FOLD.data(node)
     _count, start, body = known
-    if node.data.operator == "min":
+    if data.operator == "min":
         return Fact(min(start.lo, body.lo), start.hi)
-    if node.data.operator == "max":
+    if data.operator == "max":
         return Fact(start.lo, max(start.hi, body.hi))
-    if node.data.operator in ("and", "or"):
+    if data.operator in ("and", "or"):
         return UNKNOWN
-    if node.data.operator == "add":
-        lo = start.lo + min(0.0, body.lo * node.data.bound) if node.data.bound else start.lo
-        hi = start.hi + max(0.0, body.hi * node.data.bound) if node.data.bound else start.hi
+    if data.operator == "add":
+        lo = start.lo + min(0.0, body.lo * data.bound) if data.bound else start.lo
+        hi = start.hi + max(0.0, body.hi * data.bound) if data.bound else start.hi
         # Each turn rounds once more.
-        return outward(lo, hi, float(node.data.bound))
+        return outward(lo, hi, float(data.bound))
     return Fact(0.0) if start.lo >= 0 and body.lo >= 0 else UNKNOWN
 
 
 def _fold_name(node: Node) -> str:
-    assert isinstance(node.data, Folding)
-    return _FOLDS.get(node.data.operator, rulebook.EXTREME)
+    return _FOLDS.get(FOLD.data(node).operator, rulebook.EXTREME)
 
 
 _FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
@@ -344,25 +350,22 @@ _FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
 
 def _iterate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     """A state is what it was at the start, or what a turn has made of it."""
-    assert isinstance(node.data, Iterating)
-    return known[1].union(known[-1]) if node.data.states == 1 else UNKNOWN
+    return known[1].union(known[-1]) if ITERATE.data(node).states == 1 else UNKNOWN
 
 
 def _start_and_next(loop: Node, name: str) -> tuple[Node, Node]:
     """What one of a loop's states is at first, and what a turn makes of it."""
-    assert isinstance(loop.data, Iterating) and isinstance(loop.type, Struct)
+    assert isinstance(loop.type, Struct)
     position = [member for member, _ in loop.type.members].index(name)
-    return loop.operands[1 + position], loop.operands[position - loop.data.states]
+    return loop.operands[1 + position], loop.operands[position - ITERATE.data(loop).states]
 
 
 def _in_turn(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    assert isinstance(node.data, Formal)
-    return ranges.in_turns(node.data, known)
+    return ranges.in_turns(FORMAL.data(node), known)
 
 
 def _fold_index(ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
-    assert isinstance(node.data, Formal)
-    return Fact(0.0, float(max(ranges.bound_of(node.data) - 1, 0)))
+    return Fact(0.0, float(max(ranges.bound_of(FORMAL.data(node)) - 1, 0)))
 
 
 def _any_argument(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
@@ -379,7 +382,7 @@ def _named(name: str, derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]) ->
 
 _FOLD_INDEX = _named(rulebook.INDEX, _fold_index)
 _IN_TURN = _named(rulebook.IN_TURN, _in_turn)
-_BUILTIN = _Rule(lambda node: str(node.data), _call)
+_BUILTIN = _Rule(CALL.data, _call)
 _RULES: Mapping[str, _Rule] = {
     "constant": _named(rulebook.CONSTANT, _constant),
     "parameter": _Rule(_contract, _parameter),

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from ...frozen import frozen
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
 from .node import Node
+from .operations import CALL, builtin_of
 from .rulebook import ABOVE, BELOW, BOTH, DIFFERS, EQUALS, NEGATION
 
 OPPOSITES = {"lt": "ge", "ge": "lt", "gt": "le", "le": "gt", "eq": "ne", "ne": "eq"}
@@ -41,9 +42,7 @@ def refinements(
         if not pending:
             return
         node, truth = pending.pop()
-        if node.op not in ("call", "native"):
-            continue
-        name = str(node.data)
+        name = builtin_of(node)
         if name == "not":
             if NEGATION not in without:
                 pending.append((node.operands[0], not truth))
@@ -57,7 +56,7 @@ def refinements(
 def _compared(
     of: Callable[[Node], Fact], node: Node, truth: bool, without: frozenset[str]
 ) -> Iterator[Refinement]:
-    name = str(node.data) if truth else OPPOSITES[str(node.data)]
+    name = CALL.data(node) if truth else OPPOSITES[CALL.data(node)]
     left, right = node.operands
     for about, sign, other in ((left, name, right), (right, MIRRORED[name], left)):
         if about.op == "constant" or _RULES[sign] in without:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from ..ir import build
 from ..ir.node import Node, Op
+from ..ir.operations import builtin_of
 from ..ir.refinements import OPPOSITES
 from ..ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from ..reference.operations import constant_lanes
@@ -31,7 +32,7 @@ def uniform_lane(node: Node) -> float | int | bool | None:
 
 
 def _is_call(node: Node, name: str) -> bool:
-    return node.op in ("call", "native") and node.data == name
+    return builtin_of(node) == name
 
 
 def _fits(s: Simplifier, node: Node, type_: Type) -> Node | None:

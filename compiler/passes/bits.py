@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ..ir.node import Node, Op
+from ..ir.operations import builtin_of
 from ..ir.types import Scalar, Type, scalar_kind, width, with_width
 from .arithmetic import BuiltinRule, uniform_lane
 
@@ -56,8 +57,7 @@ def _twice(name: str) -> BuiltinRule:
 
     def rule(_s: Simplifier, _op: Op, _type: Type, operands: tuple[Node, ...]) -> Node | None:
         (operand,) = operands
-        undone = operand.op in ("call", "native") and operand.data == name
-        return operand.operands[0] if undone else None
+        return operand.operands[0] if builtin_of(operand) == name else None
 
     return rule
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..ir.node import Node
 
 if TYPE_CHECKING:
-    from ..ir.verify import Form
+    from ..ir.operations import Form
 
 VARIABLE = "BURNISH_VERIFY"
 """Set to ``1`` in all tests; off for users, since verifying costs as much as a pass."""

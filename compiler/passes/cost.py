@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from ...stdlib.builtins import BUILTINS
 from ..ir.node import Node, reachable
+from ..ir.operations import OPERATIONS, builtin_of
 from ..ir.types import Scalar, Vector, width
-
-LOOP = 32
-"""A loop is worth skipping, however little it does in a turn."""
 
 LOAD = 4
 """Reading one more element of an array of uniforms, at an index that the shader computes."""
@@ -15,12 +13,11 @@ LOAD = 4
 
 def cost_of(node: Node) -> int:
     """ALU operations of one node, not counting its operands."""
-    if node.op in ("call", "native"):
-        lanes = width(node.type) if isinstance(node.type, Scalar | Vector) else 4
-        return BUILTINS[str(node.data)].cost * lanes
-    if node.op in ("fold", "iterate"):
-        return LOOP
-    return 1 if node.op in ("select", "apply") else 0
+    builtin = builtin_of(node)
+    if builtin is None:
+        return OPERATIONS[node.op].cost
+    lanes = width(node.type) if isinstance(node.type, Scalar | Vector) else 4
+    return BUILTINS[builtin].cost * lanes
 
 
 def cost(root: Node) -> int:

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
+from ..ir import build
 from ..ir.node import Formal, Formals, Graph, Node, reachable
+from ..ir.operations import CALL, VARYING
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -16,9 +18,6 @@ from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_w
 from .elements import is_element
 from .expansion_templates import Template, template
 from .simplify import Simplifier
-
-VARYING = frozenset({"interpolate", "attribute", "formal", "input", "resource"})
-"""What may differ between the vertices or pixels of a draw."""
 
 OUTLINED = 3
 """Expansions of at least so many operations become functions where they are used repeatedly."""
@@ -43,7 +42,7 @@ class Expanding(Simplifier):
         return self.expanded[node.id]
 
     def _expand(self, node: Node) -> Node:
-        found = template(str(node.data), tuple(operand.type for operand in node.operands))
+        found = template(CALL.data(node), tuple(operand.type for operand in node.operands))
         if not found.lanewise:
             return self._applied(found, node.operands)
         assert isinstance(node.type, Vector)
@@ -75,7 +74,7 @@ class Expanding(Simplifier):
             self.notes.docs.setdefault(body.id, found.doc)
             self._functions[key] = body, tuple(formal for formal, _ in passed)
         body, formals = self._functions[key]
-        call = self.graph.node("apply", body.type, (body, *(o for _, o in passed)), formals)
+        call = build.apply(self.graph, body, tuple(o for _, o in passed), formals)
         self.notes.roles.setdefault(call.id, found.name)
         return call
 
@@ -136,7 +135,7 @@ def expand_builtins(graph: Graph, roots: list[Node], notes: Notes, ranges: Range
 
 
 def _is_homeless(node: Node) -> bool:
-    return node.op == "call" and BUILTINS[str(node.data)].domain is nowhere
+    return node.op == "call" and BUILTINS[CALL.data(node)].domain is nowhere
 
 
 class _WritingOut(Expanding):

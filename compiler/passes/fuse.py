@@ -10,8 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ..ir import build
 from ..ir.binding import substitute
-from ..ir.node import Folding, Formal, Formals, Graph, Node, reachable
+from ..ir.node import Formal, Formals, Graph, Node, formals_of, reachable
+from ..ir.operations import FOLD
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from .simplify import Simplifier
@@ -112,13 +114,10 @@ class _Fusing:
         return self._folds(left, right) if left.op == "fold" else self._applies(left, right)
 
     def _folds(self, left: Node, right: Node) -> Node:
-        assert isinstance(left.data, Folding) and isinstance(right.data, Folding)
-        assert left.data.index is not None and right.data.index is not None
         count, start, body = left.operands
-        index = self._graph.node("formal", count.type, (), left.data.index)
-        other = substitute(
-            self._graph, right.operands[2], {right.data.index: index}, self._notes.follow
-        )
+        index = self._graph.node("formal", count.type, (), FOLD.data(left).index)
+        theirs = {FOLD.data(right).index: index}
+        other = substitute(self._graph, right.operands[2], theirs, self._notes.follow)
         self._open.update(part.id for part in (body, other) if _is_sum(part))
         joined = self._sum(self._graph.node("call", left.type, (body, other), "add"))
         return self._graph.node("fold", left.type, (count, start, joined), left.data)
@@ -130,7 +129,7 @@ class _Fusing:
                 arguments.append(argument)
         places = tuple(arguments.index(argument) for argument in right.operands[1:])
         body, formals = self._bodies(left, right, places)
-        return self._graph.node("apply", left.type, (body, *arguments), formals)
+        return build.apply(self._graph, body, tuple(arguments), formals)
 
     def _bodies(self, left: Node, right: Node, places: tuple[int, ...]) -> tuple[Node, Formals]:
         """The sum of two bodies; the same two bodies with the same sharing are one body."""
@@ -140,8 +139,7 @@ class _Fusing:
         return self._merged[key]
 
     def _new_body(self, left: Node, right: Node, places: tuple[int, ...]) -> tuple[Node, Formals]:
-        formals, theirs = left.data, right.data
-        assert isinstance(formals, tuple) and isinstance(theirs, tuple)
+        formals, theirs = formals_of(left), formals_of(right)
         replacements = {}
         for formal, place, argument in zip(theirs, places, right.operands[1:], strict=True):
             if place == len(formals):
@@ -158,9 +156,9 @@ class _Fusing:
 
 
 def _same_turns(left: Node, right: Node) -> bool:
-    assert isinstance(left.data, Folding) and isinstance(right.data, Folding)
+    one, other = FOLD.data(left), FOLD.data(right)
     return (
-        left.data.operator == right.data.operator == "add"
-        and left.data.bound == right.data.bound
+        one.operator == other.operator == "add"
+        and one.bound == other.bound
         and left.operands[:2] == right.operands[:2]
     )

@@ -14,15 +14,13 @@ from ...stdlib.builtins import BUILTINS, Builtin
 from ...stdlib.builtins.facts import Fact
 from ..diagnostics.source import Span
 from ..ir.node import Graph, Node, Op
+from ..ir.operations import BRANCH, CALL
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes
 from ..ir.types import Type
 from .expand_builtins import Expanding
 from .path_conditions import PathConditions, PathRefinement
 from .remarks import Outcome
-
-BRANCH = "branch"
-"""Data of a select that has to become a branch: one of its sides is safe only behind it."""
 
 
 @frozen
@@ -77,7 +75,7 @@ class Guarding(Expanding):
         """
         if node.id in self._branches:
             return self.make("select", node.type, operands, BRANCH)
-        if node.op == "call" and BUILTINS[str(node.data)].expansion and self._is_safe(node):
+        if node.op == "call" and BUILTINS[CALL.data(node)].expansion and self._is_safe(node):
             return self.graph.node("native", node.type, operands, node.data)
         self._asked = node
         return super().rule(graph, node, operands)
@@ -88,7 +86,7 @@ class Guarding(Expanding):
         Its operands may have been expanded by now. They are the same values, of which more is known
         in the form that they had before.
         """
-        row = BUILTINS[str(node.data)]
+        row = BUILTINS[CALL.data(node)]
         self.at = self.notes.spans.get(node.id, self.at)
         if row.domain(tuple(map(self.ranges.of, node.operands))):
             self.remark(row.name, node.operands, "native")
@@ -109,7 +107,7 @@ class Guarding(Expanding):
         node = super().make(op, type_, operands, data)
         if node.op != "call":
             return node
-        row = BUILTINS[str(node.data)]
+        row = BUILTINS[CALL.data(node)]
         if not row.expansion:
             return self.graph.node("native", node.type, node.operands, node.data)
         facts = tuple(map(self.ranges.of, node.operands))

@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from ...frozen import frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, reachable
+from ..ir.operations import BINDING, PARAMETER
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -28,7 +29,7 @@ from .naming import Naming
 COMMON_GROUP = "frame"
 """Every other group is updated at least as often, so it may go with any of them."""
 
-_NOT_HOISTED = frozenset({"interpolate", "fold", "iterate", "apply", "struct", "array"})
+_NOT_HOISTED = BINDING | {"interpolate", "struct", "array"}
 """Loops stay in the shader, and so do arrays that are put together."""
 
 ROW = 16
@@ -172,8 +173,7 @@ class _Hoisting:
     def _reads_of(self, node: Node) -> _Reads | None:
         """What a value is computed from; ``None`` if it reads anything else."""
         if node.op == "parameter":
-            assert isinstance(node.data, Parameter)
-            return _Reads(frozenset({node.data.group}))
+            return _Reads(frozenset({PARAMETER.data(node).group}))
         if node.op == "constant":
             return _Reads(frozenset())
         if not node.operands or node.op in _NOT_HOISTED:

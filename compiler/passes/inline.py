@@ -7,13 +7,13 @@ parameters alone can only leave the shader if it is written out.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Hashable, Iterable
+from collections.abc import Container, Iterable
 
-from ..ir.node import Graph, Node, reachable
+from ..ir.node import Formals, Graph, Node, formals_of, reachable
+from ..ir.operations import BINDING, VARYING
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from .cost import cost, cost_of
-from .expand_builtins import VARYING
 from .simplify import Simplifier, substitute_through
 from .walks import operands_of, visible
 
@@ -23,7 +23,7 @@ TRIVIAL = 4
 WORTHWHILE = 0.5
 """A call that computes no more than this share of its body for its own arguments is written out."""
 
-NOT_UNIFORM = frozenset({"interpolate", "fold", "iterate", "apply"})
+NOT_UNIFORM = BINDING | {"interpolate"}
 """What may differ between pixels, or never leaves the shader."""
 
 
@@ -42,8 +42,7 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
     def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.id in kept:
             return None
-        assert isinstance(node.data, tuple)
-        replacements = dict(zip(node.data, operands[1:], strict=True))
+        replacements = dict(zip(formals_of(node), operands[1:], strict=True))
         written = substitute_through(simplifier, operands[0], replacements)
         # What a light adds keeps the names of its terms, which say what it is.
         if written.id not in bodies and node.operands[0].id not in notes.terms:
@@ -81,13 +80,13 @@ class _Prices:
         fixed = tuple(a if a.id in self._uniform else None for a in arguments)
         if not any(fixed):
             return True
-        whole = self._price(body, call.data, (None,) * len(fixed))
-        return self._price(body, call.data, fixed) > max(TRIVIAL, WORTHWHILE * whole)
+        formals = formals_of(call)
+        whole = self._price(body, formals, (None,) * len(fixed))
+        return self._price(body, formals, fixed) > max(TRIVIAL, WORTHWHILE * whole)
 
-    def _price(self, body: Node, formals: Hashable, fixed: tuple[Node | None, ...]) -> int:
+    def _price(self, body: Node, formals: Formals, fixed: tuple[Node | None, ...]) -> int:
         """The cost of what a call computes, if these arguments are put in, for every pixel."""
         if (body.id, fixed) not in self._left:
-            assert isinstance(formals, tuple)
             pairs = zip(formals, fixed, strict=True)
             known = {formal: value for formal, value in pairs if value is not None}
             left = substitute_through(self._simplifier, body, known)

@@ -10,15 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from ..ir import build
 from ..ir.node import Formal, Formals, Graph, Node, formals_of
+from ..ir.operations import GLOBALS
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Matrix, Scalar, Vector
 from .naming import Naming
 from .schedule import is_part
 from .walks import operands_of, visible
-
-GLOBALS = frozenset({"constant", "parameter", "resource"})
 
 
 def lift_lambdas(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
@@ -34,13 +34,13 @@ class _Lifting:
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Pass the captured values along; callees inside the body have been closed already."""
-        assert isinstance(node.data, tuple)
         body, *arguments = operands
-        needed = [a for a, formal in zip(arguments, node.data, strict=True) if _reads(body, formal)]
+        own = formals_of(node)
+        needed = [a for a, formal in zip(arguments, own, strict=True) if _reads(body, formal)]
         if body.id not in self._lifted:
-            self._lifted[body.id] = self._close(graph, body, node.data)
+            self._lifted[body.id] = self._close(graph, body, own)
         closed, formals, captured = self._lifted[body.id]
-        return graph.node("apply", node.type, (closed, *needed, *captured), formals)
+        return build.apply(graph, closed, (*needed, *captured), formals)
 
     def _close(
         self, graph: Graph, body: Node, formals: Formals

@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterable, Mapping
 from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node
+from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
 from ..ir.storage import elements_in_row, stored_type
 from ..ir.types import (
@@ -51,8 +52,7 @@ def _lower(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
     if node.op in _MADE or (operands and node.operands[0].op in _MADE):
         return None
     if node.op == "member":
-        assert isinstance(node.data, str)
-        return _loaded(graph, node.type, member(graph, operands[0], node.data))
+        return _loaded(graph, node.type, member(graph, operands[0], MEMBER.data(node)))
     if node.op == "index" and isinstance(node.operands[0].type, Array):
         return _element(graph, node.type, *operands)
     if isinstance(node.type, Vector) and operands and (whole := _whole(graph, operands[0])):

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
+from ..ir.operations import BINDING, SWIZZLE, builtin_of
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Scalar, Vector, width
@@ -37,7 +38,8 @@ class _Moving:
                 self._users[operand.id] = self._users.get(operand.id, 0) + 1
             self._constant[node.id] = node.op in ("constant", "parameter") or (
                 bool(node.operands)
-                and node.op not in ("interpolate", "apply", "fold", "iterate")
+                and node.op != "interpolate"
+                and node.op not in BINDING
                 and all(self._constant[operand.id] for operand in node.operands)
             )
 
@@ -74,7 +76,7 @@ class _Moving:
         if source is None and isinstance(attribute := crossing.operands[0].data, Attribute):
             source = attribute.name
         if source is not None:
-            change = AFFINE.get(str(node.data), "")
+            change = AFFINE.get(builtin_of(node) or "", "")
             unchanged = not change or source.endswith(change)
             names.setdefault(node.id, source if unchanged else f"{source}_{change}")
 
@@ -84,6 +86,6 @@ def _is_affine(node: Node) -> bool:
     if not isinstance(node.type, Scalar | Vector):
         return False
     if node.op == "swizzle":
-        assert isinstance(node.data, tuple)
-        return len(set(node.data)) == len(node.data)
-    return node.op in ("call", "native") and node.data in AFFINE
+        lanes = SWIZZLE.data(node)
+        return len(set(lanes)) == len(lanes)
+    return builtin_of(node) in AFFINE

@@ -10,19 +10,17 @@ from collections.abc import Iterable
 
 from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Formal, Node
+from ..ir.operations import OPERATIONS, builtin_of
 from ..ir.shader import Notes
 
-OPERATIONS = {
+NOUNS = {
     "add": "sum", "sub": "difference", "mul": "product", "div": "quotient", "mod": "remainder",
     "neg": "negated", "dot": "cosine", "inversesqrt": "inverse_length", "sample": "texel",
-    "select": "chosen", "vector": "joined", "splat": "filled", "fold": "total", "apply": "result",
     "lt": "is_below", "le": "is_at_most", "gt": "is_above", "ge": "is_at_least",
     "eq": "is_equal", "ne": "differs", "and": "both", "or": "either", "not": "unless",
-    "swizzle": "lanes", "index": "element", "matrix": "columns", "member": "part",
-    "array": "elements", "iterate": "state",
     "saturate": "clamped", "max": "at_least", "min": "at_most",
 }  # fmt: skip
-"""What a value is called after where only its operation is known."""
+"""What a value is called after where only its builtin is known; others have theirs in their row."""
 
 
 class Naming:
@@ -57,11 +55,12 @@ class Naming:
         body = node.operands[0] if node.op == "apply" else node
         if body.id in self._notes.terms:
             return self._notes.functions[body.id]
-        if node.op in ("native", "call") and node.data == "dot":
+        builtin = builtin_of(node)
+        if builtin == "dot":
             left, right = (self._short(operand) for operand in node.operands)
             if left and right:
                 return f"{left}_dot_{right}" if left != right else f"{left}_squared"
-        if node.op in ("native", "call") and node.data == "sample":
+        if builtin == "sample":
             return self._short(node.operands[0])
         if node.op == "swizzle":
             (whole,) = node.operands
@@ -72,10 +71,12 @@ class Naming:
         role = self._notes.roles.get(node.id)
         if role is not None:
             return role
-        operation = str(node.data) if node.op in ("native", "call") else node.op
-        if operation == "dot" and node.operands[0] is node.operands[1]:
+        builtin = builtin_of(node)
+        if builtin is None:
+            return OPERATIONS[node.op].noun or node.op
+        if builtin == "dot" and node.operands[0] is node.operands[1]:
             return "length_squared"
-        return OPERATIONS.get(operation, operation)
+        return NOUNS.get(builtin, builtin)
 
     def _short(self, node: Node) -> str | None:
         """What a value is called, if it is called anything."""

@@ -16,20 +16,19 @@ from ...frozen import changed
 from ..ir import build
 from ..ir.binding import open_body
 from ..ir.node import (
-    BINDING,
-    Folding,
+    Binder,
     Formal,
     Formals,
     Graph,
-    Iterating,
     Node,
     binders,
     bodies_of,
     reachable,
 )
+from ..ir.operations import BINDING
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
-from ..ir.types import INT, Array, Struct, Type
+from ..ir.types import Array, Struct, Type
 
 
 def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
@@ -71,19 +70,15 @@ class _Opener:
             return None
         if node.op == "apply":
             return self._apply(node, operands)
-        states = node.data.states if isinstance(node.data, Iterating) else 0
-        types = (INT, *(start.type for start in operands[1 : 1 + states]))
+        data = node.data
+        assert isinstance(data, Binder)
+        types = tuple(data.types([operand.type for operand in operands]))
         formals = tuple(map(Formal, self._names(node, len(types))))
         variables = self._variables(formals, types)
         opened = list(operands)
         for position in bodies_of(node):
             opened[position] = self._open(node.operands[position], operands[position], variables)
-        if isinstance(node.data, Folding):
-            data: Folding | Iterating = changed(node.data, index=formals[0])
-        else:
-            assert isinstance(node.data, Iterating)
-            data = changed(node.data, formals=formals)
-        return self._graph.node(node.op, node.type, tuple(opened), data)
+        return self._graph.node(node.op, node.type, tuple(opened), changed(data, formals=formals))
 
     def _apply(self, node: Node, operands: tuple[Node, ...]) -> Node:
         body, arguments = node.operands[0], operands[1:]
@@ -94,7 +89,7 @@ class _Opener:
         given: list[Node] = []
         for argument, split in zip(arguments, apart, strict=True):
             given += build.flattened(self._graph, argument) if split else (argument,)
-        return self._graph.node("apply", node.type, (opened, *given), formals)
+        return build.apply(self._graph, opened, tuple(given), formals)
 
     def _function(self, node: Node, body: Node, apart: list[bool]) -> tuple[Node, Formals]:
         names = self._names(node, len(apart))

@@ -8,7 +8,8 @@ from itertools import count
 from ...frozen import changed, frozen
 from ..ir import build
 from ..ir.leaves import Attribute, Parameter, Resource
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, formals_of
+from ..ir.operations import INPUT
 from ..ir.program import (
     Block,
     Field,
@@ -81,7 +82,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     graph, notes = shader.graph, shader.notes
     roots = passed("semantics", "semantics", shader.roots)
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
-    roots = passed("replace_aggregates", "opened", replace_aggregates(graph, roots, notes))
+    roots = passed("replace_aggregates", "flat", replace_aggregates(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
@@ -109,15 +110,15 @@ def _simplified(
     graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier
 ) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    roots = passed("simplify", "opened", rewrite(graph, roots, simplifier.rule, notes.follow))
-    roots = passed("fuse", "opened", fuse(graph, roots, notes, simplifier))
-    return passed("inline", "opened", inline(graph, roots, notes, simplifier))
+    roots = passed("simplify", "flat", rewrite(graph, roots, simplifier.rule, notes.follow))
+    roots = passed("fuse", "flat", fuse(graph, roots, notes, simplifier))
+    return passed("inline", "flat", inline(graph, roots, notes, simplifier))
 
 
 def _guarded(
     graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges
 ) -> tuple[list[Node], Guarding]:
-    roots = passed("expand_builtins", "opened", expand_builtins(graph, roots, notes, ranges))
+    roots = passed("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
     guarding = Guarding(graph, ranges, notes, PathConditions(roots, ranges))
     roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
     roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))
@@ -218,19 +219,18 @@ def _stage(
         functions=functions,
         region=Scheduler(roots, shader.notes, naming).schedule(),
         results=outputs,
-        builtin_inputs=tuple(sorted({str(n.data) for n in visible(roots) if n.op == "input"})),
+        builtin_inputs=tuple(sorted({INPUT.data(n) for n in visible(roots) if n.op == "input"})),
         reads=texture_reads(nodes),
     )
 
 
 def _function(call: Node, notes: Notes, naming: Naming) -> Function:
     body = call.operands[0]
-    assert isinstance(call.data, tuple)
     types = [argument.type for argument in call.operands[1:]]
     return Function(
         name=notes.functions.get(body.id, "shade"),
         doc=notes.docs.get(body.id, ""),
-        parameters=tuple(zip(call.data, types, strict=True)),
+        parameters=tuple(zip(formals_of(call), types, strict=True)),
         body=body,
         region=Scheduler((body,), notes, naming).schedule(),
         value=body,

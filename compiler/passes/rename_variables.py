@@ -13,16 +13,16 @@ from typing import TypeAlias
 from ...frozen import changed
 from ..ir.binding import Moved
 from ..ir.node import (
-    Folding,
+    Binder,
     Formal,
     Formals,
     Graph,
-    Iterating,
     Node,
     bodies_of,
     formals_of,
     reachable,
 )
+from ..ir.operations import LOOPS
 
 _Renamed: TypeAlias = frozenset[tuple[Formal, Formal]]
 _NOTHING: _Renamed = frozenset()
@@ -31,7 +31,7 @@ _NOTHING: _Renamed = frozenset()
 def rename_variables(graph: Graph, roots: Iterable[Node], moved: Moved) -> list[Node]:
     """The roots with no variable bound by two loops."""
     wanted = list(roots)
-    loops = [node for node in reachable(wanted) if node.op in ("fold", "iterate")]
+    loops = [node for node in reachable(wanted) if node.op in LOOPS]
     if len({formal for loop in loops for formal in formals_of(loop)}) == sum(
         len(formals_of(loop)) for loop in loops
     ):
@@ -94,9 +94,7 @@ class _Separating:
         data = node.data
         if isinstance(data, Formal):
             data = dict(around).get(data, data)
-        elif isinstance(data, Folding):
-            data = changed(data, index=self._own[node.id, around][0])
-        elif isinstance(data, Iterating):
+        elif isinstance(data, Binder) and node.op in LOOPS:
             data = changed(data, formals=self._own[node.id, around])
         if operands == node.operands and data == node.data:
             return node

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 
 from ..ir import build
 from ..ir.node import Graph, Node
+from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import INT, Array, Matrix
@@ -39,7 +40,7 @@ class _Dissolving:
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Resolve what is read of an aggregate; its own parts have been resolved already."""
         if node.op == "member":
-            return run(self._member(operands[0], str(node.data)))
+            return run(self._member(operands[0], MEMBER.data(node)))
         if node.op == "index" and isinstance(node.operands[0].type, Array):
             return run(self._element(operands[0], operands[1]))
         if node.op == "select" and isinstance(node.type, Matrix):

@@ -10,19 +10,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from ..ir.node import Folding, Formal, Iterating, Node, bodies_of, formals_of, reachable
+from ..ir.node import Formal, Node, bodies_of, formals_of, reachable
+from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.shader import Notes
 from ..ir.types import BOOL, Matrix, Texture
 from ..trampoline import Reply, Step, run
 from .cost import cost_of
-from .guard import BRANCH
 from .naming import Naming
 from .path_conditions import DEEPEST
-from .uniformity import LOOPS, compares, needing_uniform_flow
+from .uniformity import compares, needing_uniform_flow
 from .walks import in_order_of_use, operands_of
 
-LEAVES = frozenset({"constant", "parameter", "resource", "attribute", "formal", "input", "bound"})
 BRANCH_COST = 32
 """A select whose sides cost less than this is cheaper than a branch."""
 INLINE_DEPTH = 7
@@ -224,20 +223,17 @@ class Scheduler:
         return Branch(self._naming.name(node), node, then, otherwise)
 
     def _loop(self, node: Node) -> Step[Loop]:
-        assert isinstance(node.data, Folding) and node.data.index is not None
+        data = FOLD.data(node)
         count, start, value = node.operands
         name = self._naming.name(node)
         body = yield self._emit(self._loops[node.id][0])
         self._size[node.id] = BOUND
-        return Loop(
-            name, node, count, node.data.bound, start, node.data.index, node.data.operator,
-            body, value,
-        )  # fmt: skip
+        return Loop(name, node, count, data.bound, start, data.index, data.operator, body, value)
 
     def _iterate(self, node: Node) -> Step[Iterate]:
-        assert isinstance(node.data, Iterating) and node.data.formals is not None
-        index, *formals = node.data.formals
-        count, states = node.data.states, node.operands[1 : 1 + node.data.states]
+        data = ITERATE.data(node)
+        index, *formals = data.variables
+        count, states = data.states, node.operands[1 : 1 + data.states]
         whole = self._naming.name(node)
         names = [whole] if count == 1 else [formal.name for formal in formals]
         head, tail = self._loops[node.id]
@@ -247,7 +243,7 @@ class Scheduler:
         nexts = node.operands[2 + count :]
         order = _order_of_states(nexts, formals)
         return Iterate(
-            node, node.operands[0], node.data.bound, index,
+            node, node.operands[0], data.bound, index,
             tuple(State(names[k], formals[k], states[k], nexts[k], kept) for k, kept in order),
             tuple(k for k, _ in order), before, node.operands[1 + count], after,
         )  # fmt: skip
@@ -313,12 +309,12 @@ def is_part(node: Node) -> bool:
     """Lanes, members and columns: no work where the whole is at hand."""
     if node.op == "index":
         return node.operands[1].op == "constant"
-    return node.op in ("swizzle", "member")
+    return node.op in PARTS
 
 
 def is_access(node: Node) -> bool:
     """Reads of parts of what is at hand anyway; naming them would only add lines."""
-    if node.op in ("swizzle", "member", "index"):
+    if node.op in PARTS:
         whole = node.operands[0]
         return whole.op in LEAVES or whole.op == "iterate" or is_access(whole)
     return node.op in ("interpolate", "splat")

@@ -14,6 +14,7 @@ from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.binding import substitute
 from ..ir.node import Folding, Formal, Graph, Iterating, Node, Op
+from ..ir.operations import LOOPS, SWIZZLE, builtin_of
 from ..ir.ranges import Ranges
 from ..ir.refinements import OPPOSITES
 from ..ir.rewrite import rewrite
@@ -147,8 +148,7 @@ def _swizzle(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hasha
             picked = tuple(values[lane] for lane in lanes)
             return build.constant(s.graph, type_, picked[0] if len(picked) == 1 else picked)
         case "swizzle":
-            assert isinstance(source.data, tuple)
-            inner = source.data
+            inner = SWIZZLE.data(source)
             return s.make("swizzle", type_, source.operands, tuple(inner[lane] for lane in lanes))
         case "splat":
             return build.splat(s.graph, source.operands[0], len(lanes))
@@ -191,9 +191,8 @@ def _rejoined(s: Simplifier, type_: Type, operands: tuple[Node, ...]) -> Node | 
         return None
     lanes: tuple[int, ...] = ()
     for operand in operands:
-        own = operand.data if operand.op == "swizzle" else tuple(range(width(operand.type)))
-        assert isinstance(own, tuple)
-        lanes += own
+        whole = operand.op != "swizzle"
+        lanes += tuple(range(width(operand.type))) if whole else SWIZZLE.data(operand)
     return s.make("swizzle", type_, (source,), lanes)
 
 
@@ -226,7 +225,7 @@ def _select(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashab
         return then if condition.data else otherwise
     if then is otherwise:
         return then
-    if condition.op in ("call", "native") and condition.data == "not":
+    if builtin_of(condition) == "not":
         return s.make("select", type_, (condition.operands[0], otherwise, then), data)
     if then.op == "constant" != otherwise.op and _is_comparison(condition):
         # The side that computes something comes first: it is the one that a branch may skip.
@@ -238,7 +237,7 @@ def _select(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashab
 
 
 def _is_comparison(node: Node) -> bool:
-    return node.op in ("call", "native") and node.data in OPPOSITES
+    return builtin_of(node) in OPPOSITES
 
 
 def _interpolate(
@@ -250,7 +249,7 @@ def _interpolate(
 def _fold(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
     """Folds that do nothing, or so little that it is written out."""
     count, start, body = operands
-    assert isinstance(data, Folding) and data.index is not None
+    assert isinstance(data, Folding)
     turns = _turns(count, data.bound)
     if turns == 0 or _is_neutral(body, data.operator):
         return start
@@ -274,20 +273,21 @@ def _is_neutral(body: Node, operator: str) -> bool:
 
 def _iterate(s: Simplifier, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Node | None:
     """Loops that never turn, or that turn a few times without asking whether to stop."""
-    assert isinstance(data, Iterating) and data.formals is not None
+    assert isinstance(data, Iterating)
+    formals = data.variables
     count, states = operands[0], operands[1 : 1 + data.states]
     going, nexts = operands[1 + data.states], operands[2 + data.states :]
     turns = _turns(count, data.bound)
     stops_at_once = going.op == "constant" and going.data is False
-    if turns == 0 or stops_at_once or (data.states == 1 and nexts[0].data is data.formals[1]):
+    if turns == 0 or stops_at_once or (data.states == 1 and nexts[0].data is formals[1]):
         return _states(s, type_, states)
     if turns is None or going.op != "constant":
         return None
-    if not _worth_unrolling(turns, nexts, set(data.formals)):
+    if not _worth_unrolling(turns, nexts, set(formals)):
         return None
     for i in range(turns):
         given = (build.constant(s.graph, INT, i), *states)
-        here = dict(zip(data.formals, given, strict=True))
+        here = dict(zip(formals, given, strict=True))
         states = tuple(substitute_through(s, following, here) for following in nexts)
     return _states(s, type_, states)
 
@@ -341,7 +341,7 @@ def _worth_unrolling(turns: int, bodies: Iterable[Node], formals: set[Formal]) -
         if node.id in seen or node.variables.isdisjoint(formals):
             continue
         seen.add(node.id)
-        if node.op in ("fold", "iterate"):
+        if node.op in LOOPS:
             return False
         spent += (cost(node) if node.op == "apply" else cost_of(node)) * turns
         if turns > UNROLLED and spent > UNROLLED_COST:

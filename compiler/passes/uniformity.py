@@ -10,13 +10,13 @@ from collections.abc import Iterable
 
 from ...stdlib.builtins import BUILTINS
 from ..ir.node import Node
-
-LOOPS = frozenset({"fold", "iterate"})
+from ..ir.operations import LOOPS, builtin_of
 
 
 def compares(node: Node) -> bool:
     """Whether an operation compares neighbouring pixels."""
-    return node.op in ("native", "call") and BUILTINS[str(node.data)].uniform_control_flow
+    builtin = builtin_of(node)
+    return builtin is not None and BUILTINS[builtin].uniform_control_flow
 
 
 def needing_uniform_flow(nodes: Iterable[Node]) -> frozenset[int]:

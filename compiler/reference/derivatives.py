@@ -1,8 +1,8 @@
-"""Differences between neighbouring pixels.
+"""The meaning of derivatives: differences between neighbouring pixels.
 
-Arrays hold quads of 2 × 2 pixels in their last two axes, rows downwards and then columns; a plain
-number, and what is along an axis of length 1, is the same in all of them. The difference is that of
-the pixel's own row or column.
+Arrays hold quads of 2 × 2 pixels in their last two axes, first rows, downwards, then columns. A
+plain number, and an axis of length 1, has the same value in all pixels. The difference is taken
+within the pixel's own row or column.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""The value of a graph whose leaves are known: the definition of what a program means.
+"""Evaluates a graph whose leaves have values: this is the definition of what a program means.
 
-Works on graphs at every stage of the compiler, with binders closed (de Bruijn) or open (formals),
-so that a pass can be checked by evaluating before and after it; on Python numbers or, for pictures,
-on arrays. Graphs and the nesting of binders may be as deep as they like.
+Constant folding and semantics use it while compiling, the reference's pictures use it with arrays
+instead of numbers, and tests use it to compare a graph before and after a pass. It accepts graphs
+of every phase of the compiler, with binders closed (de Bruijn indices) or open (formals). Graphs
+and binders may be nested without limit.
 """
 
 from __future__ import annotations
@@ -10,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from ..ir.node import Folding, Formal, Iterating, Node, binders, bodies_of, formals_of
+from ..ir.node import Formal, Node, binders, bodies_of, formals_of
+from ..ir.operations import BOUND, FOLD, FORMAL, ITERATE, OUTSIDE
 from ..ir.types import scalar_kind
 from ..trampoline import Step, run
 from . import scalars
@@ -21,22 +23,24 @@ from .operations import NotConstantError, apply, chosen, constant_lanes
 __all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "evaluate"]
 
 Leaves = Callable[[Node], Lanes | None]
-"""The value of a leaf; ``None`` where it has none. Textures have a ``textures.Reader``.
+"""Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
+``texture_reads.Reader``.
 
-It is asked about crossings (``interpolate``) too: one without a value has that of its operand.
+It is also called for crossings (``interpolate``); one without a value has that of its operand.
 """
 
 Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
-"""Sees every operation that is computed, with the values of its operands and its own; the answer is
-the value to go on with."""
+"""Called for every operation that is computed, with the values of its operands and its own value.
+Evaluation continues with the value that it returns."""
 
-_LEAVES = frozenset({"parameter", "resource", "attribute", "input", "interpolate"})
+_ASKED = OUTSIDE | {"interpolate"}
+"""What ``Leaves`` may have a value for."""
 
 
 def evaluate(root: Node, leaves: Leaves | None = None, xp: Namespace = scalars) -> Lanes:
-    """The lanes of ``root`` (a matrix: its columns), in float64.
+    """The lanes of ``root`` in float64; of a matrix, its columns.
 
-    Raises ``NotConstantError`` at a leaf without a value.
+    Raises ``NotConstantError`` if a leaf has no value.
     """
     if root.op == "constant":
         return constant_lanes(root.type, root.data)
@@ -45,17 +49,18 @@ def evaluate(root: Node, leaves: Leaves | None = None, xp: Namespace = scalars) 
 
 @dataclass(eq=False, slots=True)
 class _Frame:
-    """One evaluation of a binder's body, or (without parent) of what is under no binder."""
+    """One evaluation of a binder's body; without a parent, of everything that is under no
+    binder."""
 
     parent: _Frame | None = None
     bound: tuple[Lanes, ...] = ()
-    """Values of the de Bruijn variables, of all binders around, the innermost first."""
+    """The values of the de Bruijn variables of all binders around the body, the innermost first."""
     formals: Mapping[Formal, Lanes] = field(default_factory=dict)
     values: dict[int, Lanes] = field(default_factory=dict)
 
 
 class Evaluator:
-    """Evaluates roots that share nodes; each node once for each value of the variables in it."""
+    """Evaluates several roots that share nodes; each node once for each value of its variables."""
 
     def __init__(
         self,
@@ -74,7 +79,7 @@ class Evaluator:
         return run(self._value(root, frame))
 
     def _home(self, node: Node, frame: _Frame) -> _Frame:
-        """The outermost frame in which ``node`` has the value that it has in ``frame``."""
+        """The outermost frame in which ``node`` has the same value as in ``frame``."""
         wanted = node.variables
         while frame.parent is not None and not node.free and wanted.isdisjoint(frame.formals):
             frame = frame.parent
@@ -103,14 +108,13 @@ class Evaluator:
         return self._home(root, frame).values[root.id]
 
     def _given(self, node: Node, frame: _Frame) -> Lanes | None:
-        """The value of a variable or a leaf."""
-        if node.op in _LEAVES:
+        """The value of a variable or a leaf, or ``None`` for any other node."""
+        if node.op in _ASKED:
             return self._leaves(node) if self._leaves is not None else None
-        if node.op == "bound" and isinstance(node.data, int):
-            return frame.bound[node.data] if node.data < len(frame.bound) else None
-        if node.op == "formal" and isinstance(node.data, Formal):
-            return frame.formals.get(node.data)
-        return None
+        if node.op == "bound":
+            index = BOUND.data(node)
+            return frame.bound[index] if index < len(frame.bound) else None
+        return frame.formals.get(FORMAL.data(node)) if node.op == "formal" else None
 
     def _computed(self, node: Node, frame: _Frame) -> Step[Lanes]:
         operands = [
@@ -130,26 +134,28 @@ class Evaluator:
         return result
 
     def _folded(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
-        """One turn after the other; where counts differ, in an array, some take no part."""
-        assert isinstance(node.data, Folding)
+        """Evaluate a fold, one iteration after the other.
+
+        If the count is an array, elements that have finished keep their totals.
+        """
+        data = FOLD.data(node)
         (count,), total = operands
         kind = scalar_kind(node.type) or "float"
-        for turn in range(node.data.bound):
+        for turn in range(data.bound):
             goes_on = turn < count
             if goes_on is False:
                 break
             term = yield self._value(node.operands[2], _inner(node, frame, ((turn,),)))
-            combined = builtin(node.data.operator, (total, term), self._xp, kind)
+            combined = builtin(data.operator, (total, term), self._xp, kind)
             total = chosen(self._xp, goes_on, combined, total)
         return total
 
     def _iterated(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
-        """Likewise: where values differ, in an array, those that have stopped keep their states."""
-        assert isinstance(node.data, Iterating)
+        """Evaluate an iteration. With arrays, elements that have stopped keep their states."""
         (count,), *states = operands
         going, *nexts = (node.operands[i] for i in bodies_of(node))
         goes_on: Lane = True
-        for turn in range(node.data.bound):
+        for turn in range(ITERATE.data(node).bound):
             inner = _inner(node, frame, ((turn,), *states))
             (condition,) = yield self._value(going, inner)
             goes_on = _all(self._xp, goes_on, turn < count, condition)
@@ -164,7 +170,7 @@ class Evaluator:
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:
-    """Whether all of them hold, as a plain bool where it is one."""
+    """Whether all conditions hold; a plain ``bool`` unless one of them is an array."""
     found: Lane = True
     for condition in conditions:
         found = xp.logical_and(found, condition)
@@ -176,7 +182,7 @@ def _anywhere(condition: Lane) -> bool:
 
 
 def _needed_first(node: Node) -> tuple[Node, ...]:
-    """The operands that are evaluated where the node is: not the bodies under its binder."""
+    """The operands that are evaluated before the node: all but the bodies under its binder."""
     inside = bodies_of(node)
     if not inside:
         return node.operands
@@ -184,7 +190,7 @@ def _needed_first(node: Node) -> tuple[Node, ...]:
 
 
 def _inner(node: Node, frame: _Frame, variables: tuple[Lanes, ...]) -> _Frame:
-    """A frame for the body of ``node``."""
+    """A frame for the body of ``node``, with values for the variables that it binds."""
     if binders(node):
         return _Frame(frame, variables + frame.bound)
     return _Frame(frame, frame.bound, dict(zip(formals_of(node), variables, strict=True)))

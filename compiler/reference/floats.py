@@ -1,8 +1,8 @@
-"""What each function of floats means, lane by lane.
+"""The meaning of builtins on floats, lane by lane.
 
-The names are the builtins', with an underscore where Python has a function or word of that name.
-Operands outside the naive domain are replaced *before* the naive
-function sees them, as in the shaders, so that no NaN ever appears on the way.
+The names are those of the builtins, with an underscore if Python has the name already. Operands
+outside of the domain of Python's or NumPy's function are replaced *before* it is called, as in the
+shaders, so that NaN never occurs.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .namespace import Lane, Namespace
 
 
 def _is_tiny(x: Lane) -> Lane:
-    """Whether a device may see zero."""
+    """Whether a device may treat the number as zero."""
     return abs(x) < SMALLEST_NORMAL
 
 

@@ -1,7 +1,7 @@
-"""What every builtin means: one function a name, on Python numbers or on arrays.
+"""The table of what every builtin means, on Python numbers or on arrays.
 
-This is the definition that folding, evaluation and the conformance cases share. Nothing here
-imports NumPy, so that compiling does not; pictures pass it in as ``xp``.
+Constant folding, the evaluator and the tests of builtins use it. Nothing here imports NumPy, so
+that compiling does not need it; the reference's pictures pass NumPy as ``xp``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Literal
 
 from ...stdlib.builtins import texture
 from . import (
-    bits,
+    bit_functions,
     derivatives,
     floats,
     hyperbolic,
@@ -19,7 +19,7 @@ from . import (
     logic,
     matrices,
     scalars,
-    textures,
+    texture_reads,
     vectors,
 )
 from .namespace import Lane, Lanes, Namespace
@@ -37,7 +37,7 @@ _SHARED: Mapping[str, Function] = {
     "max": floats.max_,
     "clamp": floats.clamp,
 }
-"""Lane by lane, with one definition for floats and integers."""
+"""Functions that have one definition for floats and for integers."""
 
 _FLOATS: Mapping[str, Function] = {
     **_SHARED,
@@ -77,9 +77,9 @@ _FLOATS: Mapping[str, Function] = {
     "asinh": hyperbolic.asinh,
     "acosh": hyperbolic.acosh,
     "atanh": hyperbolic.atanh,
-    "mantissa": bits.mantissa,
-    "ldexp": bits.ldexp,
-    "quantize_half": bits.quantize_half,
+    "mantissa": bit_functions.mantissa,
+    "ldexp": bit_functions.ldexp,
+    "quantize_half": bit_functions.quantize_half,
 }
 
 _INTEGERS: Mapping[str, Function] = {
@@ -87,18 +87,18 @@ _INTEGERS: Mapping[str, Function] = {
     "div": integers.div,
     "mod": integers.mod,
     "sign": integers.sign,
-    "bit_and": bits.bit_and,
-    "bit_or": bits.bit_or,
-    "bit_xor": bits.bit_xor,
-    "bit_not": bits.bit_not,
-    "shift_left": bits.shift_left,
-    "shift_right": bits.shift_right,
-    "reverse_bits": bits.reverse_bits,
-    "extract_bits": bits.extract_bits,
-    "insert_bits": bits.insert_bits,
+    "bit_and": bit_functions.bit_and,
+    "bit_or": bit_functions.bit_or,
+    "bit_xor": bit_functions.bit_xor,
+    "bit_not": bit_functions.bit_not,
+    "shift_left": bit_functions.shift_left,
+    "shift_right": bit_functions.shift_right,
+    "reverse_bits": bit_functions.reverse_bits,
+    "extract_bits": bit_functions.extract_bits,
+    "insert_bits": bit_functions.insert_bits,
 }
-_SIGNED: Mapping[str, Function] = {"extract_bits": bits.extract_signed_bits}
-"""What is otherwise for ``int``."""
+_SIGNED: Mapping[str, Function] = {"extract_bits": bit_functions.extract_signed_bits}
+"""Functions whose definition for ``int`` differs from that for ``uint``."""
 
 _OF_ANOTHER_KIND: Mapping[str, Function] = {
     "eq": logic.eq,
@@ -111,14 +111,14 @@ _OF_ANOTHER_KIND: Mapping[str, Function] = {
     "or": logic.or_,
     "not": logic.not_,
     "choose": logic.choose,
-    "count_bits": bits.count_bits,
-    "first_leading_bit": bits.first_leading_bit,
-    "first_trailing_bit": bits.first_trailing_bit,
-    "bits_of": bits.bits_of,
-    "float_of_bits": bits.float_of_bits,
-    "exponent": bits.exponent,
+    "count_bits": bit_functions.count_bits,
+    "first_leading_bit": bit_functions.first_leading_bit,
+    "first_trailing_bit": bit_functions.first_trailing_bit,
+    "bits_of": bit_functions.bits_of,
+    "float_of_bits": bit_functions.float_of_bits,
+    "exponent": bit_functions.exponent,
 }
-"""Lane by lane, with results that need no wrapping, whatever the operands are."""
+"""Functions whose results need no wrapping, for operands of any type."""
 
 _CONVERSIONS: Mapping[str, Function] = {
     "to_float": integers.to_float,
@@ -143,23 +143,23 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "determinant": matrices.determinant,
     "outer": matrices.outer,
     "hadamard": matrices.hadamard,
-    "pack_unorm4x8": bits.pack_unorm,
-    "pack_unorm2x16": bits.pack_unorm,
-    "pack_snorm4x8": bits.pack_snorm,
-    "pack_snorm2x16": bits.pack_snorm,
-    "pack_half2x16": bits.pack_half2x16,
-    "unpack_unorm4x8": bits.unpack_unorm4x8,
-    "unpack_unorm2x16": bits.unpack_unorm2x16,
-    "unpack_snorm4x8": bits.unpack_snorm4x8,
-    "unpack_snorm2x16": bits.unpack_snorm2x16,
-    "unpack_half2x16": bits.unpack_half2x16,
+    "pack_unorm4x8": bit_functions.pack_unorm,
+    "pack_unorm2x16": bit_functions.pack_unorm,
+    "pack_snorm4x8": bit_functions.pack_snorm,
+    "pack_snorm2x16": bit_functions.pack_snorm,
+    "pack_half2x16": bit_functions.pack_half2x16,
+    "unpack_unorm4x8": bit_functions.unpack_unorm4x8,
+    "unpack_unorm2x16": bit_functions.unpack_unorm2x16,
+    "unpack_snorm4x8": bit_functions.unpack_snorm4x8,
+    "unpack_snorm2x16": bit_functions.unpack_snorm2x16,
+    "unpack_half2x16": bit_functions.unpack_half2x16,
     "inverse": matrices.inverse,
-    **{row.name: textures.reading(row.name) for row in texture.ROWS},
+    **{row.name: texture_reads.reading(row.name) for row in texture.ROWS},
 }
-"""On whole values rather than lane by lane."""
+"""Functions of whole values, which do not work lane by lane."""
 
 NAMES = frozenset({*_FLOATS, *_INTEGERS, *_OF_ANOTHER_KIND, *_CONVERSIONS, *_WHOLE, "dot"})
-"""Every builtin that has a meaning here."""
+"""The names of all builtins that have a meaning here."""
 
 
 def evaluate(
@@ -168,11 +168,11 @@ def evaluate(
     xp: Namespace = scalars,
     kind: LaneKind = "float",
 ) -> Lanes:
-    """The value of builtin ``name``; ``kind`` is that of the operands' lanes.
+    """The value of the builtin ``name``; ``kind`` is the type of the operands' lanes.
 
-    Scalars go with every lane of a vector; arrays of integers are 64 bits wide, so that they can be
-    wrapped to 32. Never raises for operands that fit the builtin's signatures, and what overflows
-    is infinite.
+    A scalar is combined with every lane of a vector. Arrays of integers are 64 bits wide, so that
+    results can be wrapped to 32 bits. Never raises for operands that fit the builtin's signatures;
+    a result that is too large is infinite.
     """
     if name in _WHOLE:
         return _WHOLE[name](xp, *operands)
@@ -187,20 +187,20 @@ def evaluate(
 
 
 def _dot(operands: Sequence[Lanes], xp: Namespace, kind: LaneKind) -> Lanes:
-    """The inner product, wrapped where it is one of integers."""
+    """The inner product; of integers, wrapped to 32 bits."""
     (product,) = vectors.dot(xp, *operands)
     return (integers.wrap(kind, product) if kind in ("int", "uint") else product,)
 
 
 def _on_matrices(name: str, operands: Sequence[Lanes], xp: Namespace) -> Lanes:
-    """An operator on matrices, which goes column by column unless it is the product."""
+    """An operator on matrices: the matrix product, or any other operator column by column."""
     if name == "mul":
         return matrices.mul(xp, *operands)
     return tuple(evaluate(name, columns, xp) for columns in zip(*operands, strict=True))
 
 
 def _lanewise(name: str, xp: Namespace, kind: LaneKind) -> Function:
-    """The function of lanes of ``kind``, with integers wrapped."""
+    """The function for one lane of type ``kind``; results of integers are wrapped."""
     if name in _CONVERSIONS:
         return lambda x: _convert(name, xp, kind, x)
     if name in _OF_ANOTHER_KIND:
@@ -213,7 +213,7 @@ def _lanewise(name: str, xp: Namespace, kind: LaneKind) -> Function:
 
 
 def _convert(name: str, xp: Namespace, source: LaneKind, x: Lane) -> Lane:
-    """A conversion; among integers it keeps the bits."""
+    """A conversion; one between integers keeps the bits."""
     if source == "float" or name == "to_float":
         return _CONVERSIONS[name](xp, x)
     return integers.wrap("int" if name == "to_int" else "uint", xp.int64(x))

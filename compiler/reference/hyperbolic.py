@@ -1,11 +1,11 @@
-"""What the hyperbolic functions mean, lane by lane."""
+"""The meaning of the hyperbolic functions, lane by lane."""
 
 from __future__ import annotations
 
 from .namespace import Lane, Namespace
 
 _BELOW_ONE = 1.0 - 2.0**-24
-"""The last float32 before 1."""
+"""The largest float32 below 1."""
 
 
 def sinh(xp: Namespace, x: Lane) -> Lane:

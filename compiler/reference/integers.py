@@ -1,4 +1,4 @@
-"""What each function of 32-bit integers means, lane by lane, before the result is wrapped."""
+"""The meaning of builtins on 32-bit integers, lane by lane, before the result is wrapped."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _HALF = 0x80000000
 
 
 def wrap(kind: IntegerKind, x: Lane) -> Lane:
-    """The integer of ``kind`` with the lowest 32 bits of ``x``."""
+    """The integer of type ``kind`` with the lowest 32 bits of ``x``."""
     return ((x + _HALF) & _MASK) - _HALF if kind == "int" else x & _MASK
 
 

@@ -1,4 +1,4 @@
-"""What each function of matrices means; a matrix is the tuple of its columns."""
+"""The meaning of builtins on matrices; a matrix is the tuple of its columns."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def mul(_xp: Namespace, x: Lanes, y: Lanes) -> Lanes:
 
 
 def _applied(m: Lanes, v: Lanes) -> Lanes:
-    """A matrix times a column: every row's inner product with it."""
+    """A matrix times a column: the inner product of every row with it."""
     return tuple(inner(row, v) for row in _rows(m))
 
 
@@ -48,7 +48,7 @@ def hadamard(_xp: Namespace, x: Lanes, y: Lanes) -> Lanes:
 
 
 def inverse(xp: Namespace, m: Lanes) -> Lanes:
-    """Cofactors, transposed, over the determinant; all zero where that is zero."""
+    """The transposed cofactors divided by the determinant; all zero if that is zero."""
     scale = floats.div(xp, 1.0, _determinant(m))
     size = range(len(m))
     return tuple(tuple(_cofactor(m, i, j) * scale for i in size) for j in size)
@@ -60,7 +60,8 @@ def _cofactor(m: Lanes, column: int, row: int) -> Lane:
 
 
 def _determinant(m: Lanes) -> Lane:
-    """Expanded along the first column (Laplace); a matrix without columns has 1."""
+    """By expansion along the first column (Laplace); a matrix without columns has the determinant
+    1."""
     if not m:
         return 1.0
     return sum(lane * _cofactor(m, 0, row) for row, lane in enumerate(m[0]))

@@ -1,7 +1,7 @@
-"""The array namespace that the reference is written against.
+"""The array library that the reference is written against, as a protocol.
 
-NumPy itself is one, for pictures; ``scalars`` is the one for plain Python numbers. The names and
-their behaviour are NumPy's: nothing raises, what has no value is NaN, overflow is infinite.
+NumPy implements it for pictures, and ``scalars`` for plain Python numbers. The names and their
+behaviour are NumPy's: no function raises, an undefined result is NaN, and overflow is infinite.
 """
 
 from __future__ import annotations
@@ -9,10 +9,10 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 Lane = Any
-"""One lane: a Python number, or an array with that lane of many values."""
+"""One lane: a Python number, or an array that holds this lane of many values."""
 
 Lanes = tuple[Any, ...]
-"""A value: the lanes of a vector, one lane for a scalar, a tuple of columns for a matrix."""
+"""A value: the lanes of a vector, a single lane for a scalar, a tuple of columns for a matrix."""
 
 
 class Unary(Protocol):
@@ -34,7 +34,7 @@ class Ternary(Protocol):
 
 
 class Namespace(Protocol):
-    """What the reference asks of an array library."""
+    """The functions of an array library that the reference uses."""
 
     @property
     def where(self) -> Ternary: ...

@@ -1,4 +1,4 @@
-"""The value of one operation for the values of its operands."""
+"""The value of one operation from the values of its operands; ``evaluate.py`` calls it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ..ir.node import Node
+from ..ir.node import Node, Op
+from ..ir.operations import CALL, MEMBER, SWIZZLE
 from ..ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector, scalar_kind
 from . import scalars
 from .functions import evaluate as builtin
@@ -14,7 +15,7 @@ from .namespace import Lane, Lanes, Namespace
 
 
 class NotConstantError(Exception):
-    """The graph has a leaf without a value."""
+    """The graph has a leaf without a value, so it is not a constant."""
 
     def __init__(self, node: Node) -> None:
         super().__init__(f"{node} has no value")
@@ -22,9 +23,10 @@ class NotConstantError(Exception):
 
 
 def apply(node: Node, operands: list[Lanes], xp: Namespace = scalars) -> Lanes:
-    """The value of an operation that neither binds variables nor is a leaf without a value.
+    """The value of an operation that binds no variables. Raises ``NotConstantError`` for a leaf.
 
-    The value of an array is the tuple of its elements', that of a struct the tuple of its members'.
+    The value of an array is the tuple of its elements, and that of a struct the tuple of its
+    members.
     """
     step = _STEPS.get(node.op)
     if step is None:
@@ -33,14 +35,14 @@ def apply(node: Node, operands: list[Lanes], xp: Namespace = scalars) -> Lanes:
 
 
 def constant_lanes(type_: Type, data: Any) -> Lanes:
-    """A constant node's data as lanes."""
+    """The data of a constant node as lanes."""
     if isinstance(type_, Scalar):
         return (data,)
     return tuple(data)
 
 
 def chosen(xp: Namespace, condition: Lane, then: Any, otherwise: Any) -> Any:
-    """``then`` where the condition holds, else ``otherwise``; of values of any one type."""
+    """``then`` where the condition holds, else ``otherwise``; both are values of the same type."""
     if isinstance(condition, bool):
         return then if condition else otherwise
     if isinstance(then, tuple):
@@ -55,7 +57,7 @@ def _constant(node: Node, _operands: list[Lanes], _xp: Namespace) -> Lanes:
 
 def _call(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
     kind = scalar_kind(node.operands[0].type)
-    return builtin(str(node.data), operands, xp, kind or "float")
+    return builtin(CALL.data(node), operands, xp, kind or "float")
 
 
 def _vector(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
@@ -68,13 +70,12 @@ def _splat(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
 
 
 def _joined(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    """Columns, members or elements."""
+    """The columns of a matrix, the members of a struct or the elements of an array."""
     return tuple(operands)
 
 
 def _swizzle(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    assert isinstance(node.data, tuple)
-    return tuple(operands[0][lane] for lane in node.data)
+    return tuple(operands[0][lane] for lane in SWIZZLE.data(node))
 
 
 def _index(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
@@ -87,7 +88,7 @@ def _index(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
 
 
 def _at(parts: Lanes, position: Lane, xp: Namespace) -> Any:
-    """The part at a position; many positions, in an array, take each their own."""
+    """The part at a position; if the position is an array, each element chooses its own part."""
     try:
         return parts[operator.index(position)]
     except TypeError:
@@ -101,7 +102,7 @@ def _member(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
     struct = node.operands[0].type
     assert isinstance(struct, Struct)
     names = [name for name, _ in struct.members]
-    member: Lanes = operands[0][names.index(str(node.data))]
+    member: Lanes = operands[0][names.index(MEMBER.data(node))]
     return member
 
 
@@ -112,16 +113,16 @@ def _select(_node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
 
 
 def _interpolate(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    """What all vertices agree on."""
+    """The value of a crossing without a value of its own: the same at all vertices."""
     return operands[0]
 
 
 def _marked(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
-    """Semantics evaluates constants while meanings and calls are still noted in the graph."""
+    """Marks do not change values; semantics evaluates constants while the graph still has marks."""
     return operands[0]
 
 
-_STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
+_STEPS: Mapping[Op, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "constant": _constant,
     "call": _call,
     "native": _call,
@@ -138,4 +139,4 @@ _STEPS: Mapping[str, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "as": _marked,
     "called": _marked,
 }
-"""A ``native`` is only used where the hardware agrees with the builtin's meaning."""
+"""Passes use ``native`` only where the hardware has the builtin's meaning."""

@@ -1,6 +1,6 @@
-"""The array namespace of plain Python numbers, for constant folding without NumPy.
+"""The array library for plain Python numbers, so that constant folding needs no NumPy.
 
-Every function answers as NumPy's does, where Python's own would raise: see ``namespace``.
+Every function returns what NumPy's would, also where Python's own would raise: see ``namespace``.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ _Number = TypeVar("_Number", int, float)
 
 
 def _total(function: Callable[[float], float]) -> Callable[[float], float]:
-    """``function`` with NumPy's answers in place of Python's exceptions."""
+    """``function``, returning what NumPy would where Python raises."""
 
     def total(x: float, /) -> float:
         try:
@@ -28,7 +28,7 @@ def _total(function: Callable[[float], float]) -> Callable[[float], float]:
 
 
 def _whole(function: Callable[[float], int]) -> Callable[[float], float]:
-    """A rounding function, which leaves alone what has no integer."""
+    """A rounding function that returns infinity and NaN unchanged."""
     return lambda x: float(function(x)) if math.isfinite(x) else x
 
 
@@ -43,22 +43,22 @@ def float64(x: float, /) -> float:
 
 
 def int64(x: float, /) -> int:
-    """The number cut to an integer."""
+    """The number truncated to an integer; 0 for infinity and NaN."""
     return int(x) if math.isfinite(x) else 0
 
 
 def logical_and(x: bool, y: bool, /) -> bool:
-    """Whether both hold."""
+    """Whether both conditions hold."""
     return x and y
 
 
 def logical_or(x: bool, y: bool, /) -> bool:
-    """Whether at least one holds."""
+    """Whether at least one condition holds."""
     return x or y
 
 
 def logical_not(x: bool, /) -> bool:
-    """Whether it does not hold."""
+    """Whether the condition does not hold."""
     return not x
 
 
@@ -73,14 +73,14 @@ def maximum(x: _Number, y: _Number, /) -> _Number:
 
 
 def divide(x: float, y: float, /) -> float:
-    """The quotient of IEEE 754."""
+    """The quotient as IEEE 754 defines it."""
     if y != 0:
         return x / y
     return math.nan if x == 0 or math.isnan(x) else math.copysign(math.inf, x) * math.copysign(1, y)
 
 
 def remainder(x: float, y: float, /) -> float:
-    """The remainder of the floored quotient."""
+    """The remainder of the quotient rounded down; it has the sign of ``y``."""
     return _floored_remainder(x, y) if y != 0 else math.nan
 
 
@@ -95,12 +95,12 @@ def power(x: float, y: float, /) -> float:
 
 
 def arctan2(y: float, x: float, /) -> float:
-    """The angle of a point from the x axis."""
+    """The angle between the x axis and the point (x, y)."""
     return math.atan2(y, x)
 
 
 def frexp(x: float, /) -> tuple[float, int]:
-    """Fraction, from a half to below one in magnitude, and exponent."""
+    """The fraction, whose magnitude is at least a half and below one, and the exponent."""
     return math.frexp(x)
 
 
@@ -113,7 +113,7 @@ def ldexp(x: float, n: int, /) -> float:
 
 
 def _logarithm(function: Callable[[float], float]) -> Callable[[float], float]:
-    """A logarithm that has a value at zero."""
+    """A logarithm that is minus infinity at zero."""
     total = _total(function)
     return lambda x: total(x) if x != 0 else -math.inf
 
@@ -141,7 +141,7 @@ arctanh = _total(math.atanh)
 
 
 def sinh(x: float, /) -> float:
-    """The hyperbolic sine, which overflows to either side."""
+    """The hyperbolic sine, which overflows to infinity of either sign."""
     try:
         return math.sinh(x)
     except OverflowError:

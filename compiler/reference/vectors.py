@@ -1,4 +1,4 @@
-"""What each function of whole vectors means."""
+"""The meaning of builtins on whole vectors."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from .namespace import Lane, Lanes, Namespace
 
 
 def scaled(v: Lanes, factor: Lane) -> Lanes:
-    """Every lane times ``factor``."""
+    """Every lane multiplied by ``factor``."""
     return tuple(lane * factor for lane in v)
 
 
 def inner(x: Lanes, y: Lanes) -> Lane:
-    """The inner product, as a lane."""
+    """The inner product, as a single lane."""
     return reduce(add, map(mul, x, y))
 
 

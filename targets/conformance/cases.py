@@ -1,8 +1,8 @@
-"""The pictures in which a material is compared: what people meet, and what breaks shaders.
+"""The scenes in which ``conform`` draws a material: common cases, and those that break shaders.
 
-Between them they have defaults and drawn values, all lights and none, lights inside the mesh,
-non-uniform scale, back faces, triangles that cross the near and
-the far plane, and textures in every slot.
+Together they have default and random values, all lights and none, lights inside the mesh,
+non-uniform scale, back faces, triangles that cross the near and the far plane, and a picture for
+every texture.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from ..runner.shots import Color, Shot, take
 from .sample import sample_textures, sample_values
 
 SIZE = (72, 56)
-"""Not square, so that an exchange of x and y shows."""
+"""Not square, so that an exchange of x and y is visible."""
 
 UNCOVERED: Color = (-8.0, -8.0, -8.0, -8.0)
-"""What no shader is likely to write, so that it shows which pixels are covered."""
+"""A clear colour that no shader is likely to write, so that it shows which pixels are covered."""
 
 BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
-"""What blending blends with."""
+"""The clear colour for blending."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -40,16 +40,16 @@ class Case:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Series:
-    """Cases that one pipeline draws."""
+    """Cases that one pipeline draws, one after the other."""
 
     exact: bool
-    """Whether they are drawn to float32 targets and without blending, to see what shaders write;
-    or else to the formats, and with the blending, that the pass declares."""
+    """Whether the targets are float32 without blending, which shows exactly what shaders write.
+    Otherwise they have the formats and the blending that the pass declares."""
     cases: tuple[Case, ...]
 
 
 def series_of(reflection: Mapping[str, Any], seed: int = 0) -> Iterator[Series]:
-    """All cases of one material; ``seed`` is where its values are drawn from."""
+    """All cases of one material; ``seed`` is the seed of its random values."""
     yield Series(exact=True, cases=(
         _defaults(reflection),
         _stretched("stretched", reflection, seed, UNCOVERED),
@@ -67,7 +67,7 @@ def _defaults(reflection: Mapping[str, Any]) -> Case:
 
 
 def _stretched(name: str, reflection: Mapping[str, Any], seed: int, clear: Color) -> Case:
-    """Scaled by another factor along each axis, with all lights, close to the mesh and inside."""
+    """Scaled differently along each axis, with all lights, close to the mesh and inside it."""
     scene = Scene(
         eye=(-0.7, 1.1, 2.6),
         object_to_world=_turned_and_stretched(),
@@ -78,13 +78,13 @@ def _stretched(name: str, reflection: Mapping[str, Any], seed: int, clear: Color
 
 
 def _behind(reflection: Mapping[str, Any], seed: int) -> Case:
-    """Back faces, and as few lights as there can be."""
+    """Back faces, and as few lights as possible."""
     scene = Scene(eye=(0.9, 0.5, -2.4), target=(0.1, 0.0, 0.0), light_count=0)
     return _case("behind", _sampled(reflection, seed), plane(4), scene)
 
 
 def _inside(reflection: Mapping[str, Any], seed: int) -> Case:
-    """Walls that stand behind the eye, and before it are cut off by the near and far plane."""
+    """Walls around the eye, which the near and the far plane cut."""
     scene = Scene(
         eye=(0.35, -0.2, 0.4),
         target=(-0.5, 0.1, -0.6),
@@ -110,7 +110,7 @@ def _case(
 
 
 def _turned_and_stretched() -> tuple[tuple[float, ...], ...]:
-    """Turned, then scaled by a different factor along each axis, then moved."""
+    """A matrix that rotates, then scales by a different factor along each axis, then moves."""
     turn = math.radians(35)
     rotation = np.array(
         [[math.cos(turn), -math.sin(turn), 0], [math.sin(turn), math.cos(turn), 0], [0, 0, 1]]

@@ -1,4 +1,4 @@
-"""Holds a route's picture against the reference's."""
+"""Compares the picture of a route with the reference's picture."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LARGEST = float(np.finfo(np.float32).max)
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """What a picture and the reference have in a pixel."""
+    """The values of one pixel in both pictures."""
 
     x: int
     y: int
@@ -30,38 +30,38 @@ class Sample:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """How two pictures compare."""
+    """The result of comparing two pictures; the counts are numbers of pixels."""
 
     pixels: int
-    """Of the picture."""
+    """All pixels of the picture."""
     covered: int
     """Pixels that the reference covers."""
     proven: int
-    """Covered pixels that are decided, and do not overflow."""
+    """Covered pixels that are decided and do not overflow."""
     undecided: int
-    """Pixels whose value hangs on rounding, which are not compared."""
+    """Pixels whose value depends on rounding; they are not compared."""
     overflowing: int
-    """Other pixels where the reference leaves what float32 holds, so that no value is right."""
+    """Other pixels whose reference value is too large for float32, so that no value is correct."""
     wrong: int
-    """Decided pixels that lie outside of the tolerance, or are covered by one of the two only."""
+    """Decided pixels that are outside of the tolerance, or that only one of the pictures covers."""
     max_difference: float
-    """The largest distance of any lane of a decided pixel from the reference; NaN is infinite."""
+    """The largest difference of any lane of a decided pixel; that of NaN is infinite."""
     excess: float
-    """The largest distance of a decided lane in units of its tolerance; up to 1 is agreement."""
+    """The largest difference of a decided lane, divided by its tolerance; up to 1 is agreement."""
     worst: Sample | None
-    """The decided pixel that lies furthest from the reference, measured in tolerances."""
+    """The decided pixel with the largest difference, measured in tolerances."""
     overflow: Sample | None
     """The first pixel that overflows."""
 
     @property
     def too_undecided(self) -> bool:
-        """Whether so much is undecided that agreement proves nothing."""
+        """Whether so many pixels are undecided that agreement of the others proves nothing."""
         many = self.undecided > UNDECIDED_SHARE * self.pixels
         return many or self.undecided > max(self.proven, UNDECIDED_FEW)
 
     @property
     def agrees(self) -> bool:
-        """Whether this is a pass."""
+        """Whether the pictures agree, as far as this comparison can tell."""
         return not (self.wrong or self.overflowing or self.too_undecided)
 
 
@@ -71,10 +71,10 @@ def compare(
     tolerance: Tolerance,
     steps: Sequence[Floats | float],
 ) -> Comparison:
-    """Compares the targets of two pictures, each (height, width, 4).
+    """Compare the targets of two pictures, each of shape (height, width, 4).
 
-    Uncovered pixels of ``expected`` hold the clear colour, which ``got`` has to show exactly there.
-    ``steps`` are what rounding to each target's format may add.
+    Uncovered pixels of ``expected`` have the clear colour, and ``got`` must have exactly the same
+    there. ``steps`` are the errors that rounding to each target's format may add.
     """
     beyond = np.stack([~(np.abs(e) <= LARGEST) for e in expected.targets])
     overflows = beyond.any(axis=(0, 3)) & ~expected.undecided
@@ -105,14 +105,14 @@ def compare(
 
 
 def _distance(got: Floats, expected: Floats) -> Floats:
-    """Between lanes; what is not finite is infinitely far from everything, itself included."""
+    """The difference of each lane; a value that is not finite is infinitely far from all others."""
     with np.errstate(invalid="ignore"):
         distance = np.abs(got - expected)
     return np.where(np.isfinite(distance), distance, np.inf)
 
 
 def _in_tolerances(distance: Floats, allowed: Floats) -> Floats:
-    """Where the reference's radius is not finite, nothing is within its tolerance."""
+    """Differences divided by tolerances; where the reference's radius is not finite, infinite."""
     with np.errstate(invalid="ignore"):
         return np.where(np.isfinite(allowed), distance / allowed, np.inf)
 
@@ -123,7 +123,7 @@ def _sample(
     got: tuple[Floats, ...],
     expected: tuple[Floats, ...],
 ) -> Sample | None:
-    """The pixel, and in it the target, with the most; pixels with less than zero do not count."""
+    """The pixel with the largest value, and in it the target; ``None`` if all are below zero."""
     if not per_pixel.size or per_pixel.max() < 0:
         return None
     y, x = np.unravel_index(int(per_pixel.argmax()), per_pixel.shape)

@@ -1,4 +1,4 @@
-"""Draws materials by every route and holds each picture against the reference's."""
+"""Runs ``conform``: draws materials with every route and compares with the reference."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .rows import Result, Row, Status
 from .tolerances import PROVEN_SHARE
 
 Done = Callable[[int, int], None]
-"""Is told how many rows are done, and of how many."""
+"""Called with the number of finished rows and the number of all rows."""
 
 
 def conform(
@@ -33,7 +33,7 @@ def conform(
     seed: int = 0,
     done: Done | None = None,
 ) -> list[Row]:
-    """A row for each material (with the name it goes by) and route, in this order."""
+    """A row for each labelled material and each route, in this order."""
     store = Store(STORE)
     plans = [_plan(label, subject, seed, store) for label, subject in subjects]
     rows: dict[tuple[int, int], Row] = {}
@@ -55,7 +55,7 @@ def conform(
 
 
 def _plan(label: str, subject: Subject, seed: int, store: Store) -> Plan | tuple[str, str]:
-    """A material's plan; or its label, and why it cannot be drawn anywhere."""
+    """A material's plan; or its label, and the reason why nothing can draw it."""
     try:
         return Plan(label, subject, seed, store)
     except ValueError as error:

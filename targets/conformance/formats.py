@@ -1,4 +1,4 @@
-"""What rounding to a render target's format leaves to chance."""
+"""The errors that rounding to a render target's format may cause."""
 
 from __future__ import annotations
 
@@ -13,18 +13,19 @@ from ..runner.textures.srgb import encode_srgb
 Floats = NDArray[np.float64]
 
 LAYERS = 4
-"""So many times, at most, a pixel of the cases is rounded: once for each fragment blended."""
+"""How often a pixel of the cases is rounded at most: once for each fragment that is blended."""
 
 
 def as_stored(targets: Sequence[Floats], formats: Sequence[str]) -> tuple[Floats, ...]:
-    """Values in the scale in which a format's steps are equal: clamped, and sRGB where it is."""
+    """Values in the scale in which a format's steps are equal: clamped, and encoded as sRGB if it
+    is."""
     return tuple(
         _stored(values, FORMATS[name]) for values, name in zip(targets, formats, strict=True)
     )
 
 
 def format_steps(stored: Sequence[Floats], formats: Sequence[str]) -> list[Floats]:
-    """How far rounding to each format may move the values of ``as_stored``."""
+    """By how much rounding to each format may change the values of ``as_stored``."""
     pairs = zip(stored, formats, strict=True)
     return [_steps(values, FORMATS[name]) for values, name in pairs]
 

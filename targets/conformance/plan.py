@@ -1,4 +1,4 @@
-"""What is drawn of one material, and what has to come out: made once, for all routes."""
+"""The draws of one material and the expected pictures, made once and shared by all routes."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ Floats = NDArray[np.float64]
 
 
 class Plan:
-    """The cases of one material. Used by several threads."""
+    """The cases of one material. Several threads use it."""
 
     def __init__(self, label: str, subject: Subject, seed: int, store: Store) -> None:
         """``store`` keeps what the reference has drawn.
 
-        Raises what ``Instance`` and ``take`` raise: every case is complete.
+        Raises what ``Instance`` and ``take`` raise, although no value should be missing in a case.
         """
         self.label = label
         self.subject = subject
@@ -42,7 +42,7 @@ class Plan:
             (series, tuple(case.shot.draw() for case in series.cases))
             for series in series_of(subject.reflection, seed)
         ]
-        """Series with their draws."""
+        """Each series with its draws."""
         self._expected: dict[tuple[int, RasterRules], Expected] = {}
         self._lock = Lock()
         self._store = store
@@ -54,7 +54,7 @@ class Plan:
     def compared(
         self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
     ) -> Iterator[Result]:
-        """A result for each case of a series, whose pictures a route has drawn."""
+        """A result for each case of a series, from the pictures that a route has drawn."""
         driver = DRIVERS[route.driver]
         for case, picture in zip(series.cases, pictures, strict=True):
             expected = self._wanted(case.shot, rules_of(case.shot, device, driver), series.exact)
@@ -77,7 +77,7 @@ class Plan:
 
 
 def rules_of(shot: Shot, device: Device, driver: Tolerance) -> RasterRules:
-    """By which rules a device rasterises a shot."""
+    """The rules by which a device rasterises a shot."""
     return RasterRules(
         shot.width,
         shot.height,

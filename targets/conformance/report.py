@@ -1,4 +1,4 @@
-"""A conformance run as JSON, and as a page with pictures."""
+"""Writes a conformance run as JSON, and as a page with pictures."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ TEMPLATE = "report.html.j2"
 
 
 def as_json(rows: Sequence[Row]) -> dict[str, Any]:
-    """The whole run; what is not finite is ``null``."""
+    """The whole run; numbers that are not finite become ``null``."""
     return {"format": 1, "rows": [_row_json(row) for row in rows]}
 
 
 def page(rows: Sequence[Row]) -> str:
-    """One HTML file with everything in it."""
+    """The whole run as one HTML file, pictures included."""
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent),
         autoescape=True,
@@ -97,7 +97,7 @@ def _row_page(row: Row) -> dict[str, Any]:
 
 
 def _references(rows: Sequence[Row]) -> Iterator[dict[str, str]]:
-    """The reference's picture of each case and target, from the first row that has any."""
+    """The reference's picture of each case and target, from the first row that has results."""
     for result in next((row.results for row in rows if row.results), ()):
         targets = result.expected.targets
         for number, target in enumerate(targets):
@@ -106,7 +106,7 @@ def _references(rows: Sequence[Row]) -> Iterator[dict[str, str]]:
 
 
 def _pictures(result: Result) -> dict[str, str]:
-    """What is wrong, in the target with the worst pixel."""
+    """The pictures that show a disagreement, of the target with the worst pixel."""
     worst = result.comparison.worst
     number = worst.target if worst else 0
     got, expected = result.got[number], result.expected.targets[number]
@@ -123,7 +123,8 @@ def _pictures(result: Result) -> dict[str, str]:
 def _difference(
     got: NDArray[np.float64], expected: NDArray[np.float64], undecided: NDArray[np.bool_]
 ) -> tuple[NDArray[np.float64], float]:
-    """The largest difference of any lane in grey, and so many times brighter, a power of ten."""
+    """The largest difference of any lane in grey, and the power of ten by which it is
+    brightened."""
     with np.errstate(invalid="ignore"):
         distance = np.abs(got - expected).max(axis=2)
     distance = np.where(np.isfinite(distance), distance, np.inf)
@@ -136,7 +137,7 @@ def _difference(
 
 
 def _embedded(pixels: NDArray[np.float64]) -> str:
-    """A picture as a ``data:`` address."""
+    """A picture as a ``data:`` URL."""
     file = io.BytesIO()
     to_image(pixels).save(file, "PNG")
     return f"data:image/png;base64,{base64.b64encode(file.getvalue()).decode('ascii')}"

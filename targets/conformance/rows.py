@@ -1,4 +1,4 @@
-"""What a conformance run has found: a row for each material and route."""
+"""The result of a conformance run: a row for each material and route."""
 
 from __future__ import annotations
 
@@ -20,40 +20,40 @@ Status = Literal["agrees", "differs", "overflows", "undecided", "failed", "not r
 STATUSES: tuple[Status, ...] = (
     "agrees", "differs", "overflows", "undecided", "failed", "not run"
 )  # fmt: skip
-"""``undecided``: so many pixels hang on rounding that agreement of the others proves too little.
-``overflows``: a value leaves what float32 holds, where Burnish promises nothing. ``failed``: a
-compiler or driver on the route refused. ``not run``: the route lacks its tools, or its profile what
-the material needs."""
+"""``undecided``: so many pixels depend on rounding that agreement of the others proves too little.
+``overflows``: a value is too large for float32, where Burnish promises nothing. ``failed``: a
+compiler or driver of the route refused. ``not run``: the route lacks its tools, or its profile
+lacks what the material needs."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Result:
-    """One case by one route."""
+    """One case drawn by one route."""
 
     case: str
     comparison: Comparison
     got: tuple[Floats, ...]
-    """Targets, (height, width, 4)."""
+    """The drawn targets, each of shape (height, width, 4)."""
     expected: Expected
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Row:
-    """One material by one route."""
+    """One material drawn by one route."""
 
     material: str
     route: Route
     status: Status
     problem: str = ""
-    """Why it failed or was not run."""
+    """Why it failed, or was not run."""
     device: Device | None = None
     versions: Mapping[str, str] = field(default_factory=dict)
-    """Of the tools on the route."""
+    """The versions of the route's tools."""
     results: tuple[Result, ...] = ()
 
     @property
     def max_difference(self) -> float:
-        """The largest distance of a decided pixel from the reference, over all cases."""
+        """The largest difference of a decided pixel from the reference, over all cases."""
         return max((result.comparison.max_difference for result in self.results), default=0.0)
 
     @property

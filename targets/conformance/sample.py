@@ -1,6 +1,7 @@
-"""Values for parameters, textures and vertex inputs, drawn from a seed within what is declared.
+"""Random values for parameters, textures and vertex inputs, within what is declared.
 
-The draw for a name depends on seed and name alone, so that a new parameter leaves the others be.
+``cases.py`` uses it. The value for a name depends only on the seed and on the name, so that a new
+parameter does not change the values of the others.
 """
 
 from __future__ import annotations
@@ -18,22 +19,22 @@ from ..runner.scene import scene_names
 from ..runner.textures.texture import Texture
 
 SPREAD = 4.0
-"""A number with a default is drawn from a range around it: a quarter to four times as much."""
+"""A number with a default is chosen from a quarter to four times the default."""
 
 WIDEST = 1024.0
-"""A declared range up to this width is taken as it is where there is no default."""
+"""The whole of a declared range up to this width is used if there is no default."""
 
 _USUAL = {"rgb": (0.0, 1.0), "point": (-2.0, 2.0)}
-"""From where to where numbers of some meanings are drawn, whatever their default."""
+"""The range of numbers with some meanings, whatever their default."""
 
 _LIMITS = {"i": (-(2**31), 2**31 - 1), "u": (0, 2**32 - 1)}
-"""By a representation's first letter."""
+"""The limits of integers, by the first letter of their representation."""
 
 
 def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> None:
-    """Sets every parameter that no scene does to a value within its promise, for all lights.
+    """Set every parameter that a scene does not set to an allowed value, and use all lights.
 
-    With ``missing``, only those that have no value.
+    With ``missing``, set only those that have no value.
     """
     placed = _set_by_scene(instance.reflection)
     for light in instance.reflection["lights"]:
@@ -48,9 +49,10 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
 
 
 def sample_textures(instance: Instance, seed: int) -> None:
-    """Gives every texture a picture of its own: smooth, different in all lanes and directions.
+    """Give every texture a picture of its own: smooth, and different in all lanes and directions.
 
-    Integers are any; those of 8 bits are the numbers of few things, as palettes have them.
+    Integer textures get arbitrary numbers; those with 8 bits get few different ones, as palettes
+    have.
     """
     for number, row in enumerate(instance.reflection["textures"]):
         chance = random.Random(f"{seed} {row['name']}")
@@ -78,7 +80,7 @@ def _sampled_texture(row: Mapping[str, Any], chance: random.Random, turn: int) -
 
 
 def _set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
-    """Names of the parameters that a scene sets, those of its lights among them."""
+    """The names of the parameters that a scene sets, including those of its lights."""
     names, lights = scene_names(), reflection["lights"]
     own = {name for light in lights for name in light["parameters"]}
     return {
@@ -96,14 +98,14 @@ def _value(row: Mapping[str, Any], chance: random.Random) -> Any:
 
 
 def _element(row: Mapping[str, Any], chance: random.Random) -> Any:
-    """A value of what a row declares one or several of."""
+    """A single value for a row, which may declare an array of them."""
     if row["members"]:
         return {member["name"]: _value(member, chance) for member in row["members"]}
     return _lanes(row, chance)
 
 
 def _lanes(row: Mapping[str, Any], chance: random.Random) -> Any:
-    """A value of a row without members, shaped as its representation says."""
+    """A value for a row without members, in the shape of its representation."""
     layout = row["layout"]
     if "columns" in layout:
         return _matrix(row, layout["columns"], chance)
@@ -132,7 +134,7 @@ def _whole(lo: float, hi: float, limits: tuple[int, int], chance: random.Random)
 
 
 def _bounds(row: Mapping[str, Any], default: float | None) -> tuple[float, float]:
-    """From where to where a number is drawn: near its default, and within its range."""
+    """The range of a number: near its default, and within its declared range."""
     declared = row.get("range")
     near = _USUAL.get(row["type"].partition("<")[0].partition("[")[0])
     if near is None:
@@ -153,7 +155,7 @@ def _near(declared: list[float] | None, default: float | None) -> tuple[float, f
 
 
 def _matrix(row: Mapping[str, Any], size: int, chance: random.Random) -> list[list[float]]:
-    """Near its default, or near the identity."""
+    """A matrix near its default, or near the identity."""
     start = row.get("default") or np.eye(size).tolist()
     return [[lane + chance.uniform(-0.1, 0.1) for lane in column] for column in start]
 
@@ -165,7 +167,8 @@ def _unit(chance: random.Random, count: int) -> list[float]:
 
 
 def _waves(chance: random.Random, size: tuple[int, int]) -> NDArray[np.float64]:
-    """A picture of (height, width, 4) whole waves, so that it can be repeated, within 0..1."""
+    """A picture of shape (height, width, 4) made of whole waves, so that it can be repeated, in
+    0..1."""
     width, height = size
     y, x = np.meshgrid(np.arange(height) / height, np.arange(width) / width, indexing="ij")
     lanes = []
@@ -178,7 +181,7 @@ def _waves(chance: random.Random, size: tuple[int, int]) -> NDArray[np.float64]:
 
 
 def _volume(chance: random.Random, size: tuple[int, int, int]) -> NDArray[np.float64]:
-    """Four lanes of whole waves through all of (depth, height, width), within 0..1."""
+    """Four lanes of whole waves through (depth, height, width), in 0..1."""
     axes = [(np.arange(count) + 0.5) / count for count in size]
     z, y, x = np.meshgrid(*axes, indexing="ij")
     lanes = []
@@ -193,7 +196,7 @@ def _volume(chance: random.Random, size: tuple[int, int, int]) -> NDArray[np.flo
 def _numbers_of(
     chance: random.Random, shape: tuple[int, ...], sample: str
 ) -> NDArray[np.int64 | np.uint8]:
-    """Small numbers; and every now and then some that only an integer can tell apart."""
+    """Small numbers, and now and then a large one that floats cannot represent exactly."""
     drawn = np.random.default_rng(chance.getrandbits(32))
     if sample == "uint" and chance.random() < 0.5:
         return drawn.integers(0, 16, shape).astype(np.uint8)

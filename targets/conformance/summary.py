@@ -1,4 +1,4 @@
-"""A conformance run in words and numbers, as a terminal shows it."""
+"""A conformance run in words and numbers, for the terminal and the report."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ HEADINGS = ("route", "result", "max |difference|", "of tolerance", "undecided")
 
 
 def cells(row: Row) -> tuple[str, ...]:
-    """A row's own, under ``HEADINGS``."""
+    """The texts of a row under ``HEADINGS``."""
     if not row.results:
         return row.route.name, row.status, "", "", ""
     difference, undecided = f"{row.max_difference:.1e}", f"{row.undecided} of {row.covered}"
@@ -20,13 +20,13 @@ def cells(row: Row) -> tuple[str, ...]:
 
 
 def share(row: Row) -> str:
-    """How much of its tolerance the worst pixel needs; more than 100% is no agreement."""
+    """How much of its tolerance the worst pixel needs; more than 100% is a disagreement."""
     worst = max(result.comparison.excess for result in row.results)
     return f"{worst:.0%}" if math.isfinite(worst) else "infinite"
 
 
 def by_material(rows: Iterable[Row]) -> dict[str, list[Row]]:
-    """The rows of each material, in the order in which they are met."""
+    """The rows of each material, in their order."""
     groups: dict[str, list[Row]] = {}
     for row in rows:
         groups.setdefault(row.material, []).append(row)
@@ -34,7 +34,7 @@ def by_material(rows: Iterable[Row]) -> dict[str, list[Row]]:
 
 
 def counted(rows: Iterable[Row]) -> str:
-    """``12 agree, 1 differs``: how many rows there are of each status."""
+    """The number of rows of each status: ``12 agree, 1 differs``."""
     counts = Counter(row.status for row in rows)
     words = {"agrees": "agree", "differs": "differ", "overflows": "overflow"}
     shown = (
@@ -46,7 +46,7 @@ def counted(rows: Iterable[Row]) -> str:
 
 
 def devices(rows: Iterable[Row]) -> Mapping[str, str]:
-    """What each driver said of itself."""
+    """The name and version that each driver reports."""
     return {
         row.route.driver: f"{row.device.name}, {row.device.version}"
         for row in rows
@@ -55,13 +55,13 @@ def devices(rows: Iterable[Row]) -> Mapping[str, str]:
 
 
 def tools(rows: Iterable[Row]) -> Mapping[str, str]:
-    """The versions of all tools that had a part in it."""
+    """The versions of all tools that took part."""
     found = {name: version for row in rows for name, version in row.versions.items()}
     return dict(sorted(found.items()))
 
 
 def lacking(rows: Iterable[Row]) -> Mapping[str, Sequence[str]]:
-    """Why routes were not run, and which."""
+    """The reasons why routes were not run, each with the routes' names."""
     found: dict[str, dict[str, None]] = {}
     for row in rows:
         if row.status == "not run":

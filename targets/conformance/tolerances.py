@@ -1,7 +1,8 @@
-"""How far a driver's picture may lie from the reference: one row for each, with its reason.
+"""The tolerance of each driver: how much its pictures may differ from the reference's, and why.
 
-A pixel agrees if ``|got - expected| <= absolute + relative * |expected| + 1.25 * radius``, where
-the radius is the reference's own, for what a device may round on the way.
+``compare.py`` applies a row, and docs/conformance.md shows all of them. A pixel agrees if
+``|got - expected| <= absolute + relative * |expected| + 1.25 * radius``. The reference computes the
+radius, which allows for what a device may round on the way.
 """
 
 from __future__ import annotations
@@ -12,43 +13,45 @@ from dataclasses import dataclass, field, replace
 
 @dataclass(frozen=True, slots=True)
 class Tolerance:
-    """What is known of a driver besides what it tells."""
+    """Properties of a driver that its API does not report."""
 
     absolute: float
     relative: float
     reason: str
-    """Why these two are what they are."""
+    """The reason for these two numbers."""
     functions: Mapping[str, float] = field(default_factory=dict)
-    """Builtins that are off by more than rounding, and by how much."""
+    """Builtins whose error is larger than rounding, and the error."""
     interpolates_snapped: bool = False
-    """Whether attributes go by the snapped places of vertices, as coverage does everywhere."""
+    """Whether attributes are interpolated between snapped vertices, as coverage always is."""
     clips_sides: bool = False
-    """Whether it cuts triangles off at the sides of the picture, and snaps what that makes."""
+    """Whether it clips triangles at the sides of the picture, and snaps the new corners."""
     rounding_bits: int = 22
-    """Of what operations give; float32 has 23, and some take several roundings."""
+    """Exact bits of an operation's result; float32 has 23, but some operations round several
+    times."""
     edge_slack: float = 0.0
-    """By how many pixels it misjudges on which side of an edge a pixel lies."""
+    """How close to an edge, in pixels, it may put a pixel on the wrong side."""
     varying_bits: int = 18
-    """Of what is interpolated, relative to its largest corner. No API promises any."""
+    """Exact bits of interpolated values, relative to the largest corner. No API promises any."""
     subtexel_bits: int = 8
-    """Of filter weights, where the API does not tell."""
+    """Bits of filter weights, if the API does not report them."""
     mip_bits: int = 8
-    """Of the level of detail, where the API does not tell."""
+    """Bits of the level of detail, if the API does not report them."""
     mixing_bits: int | None = None
-    """Of what it mixes of two levels whose texels it does not filter; ``None``: as floats."""
+    """Bits with which it blends two levels whose texels it does not filter; ``None``: it uses
+    floats."""
     level_power: int | None = None
-    """Of which power of a footprint it reads the logarithm off the float's bits, roughly."""
+    """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters for cubes only."""
+    """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
     projects_cubes: bool = True
-    """Whether a cube's level goes by how the place in its face changes, as Vulkan specifies."""
+    """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies."""
 
 
 _LLVM = Tolerance(
     1e-5,
     1e-4,
     "float32 arithmetic, and functions close to exact",
-    # Mesa's polynomial for the arc sine; WGSL and Vulkan allow more, by way of atan2.
+    # Mesa's polynomial for the arc sine; WGSL and Vulkan allow more, because they allow atan2.
     functions={"asin": 3e-4, "acos": 3e-4},
     clips_sides=True,
     edge_slack=2.0**-11,
@@ -58,18 +61,18 @@ _SWIFTSHADER = Tolerance(
     1e-5,
     1e-4,
     "float32 arithmetic, and most functions close to exact",
-    # As far off as Vulkan and WGSL allow.
+    # The largest errors that Vulkan and WGSL allow.
     functions={"sin": 2.0**-11, "cos": 2.0**-11, "tan": 2.0**-10},
     interpolates_snapped=True,
     clips_sides=True,
     mip_bits=6,
-    # Which it does in 16 bits, with some roundings.
+    # It blends levels in 16 bits, with several roundings.
     mixing_bits=14,
     level_power=4,
     projects_cubes=False,
 )
-# GL leaves open who owns a pixel that lies on an edge, and rows from the bottom up turn a top-left
-# rule over: such pixels are undecided.
+# OpenGL does not define which triangle owns a pixel that is exactly on an edge, and rows from the
+# bottom up invert the top-left rule. Such pixels are undecided.
 _WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)
 
 DRIVERS: Mapping[str, Tolerance] = {
@@ -79,15 +82,16 @@ DRIVERS: Mapping[str, Tolerance] = {
     "webgpu": _SWIFTSHADER,
     "webgl2": _WEBGL,
 }
-"""By a route's driver."""
+"""The drivers, by their names in routes."""
 
 TOGETHER = 1.25
-"""The radius is the sum of what a device's choices change one by one; together they may change so
-many times as much."""
+"""The radius is the sum of the changes that each of a device's choices makes alone. Together they
+may change this many times as much."""
 
 UNDECIDED_SHARE = 0.03
-"""More undecided pixels than this part of the picture prove too little to be a pass."""
+"""If a larger part of the picture is undecided, agreement proves too little."""
 UNDECIDED_FEW = 40
-"""So do more than this and than the decided ones of what is drawn."""
+"""The same holds if more pixels are undecided than this, and more than the decided ones of the
+object."""
 PROVEN_SHARE = 0.01
-"""Some case has to have so many decided pixels, as a part of its picture."""
+"""The part of its picture that must be decided pixels of the object, in at least one case."""

@@ -85,6 +85,9 @@ class TypeNames:
     declaration: str = "{type} {name}"
     stored_matrix: str = "{type}"
     """A matrix as a block's member, where its order has to be said: ``column_major {type}``."""
+    stored: Mapping[str, str] = EMPTY
+    """By type, what members of blocks have instead, where variables of that type have another size
+    or alignment than Burnish's layout: ``vec3``. ``Forms.stored`` reads such members."""
 
 
 @frozen
@@ -230,6 +233,12 @@ class Target:
     textures: TextureNames
     profiles: tuple[Profile, ...]
     """The first is the default."""
+    unproven: str = ""
+    """Why nobody should rely on its texts yet: "never compiled by …". Such a language is not among
+    those that a material is compiled for when none is named, and is listed with this."""
+    entry_point: str = "main"
+    """What a text of one stage calls its entry point; ``{entry}`` is what it is called where
+    several stages stand in one text."""
     reserved: Callable[[], Reserved]
     """Loads the words that cannot be names; called on first use."""
     literals: Literals = Literals()

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import ClassVar
 
 from ...compiler.ir.node import Formal, Node, Op
+from ...compiler.ir.operations import FORMAL, INPUT, MEMBER, SWIZZLE
 from ...compiler.ir.program import Function
 from ...compiler.ir.types import (
     Matrix,
@@ -49,25 +51,6 @@ class Expressions:
         self._functions = functions
         self._natives = Natives(context, leaves, self._splatted, functions)
         self._depth = 0
-        self._printers: Mapping[Op, Callable[[Node], Text]] = {
-            "constant": self._constant,
-            "parameter": leaves.parameter,
-            "resource": leaves.resource,
-            "attribute": leaves.attribute,
-            "interpolate": leaves.interpolated,
-            "input": self._input,
-            "native": self._native,
-            "vector": self._vector,
-            "splat": self._splat,
-            "matrix": self._matrix,
-            "array": self._array,
-            "swizzle": self._swizzle,
-            "index": self._index,
-            "member": self._member,
-            "select": self._select,
-            "apply": self._call,
-            "formal": self._formal,
-        }
 
     def text(self, node: Node) -> str:
         """The node as an operand of a statement."""
@@ -82,7 +65,7 @@ class Expressions:
         """The node itself, even if it is bound."""
         assert self._depth < DEEPEST, "the scheduler has to bind deep operands to names"
         self._depth += 1
-        text = self._printers[node.op](node)
+        text = self.PRINTERS[node.op](self, node)
         self._depth -= 1
         return text
 
@@ -98,6 +81,18 @@ class Expressions:
 
     def _arguments(self, nodes: tuple[Node, ...]) -> str:
         return ", ".join(map(self.text, nodes))
+
+    def _parameter(self, node: Node) -> Text:
+        return self._leaves.parameter(node)
+
+    def _resource(self, node: Node) -> Text:
+        return self._leaves.resource(node)
+
+    def _attribute(self, node: Node) -> Text:
+        return self._leaves.attribute(node)
+
+    def _interpolated(self, node: Node) -> Text:
+        return self._leaves.interpolated(node)
 
     def _constant(self, node: Node) -> Text:
         kind = scalar_kind(node.type)
@@ -120,8 +115,7 @@ class Expressions:
         return lanes[:1] if len(set(lanes)) == 1 and self._forms.splat_constant else lanes
 
     def _input(self, node: Node) -> Text:
-        assert isinstance(node.data, str)
-        text, type_ = self._leaves.input(node.data)
+        text, type_ = self._leaves.input(INPUT.data(node))
         return text if type_ == node.type else Text(f"{self._types.type(node.type)}({text.text})")
 
     def _native(self, node: Node) -> Text:
@@ -159,12 +153,12 @@ class Expressions:
         return Text(self._forms.array.format(type=type_, elements=elements))
 
     def _swizzle(self, node: Node) -> Text:
-        assert isinstance(node.data, tuple)
+        lanes = SWIZZLE.data(node)
         (source,) = node.operands
         if source.op == "interpolate" and source.id not in self.bound:
-            return self._leaves.interpolated(source, node.data)
+            return self._leaves.interpolated(source, lanes)
         operand = self.operand(source).within(Binding.POSTFIX)
-        return Text(f"{operand}.{''.join('xyzw'[lane] for lane in node.data)}")
+        return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
 
     def _index(self, node: Node) -> Text:
         aggregate, position = node.operands
@@ -176,11 +170,13 @@ class Expressions:
 
     def _member(self, node: Node) -> Text:
         (owner,) = node.operands
-        assert isinstance(owner.type, Struct) and isinstance(node.data, str)
+        assert isinstance(owner.type, Struct)
+        member = MEMBER.data(node)
         if owner.op == "iterate":
-            return Text(self.states[owner.id, node.data], Binding.NAME)
-        name = self._names.member(owner.type.name, node.data)
-        return Text(f"{self.operand(owner).within(Binding.POSTFIX)}.{name}")
+            return Text(self.states[owner.id, member], Binding.NAME)
+        name = self._names.member(owner.type.name, member)
+        text = Text(f"{self.operand(owner).within(Binding.POSTFIX)}.{name}")
+        return self._leaves.loaded(text, node.type)
 
     def _select(self, node: Node) -> Text:
         assert isinstance(node.operands[0].type, Scalar), "conditions are scalars"
@@ -199,8 +195,28 @@ class Expressions:
         return Text(f"{name}({self._arguments(node.operands[1:])})")
 
     def _formal(self, node: Node) -> Text:
-        assert isinstance(node.data, Formal)
-        return Text(self.formals[node.data], Binding.NAME)
+        return Text(self.formals[FORMAL.data(node)], Binding.NAME)
+
+    PRINTERS: ClassVar[Mapping[Op, Callable[[Expressions, Node], Text]]] = {
+        "constant": _constant,
+        "parameter": _parameter,
+        "resource": _resource,
+        "attribute": _attribute,
+        "interpolate": _interpolated,
+        "input": _input,
+        "native": _native,
+        "vector": _vector,
+        "splat": _splat,
+        "matrix": _matrix,
+        "array": _array,
+        "swizzle": _swizzle,
+        "index": _index,
+        "member": _member,
+        "select": _select,
+        "apply": _call,
+        "formal": _formal,
+    }
+    """How each operation is written; loops are statements."""
 
 
 def _number(text: str) -> Text:

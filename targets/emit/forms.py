@@ -93,6 +93,8 @@ class Forms:
     """An array from its elements."""
     member: str = "{name}"
     """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
+    stored: str = "{value}"
+    """A member of a block of one of the types in ``TypeNames.stored``, as the plain ``{type}``."""
     texture: str = "{texture}"
     """A texture read by its sampler, called ``{sampler}``; ``{type}`` is that of both in one."""
     input: str = "{name}"
@@ -126,6 +128,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "column": "matrix position",
             "array": "type elements",
             "member": "block name",
+            "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",
         }.items()

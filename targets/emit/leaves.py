@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator
 
-from ...compiler.ir.leaves import Attribute, Parameter, Resource
 from ...compiler.ir.node import Node
+from ...compiler.ir.operations import ATTRIBUTE, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.types import Type, width
 from ...stdlib.builtins import BUILTINS
@@ -24,6 +24,8 @@ class Leaves:
         self._forms = context.target.forms
         self._texture = context.profile.samplers.joined or context.target.forms.texture
         self._textures = context.textures
+        self._types = context.types
+        self._stored = context.target.types.stored
         self._names = context.names
         self._inputs = context.inputs
         self._members = context.members
@@ -31,40 +33,42 @@ class Leaves:
 
     def parameter(self, node: Node) -> Text:
         """A member of a uniform block, in its stored type."""
-        assert isinstance(node.data, Parameter)
-        block, member, stored = self._members[node.data]
-        assert node.type == stored, f"{node.data.name} is stored as {stored}, not {node.type}"
+        parameter = PARAMETER.data(node)
+        block, member, stored = self._members[parameter]
+        assert node.type == stored, f"{parameter.name} is stored as {stored}, not {node.type}"
         text = self._forms.member.format(
             block=self._names.variables.get(block, ""), name=self._names.member(block, member)
         )
-        return Text(text, Binding.NAME)
+        return self.loaded(Text(text, Binding.NAME), stored)
+
+    def loaded(self, member: Text, type_: Type) -> Text:
+        """A block's member as a plain value, where it is stored as something else."""
+        if str(type_) not in self._stored:
+            return member
+        return Text(self._forms.stored.format(value=member, type=self._types.type(type_)))
 
     def resource(self, node: Node) -> Text:
         """A texture by its name."""
-        assert isinstance(node.data, Resource)
-        return Text(self._names.textures[node.data.name], Binding.NAME)
+        return Text(self._names.textures[RESOURCE.data(node).name], Binding.NAME)
 
     def texture(self, node: Node, builtin: str) -> Text:
         """A texture as a read of it wants it: together with its sampler, if it uses that."""
-        assert isinstance(node.data, Resource)
         if BUILTINS[builtin].sampler is None:
             return self.resource(node)
         text = self._texture.format(
-            texture=self._names.textures[node.data.name],
+            texture=self._names.textures[RESOURCE.data(node).name],
             sampler=self.sampler(node),
-            type=self._textures.combined(node.data),
+            type=self._textures.combined(RESOURCE.data(node)),
         )
         return Text(text)
 
     def sampler(self, node: Node) -> str:
         """The name of a texture's sampler; empty where it has none."""
-        assert isinstance(node.data, Resource)
-        return self._names.samplers.get(node.data.name, "")
+        return self._names.samplers.get(RESOURCE.data(node).name, "")
 
     def attribute(self, node: Node) -> Text:
         """A vertex input."""
-        assert isinstance(node.data, Attribute)
-        return self._read(self._names.attributes[node.data.name])
+        return self._read(self._names.attributes[ATTRIBUTE.data(node).name])
 
     def input(self, name: str) -> tuple[Text, Type]:
         """A value that the pipeline supplies, and the type it has there."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from ...compiler.ir.node import Node
+from ...compiler.ir.operations import NATIVE
 from ...compiler.ir.program import Function
 from ...compiler.ir.types import (
     Matrix,
@@ -69,15 +70,15 @@ class Natives:
 
     def print(self, node: Node, printed: Sequence[Text]) -> Text:
         """The native ``node`` applied to printed operands."""
-        assert isinstance(node.data, str)
+        builtin = NATIVE.data(node)
         if node.operands and isinstance(node.operands[0].type, Texture):
-            printed = [self._leaves.texture(node.operands[0], node.data), *printed[1:]]
+            printed = [self._leaves.texture(node.operands[0], builtin), *printed[1:]]
         types = tuple([operand.type for operand in node.operands])
-        if self._definitions and (node.data, types) in self._definitions:
-            name, _function = self._functions[self._definitions[node.data, types].body]
+        if self._definitions and (builtin, types) in self._definitions:
+            name, _function = self._functions[self._definitions[builtin, types].body]
             return Text(f"{name}({', '.join(operand.text for operand in printed)})")
-        operands = self._widened(node, printed) if node.data in self._splats else printed
-        spelled = spelling_of(node.data, types, self._table)
+        operands = self._widened(node, printed) if builtin in self._splats else printed
+        spelled = spelling_of(builtin, types, self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
         return _written(spelled, operands)

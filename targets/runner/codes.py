@@ -14,7 +14,7 @@ from typing import Protocol
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.ir.program import StageName
-from ...compiler.ir.stages import RASTERISED
+from ...compiler.ir.stages import STAGES
 from ..toolchain import Job, Message, Toolchain, Verdict
 from ..toolchain import __file__ as toolchain_file
 from .drivers.draw import Code
@@ -23,9 +23,6 @@ from .store import Store, digest, digest_of_sources
 
 STORE = "spirv"
 """The name of the store that keeps modules."""
-
-_STAGES: Mapping[StageName, str] = {row.name: row.suffix for row in RASTERISED}
-"""The stages that a driver runs, and the checkers' words for them."""
 
 
 class ShaderFile(Protocol):
@@ -67,10 +64,9 @@ class Request:
 
 @dataclass(frozen=True, slots=True)
 class Codes:
-    """Both stages as a driver takes them."""
+    """The stages as a driver takes them."""
 
-    vertex: Code
-    fragment: Code
+    stages: Mapping[StageName, Code]
 
 
 class CodeError(Exception):
@@ -78,7 +74,7 @@ class CodeError(Exception):
 
 
 def compile_one(route: Route, files: Sequence[ShaderFile], toolchain: Toolchain) -> Codes:
-    """Both stages of one material for one route.
+    """The stages of one material for one route.
 
     Raises ``CodeError`` if the route's compiler is missing, breaks down or refuses a text, and
     ``KeyError`` if the files have no text for the route.
@@ -90,12 +86,15 @@ def compile_one(route: Route, files: Sequence[ShaderFile], toolchain: Toolchain)
 
 
 def compile_all(requests: Sequence[Request], toolchain: Toolchain) -> list[Codes | CodeError]:
-    """Both stages for each request, or why there are none; the compilers run at the same time.
+    """The stages for each request, or why there are none; the compilers run at the same time.
 
     Raises ``KeyError`` if a request's files have no text for its route.
     """
     jobs = [
-        _job(request, stage) for request in requests if request.route.compiler for stage in _STAGES
+        _job(request.route, stage, file)
+        for request in requests
+        if request.route.compiler
+        for stage, file in _texts(request).items()
     ]
     made = _make(list(dict.fromkeys(jobs)), toolchain)
     return [_codes(request, made) for request in requests]
@@ -118,31 +117,30 @@ def _make(jobs: Sequence[Job], toolchain: Toolchain) -> dict[Job, bytes | Verdic
 
 def _codes(request: Request, made: Mapping[Job, bytes | Verdict]) -> Codes | CodeError:
     codes: dict[StageName, Code] = {}
-    for stage in _STAGES:
-        file = _file(request, stage)
+    for stage, file in _texts(request).items():
         entry = file.entry_points[stage]
         if request.route.compiler is None:
             codes[stage] = Code(entry, text=file.text)
             continue
-        module = made[_job(request, stage)]
+        module = made[_job(request.route, stage, file)]
         if isinstance(module, Verdict):
             return CodeError(_refusal(request.route, file, module))
         codes[stage] = Code(entry, spirv=module)
-    return Codes(**codes)
+    return Codes(codes)
 
 
-def _file(request: Request, stage: StageName) -> ShaderFile:
+def _texts(request: Request) -> Mapping[StageName, ShaderFile]:
+    """The text of each stage for the request's route."""
     profile = request.route.profile
-    for file in request.files:
-        if f"{file.target}:{file.profile}" == profile and stage in file.entry_points:
-            return file
-    raise KeyError(f"no {stage} text for {profile}, which {request.route.name} draws")
+    files = [file for file in request.files if f"{file.target}:{file.profile}" == profile]
+    if not files:
+        raise KeyError(f"no text for {profile}, which {request.route.name} draws")
+    return {stage: file for file in files for stage in file.entry_points}
 
 
-def _job(request: Request, stage: StageName) -> Job:
-    route, file = request.route, _file(request, stage)
+def _job(route: Route, stage: StageName, file: ShaderFile) -> Job:
     entry = file.entry_points[stage]
-    return Job(route.compiler or "", _STAGES[stage], file.text, entry, file.name, route.flags)
+    return Job(route.compiler or "", STAGES[stage].suffix, file.text, entry, file.name, route.flags)
 
 
 def _digest(job: Job, versions: Sequence[str]) -> str:

@@ -71,8 +71,7 @@ def pipeline(
     backend = reflection["backends"][route.profile]
     on_vulkan = DRIVERS[route.driver].module == "vulkan"
     return Pipeline(
-        vertex=codes.vertex,
-        fragment=codes.fragment,
+        stages=codes.stages,
         inputs=tuple(_input(row, backend) for row in reflection["vertex_inputs"]),
         blocks=tuple(
             BlockSlot(_place(backend["blocks"][row["name"]]), row["size"])

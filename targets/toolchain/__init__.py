@@ -1,4 +1,8 @@
-"""The downstream compilers that judge what Burnish writes; plain compiling never loads this."""
+"""Checks shader texts with the real downstream compilers: DXC, glslang, naga, Tint.
+
+``compile --validate``, ``conform``, ``doctor`` and the tests use it. Plain compiling never loads
+it.
+"""
 
 from .checkers import CHECKERS, Checker, checkers_needing
 from .dxil_offsets import block_offsets_dxil

@@ -1,4 +1,7 @@
-"""The checkers, one row each: which tools one needs, and how it puts a job to them."""
+"""The table of checkers: which tools each one needs, and how it has a text checked.
+
+``Toolchain`` looks a job's checker up here; ``Profile.checkers`` names those of a profile.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +19,10 @@ from .toolbox import Toolbox
 from .verdicts import accepted_unless_error, judge_spirv, rejected, undone
 
 Check = Callable[[Sequence[Job], Toolbox], list[Verdict]]
-"""Answers jobs in their order. All its jobs are for one checker and have the same flags."""
+"""Answers jobs, in their order. All jobs of a call are for one checker and have the same flags."""
 
 VULKAN_ATTRIBUTES_ARE_FINE = "-Wno-ignored-attributes"
-"""One text serves both of DXC's outputs, and DXIL has no use for ``[[vk::location]]``."""
+"""The same text is compiled to SPIR-V and to DXIL, and DXIL has no use for ``[[vk::location]]``."""
 DXC_PROFILES = {"vert": "vs_6_0", "frag": "ps_6_0"}
 NAGA_NO_ENTRY = "Unable to find the entry point"
 
@@ -30,10 +33,10 @@ class Checker:
 
     name: str
     needs: tuple[str, ...]
-    """Names of tools, all of which it needs."""
+    """The names of the tools that it needs; all of them are required."""
     check: Check
     batch: int = 1
-    """It takes at most so many jobs at once."""
+    """The largest number of jobs that one call of ``check`` takes."""
 
 
 def _each(check: Callable[[Job, Toolbox], Verdict]) -> Check:
@@ -68,7 +71,7 @@ def _dxc(
 
 
 def _naga(job: Job, toolbox: Toolbox) -> Verdict:
-    """naga keeps the names of members only with ``-g``; the layout tests want them."""
+    """Check WGSL with naga. ``-g`` keeps the names of members, which the layout tests need."""
     arguments = ("-g", "--entry-point", job.entry, *job.flags)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

@@ -1,11 +1,11 @@
-"""Compiles HLSL with DXC's library: a JSON request a line in, a JSON answer a line out.
+"""A process that compiles HLSL with DXC's library, one JSON request and one JSON answer per line.
 
-Run as a script, with the library's path as its argument, and importing nothing of Burnish: DXC may
-abort the whole process, and this is the process it may abort.
+``checkers.py`` starts it as a script, with the library's path as its argument. It imports nothing
+of Burnish. DXC may abort the whole process; so it runs in this one.
 
-DXC speaks COM without Windows: an object starts with a pointer to its table of methods. In the
-releases this fits, ``IUnknown`` has a virtual destructor, which takes two places in the table
-behind QueryInterface, AddRef and Release.
+DXC's interface is COM, here without Windows: an object starts with a pointer to its table of
+methods. In the releases for which this works, ``IUnknown`` has a virtual destructor, which takes
+two places in the table after QueryInterface, AddRef and Release.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ BINARY = 0
 
 
 class _Buffer(ctypes.Structure):
-    """``DxcBuffer``: what DXC reads from."""
+    """``DxcBuffer``: bytes that DXC reads, with their encoding."""
 
     _fields_ = (
         ("data", ctypes.c_char_p),
@@ -42,7 +42,7 @@ class _Buffer(ctypes.Structure):
 
 
 def _call(this: ctypes.c_void_p, slot: int, *arguments: Any, returns: Any = ctypes.c_int32) -> Any:
-    """Calls a method of a COM object; every argument is a ctypes value."""
+    """Call a method of a COM object; every argument is a ctypes value."""
     table = ctypes.cast(this, ctypes.POINTER(ctypes.POINTER(ctypes.c_void_p)))[0]
     prototype = ctypes.CFUNCTYPE(returns, ctypes.c_void_p, *(type(value) for value in arguments))
     return prototype(table[slot])(this, *arguments)
@@ -53,7 +53,7 @@ def _address(value: Any) -> ctypes.c_void_p:
 
 
 def _blob(result: ctypes.c_void_p, slot: int) -> bytes:
-    """The bytes of the blob that a getter of ``IDxcResult`` hands out; empty without one."""
+    """The bytes of a blob that a getter of ``IDxcResult`` returns; empty if there is none."""
     blob = ctypes.c_void_p()
     _call(result, slot, _address(blob))
     if not blob:
@@ -80,7 +80,7 @@ class Compiler:
             raise RuntimeError(f"DxcCreateInstance failed: {failure & 0xFFFFFFFF:#x}")
 
     def compile(self, text: str, arguments: list[str]) -> tuple[bool, bytes, str]:
-        """Whether DXC took the text, the object it made, and what it said."""
+        """Whether DXC accepted the text, the object file, and DXC's messages."""
         words = (ctypes.c_wchar_p * len(arguments))(*arguments)
         count = ctypes.c_uint32(len(arguments))
         no_includes = ctypes.c_void_p()
@@ -122,7 +122,7 @@ def answer(compiler: Compiler, request: dict[str, Any]) -> dict[str, Any]:
 
 
 def main() -> None:
-    """Answers requests until the input ends. What the library prints goes to standard error."""
+    """Answer requests until the input ends. Whatever the library prints goes to standard error."""
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
         compiler = Compiler(sys.argv[1])

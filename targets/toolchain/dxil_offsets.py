@@ -1,6 +1,6 @@
-"""Reads the layout of constant buffers out of DXC's disassembly of DXIL.
+"""Reads the layout of constant buffers from DXC's disassembly of DXIL, for the layout tests.
 
-It is drawn in comments, the name of a struct below its members::
+DXC prints the layout as comments, in which the name of a struct follows its members::
 
     ; cbuffer P
     ; {
@@ -36,10 +36,10 @@ class _Struct:
     type_name: str
     members: dict[str, int] = field(default_factory=dict)
     member_types: dict[str, str] = field(default_factory=dict)
-    """The types of those members that are single structs."""
+    """For each member that is a single struct, the name of its type."""
 
     def add(self, name: str, lengths: str, offset: int, inner: _Struct | None = None) -> None:
-        """Adds a member and, prefixed with its name, all that is inside it."""
+        """Add a member and everything inside it, whose names get the member's name as a prefix."""
         self.members[name] = offset
         if inner is None:
             return
@@ -51,10 +51,10 @@ class _Struct:
 
 
 def block_offsets_dxil(text: str) -> Offsets:
-    """The constant buffers' layout, named as ``block_offsets_spirv`` names things.
+    """The layout of the constant buffers, with the same names as ``block_offsets_spirv`` uses.
 
-    DXC prints offsets and no distances, so there are no ``lights[]`` entries. A
-    ``ConstantBuffer<T>`` is named ``T``, as it is in SPIR-V.
+    DXC prints offsets but no strides, so there are no ``lights[]`` entries. A ``ConstantBuffer<T>``
+    is named ``T``, as it is in SPIR-V.
     """
     blocks: Offsets = {}
     lines = iter(text.splitlines())
@@ -66,7 +66,7 @@ def block_offsets_dxil(text: str) -> Offsets:
 
 
 def _outermost_struct(lines: Iterator[str]) -> _Struct:
-    """Reads to the end of the struct that starts next; a buffer without one is empty."""
+    """Read to the end of the next struct; a buffer without a struct is empty."""
     open_structs: list[_Struct] = []
     for line in lines:
         if found := _OPEN.match(line):
@@ -82,9 +82,9 @@ def _outermost_struct(lines: Iterator[str]) -> _Struct:
 
 
 def _unwrapped(name: str, struct: _Struct) -> tuple[str, dict[str, int]]:
-    """A block's name and members; of a ``ConstantBuffer<T>`` those of ``T``.
+    """A block's name and members; for a ``ConstantBuffer<T>``, those of ``T``.
 
-    DXC shows such a buffer as one with a single member of its own name and of the type ``T``.
+    DXC prints such a buffer as one that has a single member with its own name, of the type ``T``.
     """
     inner = struct.member_types.get(name)
     if inner is None:

@@ -1,4 +1,4 @@
-"""Puts jobs to glslangValidator, which starts slowly: many texts to a process where it allows."""
+"""Runs glslangValidator on jobs; it starts slowly, so one process checks many texts if it can."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .verdicts import accepted_unless_error, judge_spirv, rejected, undone
 
 
 def check_vulkan_glsl(job: Job, toolbox: Toolbox) -> Verdict:
-    """GLSL for Vulkan, to SPIR-V."""
+    """Compile GLSL for Vulkan to SPIR-V, and validate that."""
     return _to_spirv(job, toolbox, ())
 
 
 def check_hlsl(job: Job, toolbox: Toolbox) -> Verdict:
-    """HLSL, to SPIR-V."""
+    """Compile HLSL to SPIR-V, and validate that."""
     return _to_spirv(job, toolbox, ("-D", "-e", job.entry))
 
 
@@ -37,7 +37,7 @@ def _to_spirv(job: Job, toolbox: Toolbox, language: tuple[str, ...]) -> Verdict:
 
 
 def _verdict(job: Job, outcome: Outcome) -> Verdict:
-    """The verdict on a job that had a process to itself."""
+    """The verdict on a job that had a process of its own."""
     if outcome.ending != "ended":
         return undone(job, outcome.ending, outcome.log)
     messages = read_glslang(outcome.log)
@@ -47,9 +47,10 @@ def _verdict(job: Job, outcome: Outcome) -> Verdict:
 
 
 def check_glsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
-    """GLSL for OpenGL and OpenGL ES, all jobs in one process.
+    """Check GLSL for OpenGL and OpenGL ES, all jobs in one process.
 
-    When the process breaks down, or its answers cannot be told apart, each job gets its own.
+    If the process crashes, or its answers cannot be assigned to jobs, each job gets its own
+    process.
     """
     files = [f"{number}.{job.stage}" for number, job in enumerate(jobs)]
     with tempfile.TemporaryDirectory() as name:
@@ -64,9 +65,9 @@ def check_glsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
 
 
 def _split(jobs: Sequence[Job], files: Sequence[str], outcome: Outcome) -> list[Verdict]:
-    """A verdict for each job; nothing unless the answers agree with the exit code.
+    """A verdict for each job; an empty list if the answers contradict the exit code.
 
-    glslangValidator writes a file's name on a line of its own, and below it what it has to say.
+    glslangValidator writes a file's name on a line of its own, and its messages below.
     """
     logs: dict[str, str] = {}
     current = ""

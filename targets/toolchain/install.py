@@ -1,9 +1,10 @@
 """Installs the external tools: ``python -m burnish.targets.toolchain.install [NAME...]``.
 
-Linux only. System packages come by apt-get, the others go into Burnish's cache folder, each made
-complete in a folder of its own before it is moved to its name, so that a tool is there wholly or
-not at all. Runs at the same time wait for each other. Where packages come from is what apt, pip,
-cargo and npm are configured to.
+``make tools`` runs it, and people do, as ``burnish doctor`` tells them. It works on Linux only.
+System packages are installed with apt-get, all other tools into Burnish's cache folder. Each of
+these is completed in a temporary folder and then renamed, so that a tool is never half installed.
+Several runs at the same time wait for each other. Packages come from where apt, pip, cargo and npm
+are configured to get them.
 """
 
 from __future__ import annotations
@@ -31,16 +32,18 @@ DXC_ARCHIVE_HASH = "sha256:5052caf9e955d8e7a48e22f536e82b44b72e83af46e824a9e9915
 DXC_MEMBER = "compushady/backends/libdxcompiler_{machine}.so.3.7"
 
 CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
-"""Debian's own ``cargo`` is too old for naga; this one keeps up with the browsers it builds."""
+"""Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
+it.
+"""
 APT_LOCK_SECONDS = 300
 
 
 class InstallError(Exception):
-    """A tool could not be installed; the text says why and what to do."""
+    """A tool could not be installed; the text says why, and what to do."""
 
 
 def main(names: Sequence[str]) -> int:
-    """Installs the named tools, or all; returns the process's exit code."""
+    """Install the named tools, or all tools; returns the process's exit code."""
     known = [tool.name for tool in TOOLS]
     if unknown := set(names) - set(known):
         print(f"burnish: no such tool: {', '.join(unknown)}; there are {', '.join(known)}")
@@ -53,7 +56,9 @@ def main(names: Sequence[str]) -> int:
 
 
 def _ensure(tool: Tool) -> bool:
-    """Installs a tool unless it is there; says what it does, and whether the tool is there now."""
+    """Install a tool unless it is installed; prints the progress, and returns whether it is there
+    now.
+    """
     if _is_there(tool):
         return True
     started = time.monotonic()
@@ -70,7 +75,7 @@ def _ensure(tool: Tool) -> bool:
 
 
 def _is_there(tool: Tool) -> bool:
-    """Whether a tool needs no installing. A pinned one has to be in the cache, not just on PATH."""
+    """Whether a tool needs no installing. One with a pinned version must be in the cache itself."""
     pinned = isinstance(tool.source, OwnInstaller)
     paths = tool.find_in(cache_folder() / tool.folder) if pinned else tool.find()
     state = judge(tool, paths)
@@ -81,7 +86,7 @@ def _is_there(tool: Tool) -> bool:
 
 @contextmanager
 def _lock() -> Iterator[None]:
-    """Lets one process at a time install, whatever becomes of the others."""
+    """Let only one process at a time install, and remove what interrupted processes have left."""
     cache_folder().mkdir(parents=True, exist_ok=True)
     with (cache_folder() / ".lock").open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
@@ -145,7 +150,7 @@ def _npm_webgpu(version: str, folder: Path) -> None:
 
 
 def _pip_dxc(_version: str, folder: Path) -> None:
-    """Takes DXC out of the source archive of a Python package that carries it, unbuilt."""
+    """Take DXC out of the source archive of a Python package that contains it, without a build."""
     with tempfile.TemporaryDirectory() as name:
         downloads = Path(name)
         wanted = downloads / "wanted.txt"
@@ -171,7 +176,7 @@ def _extract_dxc(archive: Path, folder: Path) -> None:
 
 
 def _run(*command: str) -> None:
-    """Runs an installer's command; shows its output only if it fails."""
+    """Run a command of an installer; print its output only if it fails."""
     print("  " + " ".join(command), flush=True)
     if not shutil.which(command[0]):
         raise InstallError(f"it needs {command[0]}, which is not on PATH")

@@ -1,4 +1,4 @@
-"""What is asked of a downstream compiler, and what it answered."""
+"""A request to a downstream compiler, and its answer; the types that all checkers share."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Literal
 
 Severity = Literal["error", "warning"]
 Status = Literal["accepted", "rejected", "crashed", "timeout", "missing"]
-"""``crashed`` and ``timeout`` speak of the tool, not of the shader; ``missing`` means unchecked."""
+"""``crashed`` and ``timeout`` concern the tool, not the shader; ``missing`` means not checked."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,25 +20,26 @@ class Job:
     """``vert`` or ``frag``."""
     text: str
     entry: str = "main"
-    """The entry point's name. GLSL has only ``main``; Tint checks the module and not one entry."""
+    """The entry point's name. GLSL only has ``main``; Tint checks the whole module."""
     name: str = "shader"
-    """What people call this text; used in reports only."""
+    """The name of this text in reports."""
     flags: tuple[str, ...] = ()
-    """More arguments for the tool's command line, e.g. ``-fvk-use-dx-layout``."""
+    """Further command-line arguments for the tool, such as ``-fvk-use-dx-layout``."""
 
 
 @dataclass(frozen=True, slots=True)
 class Message:
-    """One complaint of a tool about the emitted text."""
+    """One error or warning of a tool about the emitted text."""
 
     severity: Severity
     line: int | None
-    """1-based line of the emitted text; None when the tool names no place."""
+    """The line of the emitted text, counted from 1; ``None`` if the tool names no place."""
     column: int | None
     text: str
     source: str = ""
-    """The file that the line is of, as the tool calls it; by it and the text's line directives,
-    one may tell that it is not the text itself."""
+    """The tool's name for the file of the line. Because of line directives, it may be another file
+    than the emitted text.
+    """
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,13 +49,13 @@ class Verdict:
     job: Job
     status: Status
     messages: tuple[Message, ...] = ()
-    """At least one error when the status is ``rejected``."""
+    """Contains an error if the status is ``rejected``."""
     spirv: bytes | None = None
-    """The accepted SPIR-V module, where the checker makes one and it was asked to keep it."""
+    """The accepted SPIR-V module, if the checker makes one and was asked to keep it."""
     log: str = ""
-    """All the tool said."""
+    """The complete output of the tool."""
     disassembly: str | None = None
-    """The DXIL as text, with the layout of its constant buffers (``dxc-dxil`` only)."""
+    """The DXIL as text, which contains the layout of its constant buffers (``dxc-dxil`` only)."""
 
     def report(self) -> str:
         """The verdict for people: one line, then a line for each message."""

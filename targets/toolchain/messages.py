@@ -1,4 +1,4 @@
-"""Reads each tool's own way of complaining into ``Message`` rows."""
+"""Parses the output of each tool into ``Message`` rows."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 _GLSLANG = re.compile(r"(ERROR|WARNING): (?:([^:\s]+):(\d+): )?(.*)")
 _GLSLANG_HLSL = re.compile(r"(\S.*)\((\d+)\): error at column (\d+), (.*)")
 _GLSLANG_FATAL = "Entry point not found"
-"""glslang only warns of this in HLSL, and goes on to compile nothing."""
+"""For HLSL, glslang only warns in this case, and then compiles nothing."""
 _GLSLANG_NOISE = re.compile(r"\d+ compilation errors\.|'' : compilation terminated")
 
 _DXC = re.compile(r"(?:(\S.*?):(\d+):(?:(\d+):)? )?(?:fatal )?(error|warning): (.*)")
@@ -26,7 +26,7 @@ _NAGA_CAUSE = re.compile(r"\s*= (.*)")
 
 
 def read_glslang(log: str) -> tuple[Message, ...]:
-    """glslangValidator: ``ERROR: 0:12: 'x' : undeclared identifier``; no columns but in HLSL."""
+    """Parse ``ERROR: 0:12: 'x' : undeclared identifier``; glslang has columns only for HLSL."""
     return tuple(_glslang_messages(log))
 
 
@@ -44,10 +44,10 @@ def _glslang_messages(log: str) -> Iterator[Message]:
 
 
 def read_dxc(log: str) -> tuple[Message, ...]:
-    """DXC: ``hlsl.hlsl:3:5: error: ...``, clang's way; its DXIL validator names no columns.
+    """Parse ``hlsl.hlsl:3:5: error: ...``, as clang prints it; the DXIL validator has no columns.
 
-    That this build finds no DXIL.dll is left out: it signs nothing, which is no fault of a shader;
-    the validator itself is part of the library and runs.
+    The warning that there is no DXIL.dll is left out: it means that nothing is signed, which is not
+    an error of the shader. The validator itself is part of the library and runs.
     """
     return tuple(
         Message(
@@ -63,7 +63,7 @@ def read_dxc(log: str) -> tuple[Message, ...]:
 
 
 def read_naga(log: str) -> tuple[Message, ...]:
-    """naga: an ``error:`` line, then the place in a box drawn below it, then the cause."""
+    """Parse an ``error:`` line, then the place in a box drawn below it, then the cause."""
     messages: list[Message] = []
     for line in _COLOUR.sub("", log).splitlines():
         if found := _NAGA_HEAD.match(line):
@@ -82,7 +82,7 @@ def _with_naga_detail(message: Message, line: str) -> Message:
 
 
 def read_tint(rows: Iterable[Mapping[str, Any]]) -> tuple[Message, ...]:
-    """Tint's compilation info, as ``tint_worker.mjs`` sends it; notes join what they explain."""
+    """Convert the rows that ``tint_worker.mjs`` sends; notes are added to what they explain."""
     messages: list[Message] = []
     for row in rows:
         line, column = row["line"] or None, row["column"] or None

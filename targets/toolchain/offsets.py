@@ -1,10 +1,10 @@
-"""Where the real compilers put the members of uniform blocks: what layout tests compare with.
+"""Reads from SPIR-V where compilers put the members of uniform blocks, for the layout tests.
 
-Both readers (the other is in ``dxil_offsets``) return bytes, by block and by member. A nested
-struct's members are named ``light.colour``. ``lights[]`` is not an offset but the distance from one
-element of the array ``lights`` to the next, and so it is for a matrix, whose elements are its
-columns (or rows, where it is stored by rows). ``lights[].colour`` is the offset of a member of the
-first element. All offsets count from the start of the block.
+This reader and the one in ``dxil_offsets`` return bytes, by block and by member. A nested struct's
+members are named ``light.colour``. ``lights[]`` is not an offset but the stride of the array
+``lights``. A matrix has such an entry too; its elements are its columns (or rows, if it is stored
+by rows). ``lights[].colour`` is the offset of a member of the first element. All offsets count from
+the start of the block.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ _DXC_TYPE_PREFIX = re.compile(r"type\.(ConstantBuffer\.)?")
 
 
 def block_offsets_spirv(spirv: bytes) -> Offsets:
-    """The uniform blocks of a module, named after their types as the source spells them.
+    """The uniform blocks of a module, with the names of their types in the source.
 
-    A module without names gives members numbered ``0``, ``1``. Raises ``SpirvError`` for bytes that
-    are no SPIR-V.
+    If the module has no names, members are numbered ``0``, ``1``. Raises ``SpirvError`` if the
+    bytes are not SPIR-V.
     """
     module = _Module()
     for instruction in instructions(spirv):
@@ -38,7 +38,7 @@ def block_offsets_spirv(spirv: bytes) -> Offsets:
 
 @dataclass(slots=True)
 class _Module:
-    """What a SPIR-V module says of types, names and layout, by the ids of its types."""
+    """The types, names and layout in a SPIR-V module, by the ids of its types."""
 
     names: dict[int, str] = field(default_factory=dict)
     member_names: dict[tuple[int, int], str] = field(default_factory=dict)
@@ -46,13 +46,13 @@ class _Module:
     member_decorations: dict[tuple[int, int, int], int] = field(default_factory=dict)
     structs: dict[int, tuple[int, ...]] = field(default_factory=dict)
     elements: dict[int, int] = field(default_factory=dict)
-    """Of array types."""
+    """The element types of array types."""
     pointees: dict[int, int] = field(default_factory=dict)
     uniforms: list[int] = field(default_factory=list)
     """The pointer types of the uniform variables."""
 
     def read(self, instruction: Instruction) -> None:
-        """Takes in one instruction."""
+        """Record what one instruction says."""
         match instruction.opcode, instruction.operands:
             case Op.NAME, (target, *_):
                 self.names[target] = string_at(instruction.operands, 1)
@@ -79,7 +79,7 @@ class _Module:
         return [pointee for pointee in pointees if (pointee, BLOCK) in self.decorations]
 
     def unwrapped(self, block: int) -> int:
-        """The struct inside a block that naga made around it, or else the block itself."""
+        """The struct around which naga has put a block, or else the block itself."""
         match self.structs[block]:
             case (inner,) if inner in self.structs and (block, 0) not in self.member_names:
                 return inner
@@ -87,11 +87,11 @@ class _Module:
                 return block
 
     def block_name(self, block: int) -> str:
-        """The block's name without what DXC puts before it."""
+        """The block's name without DXC's prefix."""
         return _DXC_TYPE_PREFIX.sub("", self.names.get(block, str(block)))
 
     def members(self, struct: int, prefix: str = "", base: int = 0) -> Iterator[tuple[str, int]]:
-        """The members of a struct that starts at byte ``base``, and all that is inside them."""
+        """The members of a struct that starts at byte ``base``, and everything inside them."""
         for index, kind in enumerate(self.structs[struct]):
             name = prefix + self.member_names.get((struct, index), str(index))
             offset = base + self.member_decorations[struct, index, OFFSET]
@@ -103,7 +103,7 @@ class _Module:
                 yield from self.members(core, f"{name}{'[]' * len(strides)}.", offset)
 
     def _strides(self, struct: int, index: int, kind: int) -> tuple[list[int], int]:
-        """The distances between a member's elements, the outer ones first, and their type."""
+        """The strides of a member's arrays, the outermost first, and the type of the elements."""
         strides: list[int] = []
         while kind in self.elements:
             strides.append(self.decorations[kind, ARRAY_STRIDE])

@@ -1,8 +1,8 @@
-"""Where the files of a tool are looked for: one class for each kind of tool.
+"""Where to look for the files of a tool: one class for each kind of tool.
 
-Every kind answers two questions: what is ``inside`` a folder that the installer made, and what is
-``outside``, put there by the system. Both give the paths of all the files, or None when one is
-missing.
+A row of ``tools.py`` has one of these. Each kind answers two questions: which files are ``inside``
+a folder that the installer made, and which are ``outside``, installed by the system. Both return
+the paths of all files, or ``None`` if one is missing.
 """
 
 from __future__ import annotations
@@ -15,28 +15,28 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 ROOT = Path("/")
-"""Below it lie the files of the system; the tests put another in its place."""
+"""The root of the system's files; tests replace it."""
 
 Paths = tuple[Path, ...]
 
 
 class Place:
-    """A kind of place. By itself it is nowhere."""
+    """A kind of place. This base class finds nothing."""
 
     __slots__ = ()
 
     def inside(self, folder: Path) -> Paths | None:  # noqa: ARG002 - what there is by default
-        """The files in a folder laid out like the one that the installer makes."""
+        """The files in a folder that has the installer's layout."""
         return None
 
     def outside(self) -> Paths | None:
-        """The files where the system has them."""
+        """The files at the places where systems have them."""
         return None
 
 
 @dataclass(frozen=True, slots=True)
 class Programs(Place):
-    """Programs, all of which are needed: in the folder's ``bin``, or on PATH."""
+    """Programs, all of which are required, in the folder's ``bin`` or on PATH."""
 
     names: tuple[str, ...]
 
@@ -50,10 +50,10 @@ class Programs(Place):
 
 @dataclass(frozen=True, slots=True)
 class AnyProgram(Place):
-    """One program that distributions call by different names, on PATH."""
+    """One program on PATH, which distributions give different names."""
 
     names: tuple[str, ...]
-    """The first that is there is taken."""
+    """The first name that is found is used."""
 
     def outside(self) -> Paths | None:
         found = (shutil.which(name) for name in self.names)
@@ -62,7 +62,7 @@ class AnyProgram(Place):
 
 @dataclass(frozen=True, slots=True)
 class FolderFiles(Place):
-    """Files that only the installer puts anywhere."""
+    """Files that only the installer provides."""
 
     files: tuple[str, ...]
     """Relative to the installer's folder."""
@@ -73,11 +73,12 @@ class FolderFiles(Place):
 
 @dataclass(frozen=True, slots=True)
 class SystemFiles(Place):
-    """Files of the system: drivers, layers and libraries, which are on no search path."""
+    """Files of the system that are on no search path: drivers, layers and libraries."""
 
     files: tuple[tuple[str, ...], ...]
-    """For each file the places that distributions have for it, the likeliest first, relative to the
-    root of the file system. ``{machine}`` is the processor's name, and ``*`` any part of a name."""
+    """For each file, where distributions have it, the most likely place first, relative to the root
+    of the file system. ``{machine}`` is the processor's name, and ``*`` any part of a name.
+    """
 
     def outside(self) -> Paths | None:
         found = [self._first(places) for places in self.files]
@@ -91,7 +92,7 @@ class SystemFiles(Place):
 
 @dataclass(frozen=True, slots=True)
 class PythonPackage(Place):
-    """A package of the Python that runs Burnish; its path is the folder it is installed in."""
+    """A package of the Python that runs Burnish; its path is the folder with all packages."""
 
     name: str
 
@@ -103,14 +104,14 @@ class PythonPackage(Place):
 
 
 def libraries(name: str) -> tuple[str, ...]:
-    """The places of a shared library, for ``SystemFiles``: Debian's, Fedora's, Arch's."""
+    """Where Debian, Fedora and Arch have a shared library, for ``SystemFiles``."""
     return tuple(
         f"{folder}/{name}" for folder in ("usr/lib/{machine}-linux-gnu", "usr/lib64", "usr/lib")
     )
 
 
 def vulkan_files(name: str) -> tuple[str, ...]:
-    """The places of a file that tells the Vulkan loader of a driver or layer."""
+    """Where systems have a file that registers a driver or a layer with the Vulkan loader."""
     return tuple(f"{folder}/vulkan/{name}" for folder in ("usr/share", "usr/local/share", "etc"))
 
 

@@ -1,4 +1,4 @@
-"""Runs one external program under a time limit and says how it ended."""
+"""Runs one external program with a time limit, and reports how it ended."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Literal
 Ending = Literal["ended", "crashed", "timeout"]
 
 RUST_PANIC = 101
-"""The exit code of a Rust program that panicked. No other tool here ends with it."""
+"""The exit code of a Rust program that panicked. No other tool here uses it."""
 
 QUIET = {"NO_COLOR": "1", "RUST_BACKTRACE": "0", "LC_ALL": "C.UTF-8"}
 
@@ -23,11 +23,11 @@ class Outcome:
 
     ending: Ending
     code: int
-    """The exit code: negative for a signal, 0 when the program never came to one."""
+    """The exit code: negative for a signal, 0 if the program never ended by itself."""
     output: bytes
     """Its standard output."""
     log: str
-    """Its standard output and standard error together, as text, the first line first."""
+    """Its standard output, followed by its standard error, as text."""
 
 
 def run(
@@ -37,9 +37,9 @@ def run(
     stdin: bytes = b"",
     folder: Path | None = None,
 ) -> Outcome:
-    """Runs a program to its end, or kills it after ``time_limit`` seconds.
+    """Run a program to its end, or kill it after ``time_limit`` seconds.
 
-    A program that cannot be started counts as crashed: it is the tool that is broken.
+    A program that cannot be started counts as crashed: the tool is broken, not the shader.
     """
     try:
         ended = subprocess.run(
@@ -63,7 +63,7 @@ def run(
 
 
 def crashed(code: int) -> bool:
-    """Whether an exit code means that the program broke down instead of giving an answer."""
+    """Whether an exit code means that the program crashed instead of answering."""
     return code < 0 or code == RUST_PANIC
 
 

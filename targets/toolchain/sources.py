@@ -1,4 +1,4 @@
-"""Where a tool comes from, and the command that gets it."""
+"""Where a tool comes from, and the command that installs it; part of a row of ``tools.py``."""
 
 from __future__ import annotations
 
@@ -12,29 +12,29 @@ class Debian:
     packages: tuple[str, ...]
 
     def command(self, _tool: str) -> str:
-        """What a person types to get the tool."""
+        """The command that a person types to install the tool."""
         return f"apt-get install -y --no-install-recommends {' '.join(self.packages)}"
 
 
 @dataclass(frozen=True, slots=True)
 class OwnInstaller:
-    """``install.py`` puts it into the cache folder, in this version."""
+    """``install.py`` puts the tool into the cache folder, in exactly this version."""
 
     pinned: str
 
     def command(self, tool: str) -> str:
-        """What a person types to get the tool."""
+        """The command that a person types to install the tool."""
         return f"python -m burnish.targets.toolchain.install {tool}"
 
 
 @dataclass(frozen=True, slots=True)
 class Extra:
-    """It comes with Burnish when that is installed with an extra."""
+    """The tool is installed together with Burnish, as an extra."""
 
     name: str
 
     def command(self, _tool: str) -> str:
-        """What a person types to get the tool."""
+        """The command that a person types to install the tool."""
         return f"pip install 'burnish[{self.name}]'"
 
 

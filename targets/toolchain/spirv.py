@@ -1,7 +1,7 @@
-"""The little of SPIR-V's binary form that the gate and the benchmark need to read.
+"""Reads the parts of SPIR-V's binary form that the checkers and the benchmark need.
 
-A module is a stream of 32-bit words: a header of five, then instructions, each starting with a
-word that holds its length (upper half) and its opcode (lower half).
+A module is a stream of 32-bit words: a header of five words, then instructions. The first word of
+an instruction holds its length (upper half) and its opcode (lower half).
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ MAGIC = 0x07230203
 HEADER_WORDS = 5
 
 OPTIMISE_LIMIT = 60.0
-"""Seconds after which spirv-opt is given up on."""
+"""After how many seconds spirv-opt is stopped."""
 
 
 class Op(IntEnum):
-    """The opcodes with a meaning here."""
+    """The opcodes that this package uses."""
 
     SOURCE_CONTINUED = 2
     SOURCE = 3
@@ -55,12 +55,12 @@ _NOT_CODE = frozenset({Op.FUNCTION_PARAMETER, Op.LABEL, Op.LINE, Op.NO_LINE})
 
 
 class SpirvError(ValueError):
-    """The bytes are no SPIR-V module, or a tool could not work on them."""
+    """The bytes are not a SPIR-V module, or a tool failed on them."""
 
 
 @dataclass(frozen=True, slots=True)
 class Instruction:
-    """One instruction: its opcode and the words behind it."""
+    """One instruction: its opcode and the words after it."""
 
     opcode: int
     operands: tuple[int, ...]
@@ -94,7 +94,7 @@ def entry_points(spirv: bytes) -> set[tuple[str, str]]:
 
 
 def count_instructions(spirv: bytes) -> int:
-    """How many instructions the bodies of a module's functions hold, labels and lines aside."""
+    """The number of instructions in the bodies of functions, without labels and lines."""
     count, inside = 0, False
     for each in instructions(spirv):
         if each.opcode == Op.FUNCTION:
@@ -109,7 +109,7 @@ def count_instructions(spirv: bytes) -> int:
 def without_source(spirv: bytes) -> bytes:
     """A module without ``OpSource``.
 
-    Older SPIRV-Tools refuse a module whose source language they have not heard of, WGSL for one.
+    Older SPIRV-Tools refuse a module whose source language they do not know, for example WGSL.
     """
     kept = list(_words(spirv)[:HEADER_WORDS])
     for each in instructions(spirv):
@@ -119,9 +119,9 @@ def without_source(spirv: bytes) -> bytes:
 
 
 def optimise(spirv: bytes) -> bytes:
-    """What ``spirv-opt -O`` makes of a module, without debug information.
+    """The module after ``spirv-opt -O``, without debug information.
 
-    Raises ``SpirvError`` when spirv-opt is missing or fails.
+    Raises ``SpirvError`` if spirv-opt is missing or fails.
     """
     tool = program("spirv-tools", "spirv-opt")
     if tool is None:

@@ -1,4 +1,4 @@
-"""The tools of one ``Toolchain``: found once, run under its time limit, with its workers."""
+"""The tools of one ``Toolchain``: found once, and run with its time limit and its workers."""
 
 from __future__ import annotations
 
@@ -13,32 +13,32 @@ HERE = Path(__file__).parent
 
 
 class Toolbox:
-    """What a checker may use."""
+    """What the ``check`` functions of checkers use to run tools."""
 
     def __init__(self, parallel: int, time_limit: float) -> None:
         self.time_limit = time_limit
-        """Seconds that one run of one tool may take."""
+        """The time limit of one run of one tool, in seconds."""
         self._states: dict[str, ToolState] = {}
         self.dxc = Pool(parallel, lambda: Worker(self._dxc_command))
         self.tint = Pool(1, lambda: Worker(self._tint_command))
 
     def problem(self, tool: str) -> str | None:
-        """Why a tool cannot be used; None when it can."""
+        """Why a tool cannot be used; ``None`` if it can."""
         return self._state(tool).problem
 
     def version(self, tool: str) -> str:
-        """A tool's version; empty where it is missing."""
+        """A tool's version; empty if the tool is missing."""
         return self._state(tool).version or ""
 
     def run(
         self, tool: str, *arguments: str, stdin: bytes = b"", folder: Path | None = None
     ) -> Outcome:
-        """Runs the first program of a tool that has no ``problem``."""
+        """Run the first program of a tool; the tool must have no ``problem``."""
         command = [self._path(tool), *arguments]
         return run(command, time_limit=self.time_limit, stdin=stdin, folder=folder)
 
     def close(self) -> None:
-        """Ends the workers."""
+        """End the workers' processes."""
         self.dxc.close()
         self.tint.close()
 

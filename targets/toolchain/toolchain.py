@@ -1,4 +1,7 @@
-"""Has shader texts checked by the real downstream compilers, in parallel."""
+"""Has shader texts checked by the real downstream compilers, in parallel.
+
+``compile --validate`` and ``conform`` create a ``Toolchain``, and so do the tests.
+"""
 
 from __future__ import annotations
 
@@ -17,33 +20,33 @@ TIME_LIMIT = 60.0
 
 
 class Toolchain(Closing):
-    """Owns the workers; use it as a context manager, and one for many calls of ``check``."""
+    """Owns the worker processes. Use it as a context manager, one for many calls of ``check``."""
 
     def __init__(self, *, time_limit: float = TIME_LIMIT, parallel: int | None = None) -> None:
-        """``time_limit`` is in seconds, for each run of a tool; ``parallel`` tools run at once."""
+        """``time_limit`` is in seconds for each run of a tool; ``parallel`` tools run at once."""
         self._parallel = parallel or os.cpu_count() or 1
         self._toolbox = Toolbox(self._parallel, time_limit)
         self._threads = ThreadPoolExecutor(self._parallel)
 
     def close(self) -> None:
-        """Ends all work and all workers."""
+        """Cancel all work and end all workers."""
         self._threads.shutdown(cancel_futures=True)
         self._toolbox.close()
 
     def problem(self, checker: str) -> str | None:
-        """Why a checker cannot be used, tool by tool; None when it can."""
+        """Why a checker cannot be used, tool by tool; ``None`` if it can."""
         problems = (self._toolbox.problem(tool) for tool in CHECKERS[checker].needs)
         return "; ".join(problem for problem in problems if problem) or None
 
     def versions(self, checker: str) -> tuple[str, ...]:
-        """The versions of the tools that a checker needs; empty for those that are missing."""
+        """The versions of the tools that a checker needs; an empty text for each missing tool."""
         return tuple(self._toolbox.version(tool) for tool in CHECKERS[checker].needs)
 
     def check(self, jobs: Sequence[Job], *, keep_spirv: bool = False) -> list[Verdict]:
         """A verdict for each job, in the jobs' order.
 
-        A checker without its tools answers ``missing``. Raises ``KeyError`` when a job names a
-        checker that there is not.
+        A checker without its tools answers ``missing``. Raises ``KeyError`` if a job names a
+        checker that does not exist.
         """
         verdicts: dict[int, Verdict] = {}
         problems = {name: self.problem(name) for name in {job.checker for job in jobs}}
@@ -57,7 +60,7 @@ class Toolchain(Closing):
         return kept if keep_spirv else [replace(verdict, spirv=None) for verdict in kept]
 
     def _batches(self, jobs: Sequence[Job]) -> Iterator[list[int]]:
-        """The jobs' numbers, in lots that one call of one checker can answer."""
+        """The jobs' indices, in batches that one call of one checker can answer."""
         alike: defaultdict[tuple[str, tuple[str, ...]], list[int]] = defaultdict(list)
         for index, job in enumerate(jobs):
             alike[job.checker, job.flags].append(index)
@@ -67,7 +70,7 @@ class Toolchain(Closing):
             yield from (indices[at : at + size] for at in range(0, len(indices), size))
 
     def _answer(self, jobs: Sequence[Job], problems: Mapping[str, str | None]) -> list[Verdict]:
-        """The verdicts on one lot of jobs."""
+        """The verdicts on one batch of jobs."""
         checker = jobs[0].checker
         problem = problems[checker]
         if problem is None:

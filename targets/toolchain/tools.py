@@ -1,8 +1,9 @@
-"""The external tools: one row each, and what is known of them on this machine.
+"""The table of external tools, and functions that look for them on this machine.
 
-A tool is whatever Burnish needs and does not bring: compilers, drivers, a browser, the Python
-packages that talk to them. It is looked for in Burnish's cache folder first (``BURNISH_TOOLS``
-moves it), then where the system has it.
+A tool is whatever Burnish uses but does not contain: compilers, drivers, a browser, and the Python
+packages that talk to them. ``doctor``, the checkers and the routes look tools up here, and
+``install.py`` installs them. A tool is looked for in Burnish's cache folder first (the variable
+``BURNISH_TOOLS`` moves it), then where systems have it.
 """
 
 from __future__ import annotations
@@ -52,18 +53,18 @@ CHROMIUM_FOLDERS = (
 
 @dataclass(frozen=True, slots=True)
 class Tool:
-    """An external tool."""
+    """One row: an external tool."""
 
     name: str
     purpose: str
     place: Place
-    """Where its files are looked for."""
+    """Where to look for its files."""
     version: Version
-    """Reads the version off the files."""
+    """Reads the version from its files."""
     source: Source
-    """Where it comes from."""
+    """Where to get it from."""
     minimum: tuple[int, ...] = ()
-    """The oldest version that behaves; empty when any does."""
+    """The oldest version that works; empty if any does."""
 
     @property
     def install(self) -> str:
@@ -72,30 +73,32 @@ class Tool:
 
     @property
     def folder(self) -> str:
-        """Its folder's name in the cache; a new version gets a new folder."""
+        """The name of its folder in the cache; a new version gets a new folder."""
         if isinstance(self.source, OwnInstaller):
             return f"{self.name}-{self.source.pinned}"
         return self.name
 
     def find(self) -> Paths | None:
-        """The paths of all its files, in the cache or on the system; None when one is missing."""
+        """The paths of all its files, in the cache or on the system; ``None`` if one is missing."""
         return self.find_in(cache_folder() / self.folder) or self.place.outside()
 
     def find_in(self, folder: Path) -> Paths | None:
-        """The paths of all its files in a folder laid out like the cache's; None if incomplete."""
+        """The paths of all its files in a folder with the cache's layout; ``None`` if one is
+        missing.
+        """
         return self.place.inside(folder)
 
 
 @dataclass(frozen=True, slots=True)
 class ToolState:
-    """What is known of a tool on this machine."""
+    """The state of a tool on this machine."""
 
     tool: Tool
     paths: Paths
-    """Of the tool's files, in their order; empty when it is missing."""
+    """The paths of the tool's files, in their order; empty if it is missing."""
     version: str | None
     problem: str | None
-    """Why the tool cannot be used; None when it can."""
+    """Why the tool cannot be used; ``None`` if it can."""
 
 
 def _python_package(name: str, extra: str, purpose: str) -> Tool:
@@ -213,29 +216,29 @@ TOOLS: tuple[Tool, ...] = (
 
 
 def cache_folder() -> Path:
-    """The folder with one sub-folder for each tool that Burnish installed itself."""
+    """The folder that has a sub-folder for each tool that Burnish has installed itself."""
     moved = os.environ.get("BURNISH_TOOLS")
     return Path(moved) if moved else user_cache_path("burnish") / "tools"
 
 
 def tool_named(name: str) -> Tool:
-    """The tool's row. Raises ``KeyError`` for a name that is no tool's."""
+    """The row of a tool. Raises ``KeyError`` for any other name."""
     return {tool.name: tool for tool in TOOLS}[name]
 
 
 def inspect(tool: Tool) -> ToolState:
-    """Finds a tool and asks it for its version."""
+    """Look for a tool and determine its version."""
     return judge(tool, tool.find())
 
 
 def inspect_all(tools: Iterable[Tool] = TOOLS) -> dict[str, ToolState]:
-    """Finds several tools at once; what is known of each, by its name, in their order."""
+    """The states of several tools by name, in their order; looks for all of them at once."""
     with ThreadPoolExecutor() as threads:
         return {state.tool.name: state for state in threads.map(inspect, tools)}
 
 
 def judge(tool: Tool, paths: Paths | None) -> ToolState:
-    """Asks a tool that was found at ``paths`` for its version, and says whether it will do."""
+    """The state of a tool that was found at ``paths``; ``None`` means that it was not found."""
     if paths is None:
         return ToolState(tool, (), None, f"{tool.name} is missing; to install it: {tool.install}")
     version = tool.version(paths)
@@ -253,6 +256,8 @@ def _version_problem(tool: Tool, version: str | None) -> str | None:
 
 
 def program(tool: str, name: str) -> Path | None:
-    """The path of one of a tool's programs, ``spirv-opt`` of ``spirv-tools``; None when missing."""
+    """The path of one program of a tool, ``spirv-opt`` of ``spirv-tools``; ``None`` if it is
+    missing.
+    """
     paths = tool_named(tool).find() or ()
     return next((path for path in paths if path.name == name), None)

@@ -1,4 +1,4 @@
-"""Makes verdicts out of what tools answered."""
+"""Makes verdicts from what tools answered; the checkers share these functions."""
 
 from __future__ import annotations
 
@@ -10,32 +10,34 @@ from .spirv import SpirvError, entry_points, without_source
 from .toolbox import Toolbox
 
 DX_LAYOUT_FLAGS = frozenset({"-fvk-use-dx-layout", "-fvk-use-scalar-layout"})
-"""With these DXC packs closer than Vulkan's plain rules allow, as Vulkan's scalar layout may."""
+"""With these flags DXC packs members more closely than Vulkan's standard layout allows, so that
+spirv-val must check against the scalar layout.
+"""
 
 
 def undone(job: Job, ending: Ending, log: str) -> Verdict:
-    """The verdict when a tool crashed or took too long, which says nothing of the shader."""
+    """The verdict if a tool crashed or took too long, which says nothing about the shader."""
     return Verdict(job, "timeout" if ending == "timeout" else "crashed", log=log)
 
 
 def rejected(job: Job, messages: tuple[Message, ...], log: str) -> Verdict:
-    """The verdict of a tool that refused the text; its log is the error if it named none."""
+    """The verdict of a tool that refused the text; if it named no error, its log is the error."""
     if not any(message.severity == "error" for message in messages):
         messages = (*messages, Message("error", None, None, log.strip() or "refused, silently"))
     return Verdict(job, "rejected", messages, log=log)
 
 
 def accepted_unless_error(job: Job, messages: tuple[Message, ...], log: str) -> Verdict:
-    """The verdict that a tool's messages amount to."""
+    """The verdict that follows from a tool's messages alone."""
     refused = any(message.severity == "error" for message in messages)
     return Verdict(job, "rejected" if refused else "accepted", messages, log=log)
 
 
 def judge_spirv(verdict: Verdict, module: bytes, toolbox: Toolbox) -> Verdict:
-    """The verdict after a look at the SPIR-V that an accepting compiler made.
+    """The verdict after examining the SPIR-V that a compiler made from an accepted text.
 
-    It has to hold the entry point that was asked for (naga takes one of another stage
-    for it) and to pass spirv-val.
+    The module must contain the requested entry point, because naga accepts one of another stage,
+    and it must pass spirv-val.
     """
     job = verdict.job
     try:

@@ -1,4 +1,4 @@
-"""Readers of versions: each takes the paths of a tool's files; None when it finds none."""
+"""Functions that read a tool's version from the paths of its files; ``None`` if they find none."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from .process import run
 Version = Callable[[Paths], str | None]
 
 VERSION_LIMIT = 20.0
-"""Seconds a tool may take to say its version."""
+"""How many seconds a tool may take to print its version."""
 
 
 def says(option: str, pattern: str) -> Version:
-    """What the first file, a program, says."""
+    """Read it from the output of the first file, which is a program."""
 
     def version(paths: Paths) -> str | None:
         return _said([str(paths[0]), option], pattern)
@@ -27,7 +27,7 @@ def says(option: str, pattern: str) -> Version:
 
 
 def browser_beside(programs: tuple[str, ...]) -> Version:
-    """What one of the ``programs`` says that came with the first file, in the same folder."""
+    """Read it from the output of the browser in whose folder the first file is."""
 
     def version(paths: Paths) -> str | None:
         beside = (paths[0].parent / name for name in programs)
@@ -38,7 +38,7 @@ def browser_beside(programs: tuple[str, ...]) -> Version:
 
 
 def written_in(number: int, pattern: bytes) -> Version:
-    """What is written in a binary, the file of that number; megabytes take milliseconds."""
+    """Find it in the binary with this index; searching megabytes takes milliseconds."""
 
     def version(paths: Paths) -> str | None:
         with (
@@ -52,7 +52,7 @@ def written_in(number: int, pattern: bytes) -> Version:
 
 
 def stated(*keys: str) -> Version:
-    """What the first file, a JSON document, has under its ``keys``, one inside the other."""
+    """Read it from the first file, a JSON document, under nested ``keys``."""
 
     def version(paths: Paths) -> str | None:
         value = json.loads(paths[0].read_text("utf-8"))
@@ -64,12 +64,12 @@ def stated(*keys: str) -> Version:
 
 
 def in_folder_name(paths: Paths) -> str | None:
-    """The version in the name of the cache folder: ``dxc-3.7`` holds 3.7."""
+    """Read it from the name of the cache folder: ``dxc-3.7`` contains 3.7."""
     return paths[0].parent.name.partition("-")[2]
 
 
 def of_python_package(name: str) -> Version:
-    """What an installed Python package's metadata say."""
+    """Read it from the metadata of an installed Python package."""
     return lambda _paths: installed_version(name)
 
 

@@ -1,7 +1,7 @@
 """Persistent child processes that answer one line of JSON with one line of JSON.
 
-A child that dies or hangs costs the request it was working on, and nothing else: the next request
-starts a fresh one.
+DXC and Tint run in them, since starting these takes long and they may crash. If a child dies or
+hangs, only the current request fails: the next request starts a new child.
 """
 
 from __future__ import annotations
@@ -19,22 +19,22 @@ from typing import IO, Any
 from .process import Ending, how_it_crashed
 
 LOG_TAIL = 20_000
-"""So many bytes of what a dead child wrote are kept."""
+"""How many bytes of a dead child's output are kept."""
 
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What came back for one request."""
+    """The answer to one request."""
 
     ending: Ending
     reply: Mapping[str, Any]
-    """The child's answer; empty unless it ``ended`` well."""
+    """The child's answer; empty unless the ending is ``ended``."""
     log: str
     """Why there is no answer."""
 
 
 class Worker:
-    """One child process, started when first asked."""
+    """One child process, which the first request starts."""
 
     def __init__(self, command: Callable[[], Sequence[str]]) -> None:
         self._find_command = command
@@ -43,7 +43,7 @@ class Worker:
         self._errors: IO[bytes] | None = None
 
     def ask(self, request: Mapping[str, Any], time_limit: float) -> Answer:
-        """Sends one request and waits at most ``time_limit`` seconds for its answer."""
+        """Send one request and wait at most ``time_limit`` seconds for its answer."""
         timed_out = Event()
         try:
             child = self._child or self._start()
@@ -65,7 +65,7 @@ class Worker:
         return self._post_mortem(f"no answer within {time_limit:g} s" if timed_out.is_set() else "")
 
     def close(self) -> None:
-        """Ends the child, if there is one."""
+        """End the child process, if there is one."""
         if self._child is not None:
             self._bury(self._child)
 
@@ -97,7 +97,7 @@ class Worker:
 
 
 def _exchange(child: subprocess.Popen[bytes], request: bytes) -> bytes:
-    """The child's answer to a request: a whole line, or less when the child died over it."""
+    """The child's answer to a request: a whole line, or less if the child died."""
     assert child.stdin is not None and child.stdout is not None
     try:
         child.stdin.write(request)
@@ -108,7 +108,7 @@ def _exchange(child: subprocess.Popen[bytes], request: bytes) -> bytes:
 
 
 def _close(stream: IO[bytes]) -> None:
-    """Closes a stream, whatever a dead reader left in its buffer."""
+    """Close a stream, even if a dead reader has left something in its buffer."""
     try:
         stream.close()
     except BrokenPipeError:
@@ -116,7 +116,7 @@ def _close(stream: IO[bytes]) -> None:
 
 
 class Pool:
-    """A few workers of one kind, lent out to threads one by one."""
+    """A few workers of one kind, which threads borrow."""
 
     def __init__(self, size: int, make: Callable[[], Worker]) -> None:
         self._workers = [make() for _ in range(size)]
@@ -126,7 +126,7 @@ class Pool:
 
     @contextmanager
     def borrow(self) -> Iterator[Worker]:
-        """Lends a worker, the most recently used one first; waits for one when all are out."""
+        """Lend a worker, the most recently used one first; waits if all are lent."""
         worker = self._idle.get()
         try:
             yield worker
@@ -134,6 +134,6 @@ class Pool:
             self._idle.put(worker)
 
     def close(self) -> None:
-        """Ends all the workers' processes."""
+        """End the processes of all workers."""
         for worker in self._workers:
             worker.close()

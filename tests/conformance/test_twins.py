@@ -177,8 +177,7 @@ def by_hand(route: Route, codes: Codes) -> Pipeline:
     in_gl = route.profile in ("glsl:gl330", "glsl:es300")
     place = Place("P", None, None) if in_gl else Place("P", 0, 0)
     return Pipeline(
-        codes.vertex,
-        codes.fragment,
+        codes.stages,
         inputs=(VertexInput("aPos", 0, "float32x3"), VertexInput("aNrm", 1, "float32x3")),
         blocks=(BlockSlot(place, BLOCK_SIZE),),
         textures=(),

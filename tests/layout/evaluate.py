@@ -8,6 +8,7 @@ from typing import Any
 
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Node
+from burnish.compiler.ir.operations import MEMBER, SWIZZLE
 from burnish.compiler.ir.types import Struct
 
 from .memory import Value
@@ -53,12 +54,11 @@ def _fold(
 def _member(node: Node, operands: list[Value]) -> Value:
     struct = node.operands[0].type
     assert isinstance(struct, Struct)
-    return operands[0][[name for name, _ in struct.members].index(str(node.data))]
+    return operands[0][[name for name, _ in struct.members].index(MEMBER.data(node))]
 
 
 def _swizzle(node: Node, operands: list[Value]) -> Value:
-    assert isinstance(node.data, tuple)
-    lanes = tuple(operands[0][lane] for lane in node.data)
+    lanes = tuple(operands[0][lane] for lane in SWIZZLE.data(node))
     return lanes if len(lanes) > 1 else lanes[0]
 
 
@@ -75,6 +75,6 @@ PLAIN: Mapping[str, Callable[[Node, list[Value]], Value]] = {
     "vector": _vector,
     "matrix": lambda _node, operands: tuple(operands),
     "select": lambda _node, operands: operands[1] if operands[0] else operands[2],
-    "native": lambda node, operands: NATIVE[str(node.data)](*operands),
+    "native": lambda node, operands: NATIVE[MEMBER.data(node)](*operands),
 }
 """What each operation yields from its operands' values."""

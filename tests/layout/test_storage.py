@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from burnish.compiler.ir.build import constant, index, matrix, member, swizzle
+from burnish.compiler.ir.build import apply, constant, index, matrix, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node, reachable
+from burnish.compiler.ir.operations import PARAMETER
 from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.storage import byte_size, stored_type
@@ -99,8 +100,7 @@ def test_parameter_nodes_have_their_stored_types_afterwards() -> None:
     lowered = lower_reads(graph, roots)
     for node in reachable(lowered):
         if node.op == "parameter":
-            assert isinstance(node.data, Parameter)
-            assert node.type == stored_type(node.data.type)
+            assert node.type == stored_type(PARAMETER.data(node).type)
 
 
 def test_lowering_twice_changes_nothing() -> None:
@@ -155,8 +155,8 @@ def test_a_product_is_one_of_the_stored_matrix(size: int, data: st.DataObject) -
     written = stored_value(turn.type, given_values["m"])
 
     def leaf(node: Node) -> Value:
-        assert isinstance(node.data, Parameter)
-        return written if node.type == stored.type else given_values[node.data.name]
+        name = PARAMETER.data(node).name
+        return written if node.type == stored.type else given_values[name]
 
     assert meaning(after, leaf) == meaning(before, leaf)
 
@@ -203,7 +203,7 @@ def test_structs_travel_stored_through_binders_and_selects() -> None:
     first = index(graph, lamps, constant(graph, INT, 0))
     lamp = index(graph, lamps, turn)
     chosen = graph.node("select", LAMP, (member(graph, lamp, "on"), lamp, first))
-    term = graph.node("apply", FLOAT, (body, chosen))
+    term = apply(graph, body, (chosen,))
     start = constant(graph, FLOAT, 0.0)
     count = constant(graph, INT, 4)
     total = graph.node("fold", FLOAT, (count, start, term), Folding("add", 4))

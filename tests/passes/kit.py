@@ -14,6 +14,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.operations import builtin_of
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.storage import elements_in_row, place, stored_type
 from burnish.compiler.ir.types import (
@@ -249,7 +250,7 @@ def _with_paddings(members: tuple[tuple[str, Type], ...], value: Lanes) -> Lanes
 
 def calls(roots: Iterable[Node], name: str) -> list[Node]:
     """The operations called ``name`` that ``roots`` need."""
-    return [n for n in reachable(roots) if n.op in ("call", "native") and n.data == name]
+    return [n for n in reachable(roots) if builtin_of(n) == name]
 
 
 def ops(roots: Iterable[Node], op: str) -> list[Node]:

@@ -68,9 +68,7 @@ def test_an_opened_body_is_evaluated_for_each_call() -> None:
     graph = Graph()
     formal = Formal("x")
     body = graph.node("call", FLOAT, (graph.node("formal", FLOAT, (), formal),) * 2, "mul")
-    calls = [
-        graph.node("apply", FLOAT, (body, build.floating(graph, x)), (formal,)) for x in (2.0, 3.0)
-    ]
+    calls = [build.apply(graph, body, (build.floating(graph, x),), (formal,)) for x in (2.0, 3.0)]
     assert evaluate(graph.node("call", FLOAT, tuple(calls), "add")) == (13.0,)
 
 

@@ -8,7 +8,8 @@ from collections.abc import Sequence
 import pytest
 
 from burnish.compiler.ir.invariants import PATIENCE, invariants
-from burnish.compiler.ir.node import Formal, Node
+from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.operations import FORMAL
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.passes.open_binders import open_binders
 from burnish.stdlib.builtins.facts import Fact
@@ -26,8 +27,7 @@ def facts(text: str) -> dict[str, Fact]:
 
 
 def _name(node: Node) -> str:
-    assert isinstance(node.data, Formal)
-    return node.data.name
+    return FORMAL.data(node).name
 
 
 @pytest.mark.parametrize(

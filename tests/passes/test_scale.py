@@ -8,7 +8,8 @@ import pytest
 
 import burnish
 from burnish.compiler.ir import binding
-from burnish.compiler.ir.node import Folding, Formal, Graph, Node, reachable
+from burnish.compiler.ir.node import Formal, Graph, Node, reachable
+from burnish.compiler.ir.operations import FOLD
 from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import FLOAT
 from burnish.compiler.passes.pipeline import Options, stage
@@ -77,7 +78,7 @@ def test_equal_folds_are_one_node() -> None:
     (given,) = shaders(text)
     folds = ops([given.results_of(TARGET)[0].value], "fold")
     assert len(folds) == 1
-    assert isinstance(folds[0].data, Folding) and folds[0].data.bound == 5
+    assert FOLD.data(folds[0]).bound == 5
 
 
 def folds(length: int) -> str:

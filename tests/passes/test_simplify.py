@@ -163,7 +163,7 @@ def test_equal_lanes_are_computed_once(kit: Kit) -> None:
 
 def fold(kit: Kit, bound: int, body: Node, index: Formal) -> Node:
     count = build.constant(kit.graph, INT, bound)
-    folding = Folding("add", bound, index)
+    folding = Folding("add", bound, (index,))
     return kit.graph.node("fold", FLOAT, (count, kit.number(0.0), body), folding)
 
 
@@ -195,5 +195,5 @@ def test_folds_of_unequal_lanes_do_something(
     count, start = build.constant(kit.graph, INT, 9), kit.leaf("start", VEC3)
     body = build.constant(kit.graph, VEC3, (2.0, 1.0, 0.25))
     operands = count, start, body
-    folding = Folding(operator, 9, Formal("i"))
+    folding = Folding(operator, 9, (Formal("i"),))
     assert kit.simplified(kit.graph.node("fold", VEC3, operands, folding)) is not start

@@ -9,8 +9,9 @@ import pytest
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
+from burnish.compiler.ir.operations import Form
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, VEC4, Matrix, TallMatrix
-from burnish.compiler.ir.verify import Form, InvalidGraphError, verify
+from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes import checkpoint
 
 
@@ -28,7 +29,9 @@ def crossing(graph: Graph) -> Node:
 
 def loop(graph: Graph, body: Node, index: Formal | None = None) -> Node:
     operands = (build.constant(graph, INT, 3), one(graph), body)
-    return graph.node("fold", FLOAT, operands, Folding("add", 3, index))
+    return graph.node(
+        "fold", FLOAT, operands, Folding("add", 3, None if index is None else (index,))
+    )
 
 
 def variable(graph: Graph, number: int) -> Node:

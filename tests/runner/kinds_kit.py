@@ -146,7 +146,8 @@ def _vulkan_pipeline(slots: Sequence[TextureSlot], read: str) -> Pipeline:
         ]
     text = "\n".join([*lines, _GLSL_STAGE.format(read=read)])
     fragment = vulkan_kit.glsl("frag", text)
-    return replace(vulkan_kit.painted_pipeline(), fragment=fragment, textures=tuple(slots))
+    made = vulkan_kit.shading(vulkan_kit.painted_pipeline(), fragment)
+    return replace(made, textures=tuple(slots))
 
 
 def _textual_pipeline(api: str, slots: Sequence[TextureSlot], glsl: str, wgsl: str) -> Pipeline:
@@ -169,7 +170,7 @@ def _textual_pipeline(api: str, slots: Sequence[TextureSlot], glsl: str, wgsl: s
             for slot in slots
         ]
     made = textual_kit.pipeline(api, targets=(Target("rgba32float"),))
-    return replace(made, fragment=Code("main", text), textures=tuple(slots))
+    return replace(vulkan_kit.shading(made, Code("main", text)), textures=tuple(slots))
 
 
 def _variable(place: Place, type_: str) -> str:

@@ -13,9 +13,11 @@ import pytest
 
 import burnish
 from burnish import Instance
+from burnish.compiler.ir import build
 from burnish.compiler.ir.build import constant, index, member, swizzle
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node
+from burnish.compiler.ir.operations import PARAMETER
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Array, Matrix, Struct, Type
 from burnish.compiler.passes.pipeline import Options, Staged, stage
@@ -81,20 +83,20 @@ def check(reflection: dict[str, Any], leaves: list[Node], staged: Staged, seed: 
     """Sets random values, and reads the bytes back by the compiler's own types and graphs."""
     world, instance, inputs = World(seed, traps=seed % 2 == 1), Instance(reflection), {}
     for node in leaves:
-        assert isinstance(node.data, Parameter)
+        parameter = PARAMETER.data(node)
         value = world(node)
         assert value is not None
-        inputs[node.data.name] = rounded(value)
-        instance.set(node.data.name, host(node.data.type, value))
+        inputs[parameter.name] = rounded(value)
+        instance.set(parameter.name, host(parameter.type, value))
 
     def given(node: Node) -> Any:
         return inputs[node.data.name] if isinstance(node.data, Parameter) else None
 
     # A list of lights sets their number, so that comes last.
     for node in leaves:
-        assert isinstance(node.data, Parameter)
-        if node.data.name.endswith(".count"):
-            instance.set(node.data.name, inputs[node.data.name][0])
+        name = PARAMETER.data(node).name
+        if name.endswith(".count"):
+            instance.set(name, inputs[name][0])
     assert instance.values() == inputs
     data, evaluator = instance.blocks(), Evaluator(given)
     derived = {value.parameter: value for value in staged.derived}
@@ -192,7 +194,7 @@ class Kit:
         return self.graph.node("fold", start.type, (count, start, body), Folding(operator, limit))
 
     def apply(self, body: Node, *arguments: Node) -> Node:
-        return self.graph.node("apply", body.type, (body, *arguments))
+        return build.apply(self.graph, body, arguments)
 
 
 def run(root: Node) -> Any:

@@ -21,7 +21,7 @@ from burnish.targets.runner.drivers.draw import (
 from burnish.targets.runner.pipeline import EXACT, FORMATS, VERTEX_FORMATS, pipeline
 from burnish.targets.runner.routes import ROUTES
 
-CODES = Codes(Code("vs", text="vertex"), Code("fs", text="fragment"))
+CODES = Codes({"vertex": Code("vs", text="vertex"), "fragment": Code("fs", text="fragment")})
 PROFILES = sorted({route.profile for route in ROUTES.values()})
 
 TEXT = """
@@ -55,7 +55,7 @@ def test_every_table_is_whole() -> None:
 
 def test_where_places_are_numbers() -> None:
     made = pipeline(reflection(), ROUTES["lavapipe:hlsl-dxc"], CODES)
-    assert (made.vertex, made.fragment) == (CODES.vertex, CODES.fragment)
+    assert made.stages == CODES.stages
     assert {(each.identifier, each.format) for each in made.inputs} >= {
         ("shade", "float32x4"),
         ("place", "float32x2"),

@@ -257,9 +257,8 @@ def test_the_first_vertex_is_the_provoking_one(vulkan: Asker) -> None:
     layout(location = 0) out vec4 target;
     void main() { target = colour; }
     """
-    pipeline = replace(
-        painted_pipeline(), vertex=glsl("vert", flat), fragment=glsl("frag", fragment)
-    )
+    stages = {"vertex": glsl("vert", flat), "fragment": glsl("frag", fragment)}
+    pipeline = replace(painted_pipeline(), stages=stages)
     paints = [RED, GREEN, GREEN] * 2
     assert vulkan.one(pipeline, draw_of(TOP_LEFT, paints))[0, 0].tolist() == RED
 

@@ -41,6 +41,7 @@ from .vulkan_kit import (
     floats,
     glsl,
     painted_pipeline,
+    shading,
     spirv,
 )
 
@@ -165,11 +166,11 @@ def corrupted(words: dict[int, int]) -> Code:
     ids=["nonsense", "nothing", "text", "bound", "version", "entry"],
 )
 def test_code_that_is_no_code(vulkan: Asker, code: Code, said: str) -> None:
-    assert said in refusal(vulkan, replace(flat_pipeline(), fragment=code))
+    assert said in refusal(vulkan, shading(flat_pipeline(), code))
 
 
 def wrong_stage() -> Pipeline:
-    return replace(flat_pipeline(), fragment=glsl("vert", PAINT.replace("target =", "gl_Position =")
+    return shading(flat_pipeline(), glsl("vert", PAINT.replace("target =", "gl_Position =")
         .replace("layout(location = 0) out vec4 target;", "")))  # fmt: skip
 
 
@@ -191,7 +192,7 @@ MISTAKES: dict[str, Callable[[], Pipeline]] = {
     "an input that nobody reads": lambda: replace(
         flat_pipeline(), inputs=(PLACE, VertexInput("more", 1, "float32x3"))
     ),
-    "a varying that nobody writes": lambda: replace(flat_pipeline(), fragment=glsl("frag", PAINT)),
+    "a varying that nobody writes": lambda: shading(flat_pipeline(), glsl("frag", PAINT)),
     "a target that nobody writes": lambda: painted_pipeline(
         Target("rgba32float"), Target("rgba32float")
     ),

@@ -80,7 +80,7 @@ def test_blocks_lie_where_the_reflection_says(way: str) -> None:
         for row in reflection["blocks"]
     }
     made = codes("plastic.burnish", way)
-    stages = [block_sizes(code.spirv) for code in (made.vertex, made.fragment)]
+    stages = [block_sizes(code.spirv) for code in made.stages.values()]
     assert {place for stage in stages for place in stage} == set(stated)
     for stage in stages:
         for place, size in stage.items():

@@ -141,8 +141,7 @@ def pipeline(
     """A pipeline whose vertices have a place and a paint."""
     vertex, fragment = codes(api, glsl, wgsl)
     return Pipeline(
-        vertex=vertex,
-        fragment=fragment,
+        stages={"vertex": vertex, "fragment": fragment},
         inputs=(VertexInput("place", 0, "float32x3"), VertexInput("paint", 1, paint)),
         blocks=tuple(blocks),
         textures=(),

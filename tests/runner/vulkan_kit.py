@@ -7,6 +7,7 @@ import re
 import signal
 import struct
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -160,8 +161,10 @@ def flat_pipeline(fragment: str = WHITE, **more: Any) -> Pipeline:
     """Draws what has nothing but places in clip space."""
     targets = more.pop("targets", (Target("rgba32float"),))
     return Pipeline(
-        vertex=glsl("vert", more.pop("vertex", FLAT)),
-        fragment=glsl("frag", fragment),
+        stages={
+            "vertex": glsl("vert", more.pop("vertex", FLAT)),
+            "fragment": glsl("frag", fragment),
+        },
         inputs=(PLACE,),
         blocks=more.pop("blocks", ()),
         textures=more.pop("textures", ()),
@@ -173,14 +176,18 @@ def flat_pipeline(fragment: str = WHITE, **more: Any) -> Pipeline:
 def painted_pipeline(*targets: Target, **more: Any) -> Pipeline:
     """Draws vertices that have colours."""
     return Pipeline(
-        vertex=glsl("vert", PAINTED),
-        fragment=glsl("frag", PAINT),
+        stages={"vertex": glsl("vert", PAINTED), "fragment": glsl("frag", PAINT)},
         inputs=(PLACE, PAINTS),
         blocks=(),
         textures=(),
         targets=targets or (Target("rgba32float"),),
         **more,
     )
+
+
+def shading(pipeline: Pipeline, fragment: Code) -> Pipeline:
+    """The pipeline with another fragment stage."""
+    return replace(pipeline, stages={**pipeline.stages, "fragment": fragment})
 
 
 def quad(left: float, bottom: float, right: float, top: float, depth: float) -> list[list[float]]:

@@ -264,7 +264,7 @@ def plastic() -> Program:
     body = shade.body
 
     def call(direction: Node) -> Node:
-        return make.graph.node("apply", VEC3, (body, direction, n, to_eye, tint))
+        return build.apply(make.graph, body, (direction, n, to_eye, tint))
 
     from_sun = call(make.native("neg", VEC3, make.parameter(sun)))
     index = Formal("i")

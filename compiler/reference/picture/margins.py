@@ -16,6 +16,7 @@ import numpy as np
 from ....stdlib.builtins import texture
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from ...ir.node import Node
+from ...ir.operations import builtin_of
 from ...ir.types import scalar_kind
 from ..namespace import Lane, Lanes
 from ..vectors import inner
@@ -182,8 +183,8 @@ class Margins:
         """One operation that has been computed."""
         if node.op == "select":
             self._learn_choice(operands, value)
-        elif node.op in ("call", "native"):
-            self._called(str(node.data), node, operands, value)
+        elif (builtin := builtin_of(node)) is not None:
+            self._called(builtin, node, operands, value)
 
     def spread(self) -> None:
         """What is undecided in one pixel of a quad is so in those that compare themselves with it.

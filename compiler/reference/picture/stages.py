@@ -12,6 +12,7 @@ import numpy as np
 from ....stdlib.builtins import BUILTINS, texture
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
+from ...ir.operations import BUILTIN_OPS, CALL, INPUT, LOOPS, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, TARGET
 from ...ir.types import scalar_kind, width
@@ -100,7 +101,7 @@ class Stages:
                 return _attribute(geometry, node.data)
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
-            return (inputs[str(node.data)],) if node.op == "input" else self._parameter(node)
+            return (inputs[INPUT.data(node)],) if node.op == "input" else self._parameter(node)
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)
@@ -126,7 +127,7 @@ class Stages:
         if not _rounds(node, value):
             return value
         relative = (-1.0) ** node.id * self._relative
-        absolute = self._functions.get(str(node.data), 0.0)
+        absolute = self._functions.get(INPUT.data(node), 0.0)
         return tuple(
             lane + (np.abs(lane) * relative + absolute) if np.ndim(lane) else lane for lane in value
         )
@@ -153,13 +154,13 @@ class Stages:
                 return place.perspective(values, vertices.off.get(node.id), self.ways, number)
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
-            return inputs[str(node.data)] if node.op == "input" else self._parameter(node)
+            return inputs[INPUT.data(node)] if node.op == "input" else self._parameter(node)
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)
             if node.data in ("ddx", "ddy"):
                 margins.spread()
-                return _differences(value, self.ways, str(node.data))
+                return _differences(value, self.ways, INPUT.data(node))
             return self._rounded(node, value, margins, turns)
 
         evaluator = Evaluator(leaves, np, observer)
@@ -202,7 +203,8 @@ class Stages:
 
 def _rounds(node: Node, value: Lanes) -> bool:
     """Whether a value is what rounding has left of an operation's exact result."""
-    if node.op not in ("call", "native") or node.data in _NOT_ROUNDED:
+    builtin = builtin_of(node)
+    if builtin is None or builtin in _NOT_ROUNDED:
         return False
     return scalar_kind(node.type) == "float" and not isinstance(value[0], tuple)
 
@@ -255,13 +257,13 @@ def _ways(
 
 def _called(nodes: Iterable[Node]) -> set[str]:
     """The builtins among these nodes."""
-    return {str(node.data) for node in nodes if node.op in ("call", "native")}
+    return {CALL.data(node) for node in nodes if node.op in BUILTIN_OPS}
 
 
 def _reads(nodes: Sequence[Node]) -> int:
     """How many times a fragment reads through samplers; a loop does so several times."""
-    again = any(node.op in ("fold", "iterate") for node in nodes)
-    count = sum(node.op in ("call", "native") and node.data in _FILTERED for node in nodes)
+    again = any(node.op in LOOPS for node in nodes)
+    count = sum(builtin_of(node) in _FILTERED for node in nodes)
     return 3 * count if again else count
 
 

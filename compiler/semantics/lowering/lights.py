@@ -137,7 +137,7 @@ def _contribution(
         if isinstance(fitted, Failure):
             return FAILURE
         given.append(fitted)
-    return low.graph.node("apply", body.type, (body, *given))
+    return build.apply(low.graph, body, tuple(given))
 
 
 def light_instance(

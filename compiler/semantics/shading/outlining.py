@@ -18,6 +18,7 @@ from ...ir import build
 from ...ir.binding import close, freed, open_body
 from ...ir.leaves import Resource
 from ...ir.node import Formal, Graph, Node, reachable
+from ...ir.operations import MEMBER
 from ...ir.rewrite import rewrite
 from ...syntax import ast
 from ...trampoline import run
@@ -186,7 +187,7 @@ class _Sharing:
         group = self._group_of.get(node.id)
         if group is None or group.applied is None:
             return operands[0]
-        return graph.node("apply", node.type, (group.applied, *group.varying(operands[1:])))
+        return build.apply(graph, group.applied, group.varying(operands[1:]))
 
 
 def _by_callee(roots: list[Node]) -> dict[Callee, list[Node]]:
@@ -203,4 +204,4 @@ def _constants(mark: Node) -> Fixed:
 
 
 def _member(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-    return build.member(graph, operands[0], str(node.data))
+    return build.member(graph, operands[0], MEMBER.data(node))

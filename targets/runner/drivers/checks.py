@@ -43,8 +43,8 @@ def check_names(pipeline: Pipeline) -> None:
     inputs = [slot.identifier for slot in pipeline.inputs]
     blocks = [slot.place.identifier for slot in pipeline.blocks]
     textures = [slot.texture.identifier for slot in pipeline.textures]
-    everything = pipeline.vertex.text + pipeline.fragment.text
-    _find("vertex attribute", inputs, pipeline.vertex.text)
+    everything = "".join(code.text for code in pipeline.stages.values())
+    _find("vertex attribute", inputs, pipeline.stages["vertex"].text)
     _find("uniform block", blocks, everything)
     _find("texture", textures, everything)
     _find("uniform", pipeline.host_uniforms, everything)

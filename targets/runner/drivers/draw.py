@@ -151,8 +151,8 @@ class Target:
 class Pipeline:
     """Everything about drawing that is the same for all draws of a job."""
 
-    vertex: Code
-    fragment: Code
+    stages: Mapping[str, Code]
+    """By the name of the stage, in pipeline order."""
     inputs: tuple[VertexInput, ...]
     blocks: tuple[BlockSlot, ...]
     textures: tuple[TextureSlot, ...]

@@ -18,6 +18,8 @@ def to_json(value: Any) -> Any:
         return base64.b64encode(value).decode("ascii")
     if isinstance(value, tuple):
         return [to_json(item) for item in value]
+    if isinstance(value, Mapping):
+        return {key: to_json(item) for key, item in value.items()}
     if dataclasses.is_dataclass(value):
         fields = dataclasses.fields(value)
         return {field.name: to_json(getattr(value, field.name)) for field in fields}
@@ -37,6 +39,9 @@ def _read(hint: Any, value: Any) -> Any:
         return base64.b64decode(value)
     if typing.get_origin(hint) is tuple:
         return _read_tuple(typing.get_args(hint), value)
+    if typing.get_origin(hint) is Mapping:
+        _, kind = typing.get_args(hint)
+        return {key: _read(kind, item) for key, item in value.items()}
     if isinstance(hint, types.UnionType):
         (hint,) = (part for part in typing.get_args(hint) if part is not type(None))
     is_record = isinstance(hint, type) and dataclasses.is_dataclass(hint)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.operations import SWIZZLE
 from burnish.compiler.ir.program import Varying
 from burnish.frozen import changed
 from burnish.targets.emit import leaves
@@ -161,8 +162,8 @@ REWRITTEN_Z = "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;"
 def _reversed(expressions: Expressions, node: Node) -> Text:
     """A swizzle with its lanes the wrong way round."""
     operand = expressions.operand(node.operands[0]).within(Binding.POSTFIX)
-    assert isinstance(node.data, tuple)
-    return Text(f"{operand}.{''.join('xyzw'[lane] for lane in reversed(node.data))}")
+    lanes = reversed(SWIZZLE.data(node))
+    return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
 
 
 crossings = leaves._crossings
@@ -194,7 +195,7 @@ FORMS = [
             target("hlsl", lambda whole: changed(
                 whole, types=changed(whole.types, stored_matrix="row_major {type}"))), "failed"),
     Planted("swizzles backwards", "storage: Plain", GLSL,
-            replaced(Expressions, "_swizzle", _reversed)),
+            replaced(Expressions, "PRINTERS", {**Expressions.PRINTERS, "swizzle": _reversed})),
     Planted("lanes of a shared varying shifted", "pipeline: Crossing", WGSL,
             replaced(leaves, "_crossings", _shifted)),
 ]  # fmt: skip

@@ -6,8 +6,8 @@ import { Refusal } from "./answers.mjs";
 export function linkProgram(gl, job) {
   const program = gl.createProgram();
   const shaders = [
-    makeShader(gl, gl.VERTEX_SHADER, job.vertex.text),
-    makeShader(gl, gl.FRAGMENT_SHADER, job.fragment.text),
+    makeShader(gl, gl.VERTEX_SHADER, job.stages.vertex.text),
+    makeShader(gl, gl.FRAGMENT_SHADER, job.stages.fragment.text),
   ];
   shaders.forEach((shader) => gl.attachShader(program, shader));
   gl.linkProgram(program);

@@ -23,14 +23,14 @@ const BLENDS = {
 export async function makePipeline(device, job) {
   const layouts = groupLayouts(device, job);
   const [vertex, fragment] = await Promise.all([
-    makeModule(device, "vertex", job.vertex.text),
-    makeModule(device, "fragment", job.fragment.text),
+    makeModule(device, "vertex", job.stages.vertex.text),
+    makeModule(device, "fragment", job.stages.fragment.text),
   ]);
   const pipeline = await device.createRenderPipelineAsync({
     layout: device.createPipelineLayout({ bindGroupLayouts: layouts }),
     vertex: {
       module: vertex,
-      entryPoint: job.vertex.entry,
+      entryPoint: job.stages.vertex.entry,
       buffers: vertexBuffers(job.inputs).map(({ arrayStride, stepMode, members }) => ({
         arrayStride,
         stepMode,
@@ -43,7 +43,7 @@ export async function makePipeline(device, job) {
     },
     fragment: {
       module: fragment,
-      entryPoint: job.fragment.entry,
+      entryPoint: job.stages.fragment.entry,
       targets: job.targets.map((target) => targetState(device, target)),
     },
     primitive: { topology: "triangle-list", cullMode: job.cull, frontFace: job.front_face },

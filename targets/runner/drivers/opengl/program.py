@@ -20,7 +20,7 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
     Raises ``DriverError`` with the driver's log, and where the text and the pipeline disagree.
     """
     try:
-        program = context.program(pipeline.vertex.text, pipeline.fragment.text)
+        program = context.program(pipeline.stages["vertex"].text, pipeline.stages["fragment"].text)
     except moderngl.Error as error:
         raise DriverError(str(error).strip()) from None
     _refuse_strangers(program, pipeline)

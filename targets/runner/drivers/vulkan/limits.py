@@ -33,7 +33,7 @@ def check_limits(gpu: Gpu, job: Job) -> None:
 def check_blocks(pipeline: Pipeline) -> None:
     """Raises ``DriverError`` where a stage reads more of a block than there is."""
     slots = {(slot.place.group, slot.place.binding): slot for slot in pipeline.blocks}
-    for stage, code in (("vertex", pipeline.vertex), ("fragment", pipeline.fragment)):
+    for stage, code in pipeline.stages.items():
         try:
             sizes = block_sizes(code.spirv)
         except SpirvError as error:

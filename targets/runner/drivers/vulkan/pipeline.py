@@ -40,6 +40,11 @@ ALL_LANES = (
 )
 
 
+STAGES: dict[str, int] = {
+    "vertex": vk.VK_SHADER_STAGE_VERTEX_BIT,
+    "fragment": vk.VK_SHADER_STAGE_FRAGMENT_BIT,
+}
+
 RATES: dict[Step, int] = {
     "vertex": vk.VK_VERTEX_INPUT_RATE_VERTEX,
     "instance": vk.VK_VERTEX_INPUT_RATE_INSTANCE,
@@ -80,8 +85,7 @@ def make_pipeline(
     """
     with ExitStack() as modules:
         stages = [
-            _stage(modules, gpu, vk.VK_SHADER_STAGE_VERTEX_BIT, pipeline.vertex),
-            _stage(modules, gpu, vk.VK_SHADER_STAGE_FRAGMENT_BIT, pipeline.fragment),
+            _stage(modules, gpu, STAGES[name], code) for name, code in pipeline.stages.items()
         ]
         gpu.messages.check()
         blends = [_blend(target.blend) for target in pipeline.targets]

@@ -1,7 +1,8 @@
-"""Reads of textures: what the reader of a picture answers.
+"""The meaning of texture reads, which the texture's value itself defines.
 
-How texels are found, mixed and compared depends on the texture and on the state of its sampler, so
-a texture's one lane is an object that reads; the rows of ``stdlib/builtins/texture.py`` say what.
+How texels are found, blended and compared depends on the texture and its sampler. So the single
+lane of a texture is a ``Reader``, such as those of ``picture/sampler.py``. The rows of
+``stdlib/builtins/texture.py`` define what each read means.
 """
 
 from __future__ import annotations
@@ -15,14 +16,14 @@ from .namespace import Lanes, Namespace
 
 
 class Reader(Protocol):
-    """A texture's one lane. Places, layers and levels beyond the edge are those at the edge."""
+    """The single lane of a texture. Coordinates, layers and levels are clamped to the edge."""
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
-        """The value of builtin ``name``; ``operands`` are those behind the texture."""
+        """The value of the builtin ``name``; ``operands`` are those after the texture."""
 
 
 def reading(name: str) -> Callable[..., Lanes]:
-    """The meaning of the read that is builtin ``name``."""
+    """The function for the read that is the builtin ``name``."""
 
     compares = BUILTINS[name].sampler == "comparison"
 

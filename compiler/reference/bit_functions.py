@@ -1,7 +1,8 @@
-"""What each function of bits means, lane by lane.
+"""The meaning of the builtins that work on bits, and of packing.
 
-Integers come and go as numbers of either sign, before the result is wrapped to 32 bits. Floats are
-rounded to float32, or to 16 bits, to the nearest and with ties to even.
+Most functions work lane by lane. Integers come in and go out as numbers of either sign;
+``functions.py`` wraps the result to 32 bits. Floats are rounded to float32, or to 16 bits: to the
+nearest, ties to even.
 """
 
 from __future__ import annotations
@@ -68,13 +69,13 @@ def first_trailing_bit(xp: Namespace, x: Lane) -> Lane:
 
 
 def _field(xp: Namespace, offset: Lane, count: Lane) -> tuple[Lane, Lane]:
-    """Where a field begins, and how wide it is, within the 32 bits there are."""
+    """The first bit of a field and its width, both limited to the 32 bits of an integer."""
     first = xp.minimum(xp.maximum(offset, 0), 32)
     return first, xp.minimum(xp.maximum(count, 0), 32 - first)
 
 
 def extract_bits(xp: Namespace, x: Lane, offset: Lane, count: Lane) -> Lane:
-    """Of a number of either sign; that of an ``int`` is told by ``extract_signed_bits``."""
+    """For ``uint``; ``extract_signed_bits`` is the meaning for ``int``."""
     first, width = _field(xp, offset, count)
     return ((x & _MASK) >> first) & ((1 << width) - 1)
 
@@ -98,7 +99,7 @@ def insert_bits(xp: Namespace, x: Lane, y: Lane, offset: Lane, count: Lane) -> L
 def bits_of(xp: Namespace, x: Lane) -> Lane:
     magnitude = xp.minimum(abs(x), _LARGEST)
     part, exponent = _taken_apart(xp, magnitude)
-    # A fraction rounded up to 2 carries into the exponent, as it should.
+    # A fraction that is rounded up to 2 carries into the exponent, which is correct.
     bits = ((exponent + 126) << 23) + xp.int64(xp.rint(part * 2.0**24)) - (1 << 23)
     signed = xp.where(x < 0, bits | 0x80000000, bits)
     return xp.where(magnitude < SMALLEST_NORMAL, 0, signed)
@@ -123,7 +124,7 @@ def exponent(xp: Namespace, x: Lane) -> Lane:
 
 
 def mantissa(xp: Namespace, x: Lane) -> Lane:
-    """Of the float32 that ``x`` is stored as, as ``exponent`` takes it."""
+    """The fraction of the float32 nearest to ``x``; ``exponent`` uses the same number."""
     part, _ = _taken_apart(xp, float_of_bits(xp, bits_of(xp, x)))
     return part
 
@@ -163,7 +164,7 @@ def unpack_half2x16(xp: Namespace, packed: Lanes) -> Lanes:
 
 
 def pack_unorm(xp: Namespace, v: Lanes) -> Lanes:
-    """As many lanes as there are, in equal parts of 32 bits."""
+    """Any number of lanes, in equal parts of 32 bits."""
     largest = float((1 << 32 // len(v)) - 1)
     clamped = [xp.minimum(xp.maximum(lane, 0.0), 1.0) for lane in v]
     return _joined([xp.int64(xp.rint(lane * largest)) for lane in clamped])
@@ -203,7 +204,7 @@ def _unpack_snorm(xp: Namespace, packed: Lanes, count: int) -> Lanes:
 
 
 def _joined(parts: list[Lane]) -> Lanes:
-    """The parts in one ``uint``, the first lowest."""
+    """The parts in one ``uint``, the first part in the lowest bits."""
     bits = 32 // len(parts)
     joined: Lane = 0
     for number, part in enumerate(parts):

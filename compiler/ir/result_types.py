@@ -1,0 +1,198 @@
+"""What type each operation's value has: the ``result`` column of the table of operations.
+
+A rule derives the type from operands and data; the verifier has made sure of their number and class
+before. It gives ``None`` where they do not fit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from . import signatures
+from .build import parts_of, states_type
+from .leaves import Attribute, Parameter, Resource
+from .node import Applying, Folding, Iterating, Node
+from .types import (
+    BOOL,
+    INT,
+    VEC4,
+    Array,
+    Matrix,
+    Scalar,
+    ScalarKind,
+    Struct,
+    TallMatrix,
+    Texture,
+    Type,
+    Vector,
+    scalar_kind,
+    width,
+    with_width,
+)
+
+_LANES: Mapping[ScalarKind, type] = {"float": float, "int": int, "uint": int, "bool": bool}
+
+
+def declared(node: Node) -> Type | None:
+    """Leaves that are declared with their type."""
+    return node.data.type if isinstance(node.data, Attribute | Parameter | Resource) else None
+
+
+def own(node: Node) -> Type | None:
+    """Leaves whose type stands nowhere else."""
+    return node.type
+
+
+def marked(node: Node) -> Type | None:
+    """That of the first operand, about which something is noted."""
+    return node.operands[0].type
+
+
+def constant(node: Node) -> Type | None:
+    """Any type of lanes that the data has."""
+    return node.type if _holds(node.type, node.data) else None
+
+
+def _holds(type_: Type, data: object) -> bool:
+    match type_:
+        case Scalar(kind):
+            # A bool is an int to Python, but not to us.
+            return isinstance(data, _LANES[kind]) and (kind == "bool") == isinstance(data, bool)
+        case Vector(kind, size):
+            return _all_hold(Scalar(kind), size, data)
+        case Matrix(size):
+            return _all_hold(Vector("float", size), size, data)
+        case _:
+            return False
+
+
+def _all_hold(part: Type, count: int, data: object) -> bool:
+    return isinstance(data, tuple) and len(data) == count and all(_holds(part, d) for d in data)
+
+
+def builtin(node: Node) -> Type | None:
+    """What the signatures of the builtin say."""
+    types = tuple(operand.type for operand in node.operands)
+    return signatures.result_type(str(node.data), types)
+
+
+def native(node: Node) -> Type | None:
+    """As a builtin; besides, hardware multiplies a stored matrix with a column."""
+    match [operand.type for operand in node.operands]:
+        case [TallMatrix(columns), Vector("float", size)] if node.data == "mul":
+            return VEC4 if size == columns else None
+        case _:
+            return builtin(node)
+
+
+def vector(node: Node) -> Type | None:
+    """As many lanes as all operands have together, of their common kind."""
+    types = [o.type for o in node.operands if isinstance(o.type, Scalar | Vector)]
+    kinds = {type_.kind for type_ in types}
+    if len(kinds) != 1 or len(types) != len(node.operands):
+        return None
+    lanes = sum(map(width, types))
+    return Vector(kinds.pop(), lanes) if 2 <= lanes <= 4 else None
+
+
+def splat(node: Node) -> Type | None:
+    """A vector of the operand's kind; only the node itself says how wide."""
+    (lane,) = node.operands
+    if not isinstance(lane.type, Scalar) or not isinstance(node.type, Vector):
+        return None
+    return Vector(lane.type.kind, node.type.size)
+
+
+def matrix(node: Node) -> Type | None:
+    """A square matrix of its columns."""
+    size = len(node.operands)
+    columns = all(operand.type == Vector("float", size) for operand in node.operands)
+    return Matrix(size) if columns else None
+
+
+def aggregate(node: Node) -> Type | None:
+    """A structure or an array whose parts have the types of the operands."""
+    wanted = Struct if node.op == "struct" else Array
+    given = tuple(operand.type for operand in node.operands)
+    return node.type if isinstance(node.type, wanted) and parts_of(node.type) == given else None
+
+
+def swizzle(node: Node) -> Type | None:
+    """As many lanes as are named, each within the operand."""
+    (source,) = node.operands
+    lanes = node.data
+    if not isinstance(source.type, Vector) or not isinstance(lanes, tuple) or len(lanes) > 4:
+        return None
+    inside = lanes and all(0 <= lane < source.type.size for lane in lanes)
+    return with_width(source.type.kind, len(lanes)) if inside else None
+
+
+def index(node: Node) -> Type | None:
+    """The element of an array, the column of a matrix, the lane of a vector."""
+    aggregate, position = (operand.type for operand in node.operands)
+    if position not in (INT, Scalar("uint")):
+        return None
+    match aggregate:
+        case Array(element=element):
+            return element
+        case Matrix(size=size):
+            return Vector("float", size)
+        case TallMatrix():
+            return VEC4
+        case Vector(kind=kind):
+            return Scalar(kind)
+        case _:
+            return None
+
+
+def member(node: Node) -> Type | None:
+    """The type of the structure's member."""
+    (source,) = node.operands
+    members = source.type.members if isinstance(source.type, Struct) else ()
+    return dict(members).get(str(node.data))
+
+
+def select(node: Node) -> Type | None:
+    """That of both sides; textures cannot be selected."""
+    condition, then, otherwise = (operand.type for operand in node.operands)
+    fits = condition == BOOL and then == otherwise and not isinstance(then, Texture)
+    return then if fits else None
+
+
+def interpolate(node: Node) -> Type | None:
+    """That of the operand; only floats have a mean."""
+    (inner,) = node.operands
+    modes = ("perspective", "flat") if scalar_kind(inner.type) == "float" else ("flat",)
+    numeric = _is_numeric(inner) and scalar_kind(inner.type) != "bool"
+    return inner.type if numeric and node.data in modes else None
+
+
+def fold(node: Node) -> Type | None:
+    """That of the start and of the body, which are numbers or vectors."""
+    count, start, body = (operand.type for operand in node.operands)
+    fits = isinstance(node.data, Folding) and count == INT and start == body
+    return body if fits and _is_numeric(node.operands[2]) else None
+
+
+def iterate(node: Node) -> Type | None:
+    """That of the only state, or a structure of all of them."""
+    data = node.data
+    if not isinstance(data, Iterating) or len(node.operands) != 2 + 2 * data.states:
+        return None
+    count, *states = (operand.type for operand in node.operands)
+    starts, going, nexts = states[: data.states], states[data.states], states[data.states + 1 :]
+    fits = count == INT and going == BOOL and starts == nexts
+    plain = all(isinstance(type_, Scalar | Vector | Matrix) for type_ in starts)
+    return states_type(starts) if fits and plain else None
+
+
+def apply(node: Node) -> Type | None:
+    """That of the body, with an argument for each variable."""
+    body, *arguments = node.operands
+    data = node.data
+    fits = isinstance(data, Applying) and data.arguments == len(arguments)
+    return body.type if fits else None
+
+
+def _is_numeric(node: Node) -> bool:
+    return isinstance(node.type, Scalar | Vector)
