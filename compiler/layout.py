@@ -1,7 +1,8 @@
-"""Uniform blocks: which parameters share one, and where each of them lies in it.
+"""Uniform blocks: which parameters share a block, and where each of them lies in it.
 
-A parameter's group decides the block, and the order of declarations decides the order in it. What
-the members look like, so that std140, D3D and WGSL agree, is ``ir/storage.py``'s business.
+The pass pipeline calls ``layout_blocks`` once for each shader. The group of a parameter decides in
+which block it lies, and the order of the declarations decides the order in the block. How a single
+value is stored is said in ``ir/storage.py``.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from .ir.shader import ExternInfo
 
 STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
-"""The groups that every shader has, in binding order."""
+"""The groups that exist in every shader, in the order of their bindings."""
 
 
 def layout_blocks(
@@ -27,11 +28,11 @@ def layout_blocks(
     docs: Mapping[str, str] | None = None,
     externs: Sequence[ExternInfo] = (),
 ) -> tuple[Block, ...]:
-    """One block for each group's parameters, each followed by the one of what is derived there.
+    """One block for the parameters of each group, and one for the values derived from them.
 
-    Groups that ``group_order`` does not name come last, in order of first appearance. ``docs``
-    are doc comments by parameter name. Nothing but the declarations decides the layout. The host's
-    own blocks, ``externs``, come first, as their names are not ours to change.
+    Groups that are not in ``group_order`` come last, in order of first appearance. ``docs`` are doc
+    comments by parameter name. The layout depends only on the declarations. The host's own blocks,
+    ``externs``, come first, because Burnish cannot change their names.
     """
     own = [parameter for parameter in parameters if parameter.host is None]
     groups = dict.fromkeys((*group_order, *(parameter.group for parameter in own)))
@@ -47,7 +48,7 @@ def layout_blocks(
 
 
 def _extern_block(extern: ExternInfo) -> Block:
-    """A block of the host's as it says, with every gap filled."""
+    """A block that the host owns, as it is declared, with every gap filled."""
     name = extern.place.name
     padding = padding_names(f"{name.lower()}_pad", (member.name for member in extern.members))
     members: list[StoredMember] = []
@@ -74,7 +75,8 @@ def _extern_block(extern: ExternInfo) -> Block:
 
 
 def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
-    """What fills a gap: scalars, and whole rows at once."""
+    """The types that fill a gap, with their offsets: scalars, and as many whole rows as
+    possible."""
     while start < end:
         rows = (end - start) // ROW if start % ROW == 0 else 0
         filler: Type = Array(Vector("float", 4), rows) if rows else FLOAT
@@ -83,7 +85,7 @@ def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
 
 
 def block_name(group: str, derived: bool, taken: frozenset[str] = frozenset()) -> str:
-    """Suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
+    """The suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
     name = group[:1].upper() + group[1:] + ("Derived" if derived else "")
     while name in taken:
         name += "Group"
@@ -96,7 +98,8 @@ def _block(
     rows = [(suggested_name(p), stored_type(p.type)) for p in parameters]
     placed = place(rows, f"{name.lower()}_pad", gaps=True)
     size = rounded_to_row(placed[-1].offset + byte_size(placed[-1].type))
-    # Every backend rounds a whole block up by itself; only gaps before a member have to be said.
+    # Every backend rounds the size of the whole block up by itself, so padding at the end is not
+    # written.
     while placed[-1].padding:
         placed = placed[:-1]
     remaining = iter(parameters)
@@ -117,15 +120,15 @@ def _block(
 
 
 def suggested_name(parameter: Parameter) -> str:
-    """``sun.direction`` as an identifier.
+    """A parameter's name as an identifier: ``sun_direction`` for ``sun.direction``.
 
-    A backend's namer keeps it apart from a ``sun_direction`` that may stand beside it.
+    If there is also a parameter ``sun_direction``, a backend's namer distinguishes the two.
     """
     return parameter.name.replace(".", "_")
 
 
 def _structs(types: Iterable[Type]) -> tuple[Struct, ...]:
-    """The structs that ``types`` use, those inside others first, each once."""
+    """The structs that ``types`` use, each once; a struct comes after those that it contains."""
     found: dict[Struct, None] = {}
     for type_ in types:
         inner = type_.element if isinstance(type_, Array) else type_

@@ -1,16 +1,18 @@
-"""How values lie in uniform blocks, byte by byte: in a way on which std140, D3D and WGSL agree.
+"""How values lie in uniform blocks, byte by byte, in a way on which std140, D3D and WGSL agree.
 
-The three rule sets differ as soon as they have a choice, so the text leaves them none:
+``compiler/layout.py`` asks for it when it lays out a shader's blocks, ``lower_reads`` when it reads
+from them, and the reflection when it tells hosts of them. The three rule sets differ as soon as they have a choice,
+so the text leaves them none:
 
-- a gap that some rule set would not leave is filled by scalar members of its own (D3D would move a
-  ``vec2`` up into it);
+- a gap that some rule set would not leave is filled with scalar members (D3D would move a ``vec2``
+  into it);
 - arrays are ``vec4[n]`` with the elements in the lanes (std140 and D3D pad elements to 16 bytes,
   WGSL refuses element strides that are not multiples of 16);
 - matrices have columns of four rows (a ``mat2`` column takes 8 bytes in WGSL and 16 elsewhere, and
-  after a ``mat3`` D3D would move a scalar up into the last one); in arrays, the columns are the
-  elements;
-- structs start at multiples of 16 bytes and end in explicit padding at one;
-- bools are uints (no rule set gives a bool a size that all of them keep).
+  after a ``mat3`` D3D would move a scalar into the last column); in arrays of matrices, the columns
+  are the elements;
+- structs start at multiples of 16 bytes, and explicit padding makes them end at one;
+- bools are uints (there is no size of a bool on which all rule sets agree).
 
 Sources: OpenGL 4.6 specification, 7.6.2.2 "Standard Uniform Block Layout"; Microsoft, "Packing
 Rules for Constant Variables"; WGSL, "Memory Layout" and "Address Space Layout Constraints".
@@ -26,15 +28,15 @@ from ...frozen import frozen
 from .types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, TallMatrix, Type, Vector
 
 ROW = 16
-"""Bytes of a ``vec4``: what arrays, matrices, structs and blocks are counted in."""
+"""The size of a ``vec4`` in bytes, which is the unit of arrays, matrices, structs and blocks."""
 
 LANE = 4
-"""Bytes of a scalar."""
+"""The size of a scalar in bytes."""
 
 
 @frozen
 class Placed:
-    """A stored member at its offset in bytes."""
+    """A stored member with its offset in bytes."""
 
     name: str
     type: Type
@@ -45,10 +47,10 @@ class Placed:
 def place(
     members: Iterable[tuple[str, Type]], padding: str = "pad", *, gaps: bool = False
 ) -> tuple[Placed, ...]:
-    """Stored members in order, filled up to a whole number of rows.
+    """Stored members in order, padded to a whole number of rows.
 
-    ``padding`` is what fillers are called, with a number. With ``gaps`` there are none before a
-    vector that every rule set moves to the next row by itself.
+    ``padding`` is the stem of the padding members' names. With ``gaps``, there is no padding before
+    a vector that every rule set moves to the next row by itself.
     """
     members = tuple(members)
     free = padding_names(padding, (name for name, _ in members))
@@ -73,7 +75,7 @@ def place(
 
 @cache
 def stored_type(type_: Type) -> Type:
-    """How a value of ``type_`` lies in a block. What is stored already is left as it is."""
+    """The type by which a block stores a value of ``type_``; a stored type stays as it is."""
     match type_:
         case Scalar(kind):
             return Scalar(_stored_kind(kind))
@@ -93,7 +95,7 @@ def stored_type(type_: Type) -> Type:
 
 @cache
 def stored_struct(struct: Struct) -> Struct:
-    """A struct whose members are in stored form, with its gaps as members."""
+    """A struct with stored members, in which gaps are members too."""
     placed = place((name, stored_type(type_)) for name, type_ in struct.members)
     return Struct(struct.name, tuple((row.name, row.type) for row in placed))
 
@@ -127,7 +129,7 @@ def _stored_kind(kind: ScalarKind) -> ScalarKind:
 
 
 def byte_size(stored: Type) -> int:
-    """Bytes that a stored type occupies; gaps are members, so nothing needs rounding."""
+    """The number of bytes of a stored type. Gaps are members, so no rounding is needed."""
     match stored:
         case Scalar():
             return LANE
@@ -146,7 +148,7 @@ def byte_size(stored: Type) -> int:
 def _is_vector_in_new_row(stored: Type, end: int) -> bool:
     """Whether a vector would cross the end of a row, so that every rule set moves it to the next.
 
-    D3D for that very reason; std140 and WGSL since vectors are aligned to their size, a vec3 to 16.
+    D3D moves it for this reason; std140 and WGSL align vectors to their size, and a vec3 to 16.
     """
     return isinstance(stored, Vector) and end % ROW + byte_size(stored) > ROW
 
@@ -156,7 +158,7 @@ def rounded_to_row(end: int) -> int:
 
 
 def alignment(stored: Type) -> int:
-    """What the offset of a stored type is a multiple of, in bytes."""
+    """The number of bytes of which the offset of a stored type must be a multiple."""
     match stored:
         case Scalar():
             return LANE
@@ -167,5 +169,5 @@ def alignment(stored: Type) -> int:
 
 
 def padding_names(stem: str, taken: Iterable[str]) -> Iterator[str]:
-    """``stem_0``, ``stem_1`` …, without those that are taken."""
+    """``stem_0``, ``stem_1`` and so on, without the names that are taken."""
     return filterfalse(frozenset(taken).__contains__, (f"{stem}_{i}" for i in count()))
