@@ -36,7 +36,8 @@ if TYPE_CHECKING:
     from .compiler.passes.proofs import Proof
     from .targets.runner.instances.instance import Instance, MissingValuesError
     from .targets.runner.instances.values import ParameterError
-    from .targets.runner.textures.texture import PictureError, Texture
+    from .targets.runner.textures.kinds import PictureError
+    from .targets.runner.textures.texture import Texture
 
 __all__ = [
     "CompileResult",
@@ -51,6 +52,9 @@ __all__ = [
     "compile",
     "select_targets",
 ]
+
+DEFAULT = "default"
+"""Stands for the first profile of every target that is not marked as unproven."""
 
 ALL = "all"
 """Stands for every profile of every target."""
@@ -181,7 +185,7 @@ class CompileResult:
 
 def compile(
     source: str | Path,
-    targets: str | Iterable[str] = ("hlsl", "glsl", "wgsl"),
+    targets: str | Iterable[str] = DEFAULT,
     *,
     material: str | None = None,
     rig: str | None = None,
@@ -197,12 +201,13 @@ def compile(
 
     ``source`` is a path, or the text itself (a ``str`` with a line break or a brace in it).
     ``targets`` are names such as ``"wgsl"``, with a profile where wanted: ``"glsl:es300"``, or
-    ``"all"`` for every profile there is. All concrete materials are compiled unless ``material``
-    names one; ``rig`` and ``pass_`` are only needed where a file has several. With ``hoist=False``
-    the shaders compute everything themselves. With ``line_directives``, texts say by ``#line``
-    which line of the material each statement is for, where the language has that. A profile that
-    lacks something that a material needs is an error; with ``partial`` that material goes without,
-    and its ``lacking`` says what.
+    ``"all"`` for every profile there is, and ``"default"`` for the first profile of every language
+    that is not marked as unproven. All concrete materials are compiled unless
+    ``material`` names one; ``rig`` and ``pass_`` are only needed where a file has several. With
+    ``hoist=False`` the shaders compute everything themselves. With ``line_directives``, texts say
+    by ``#line`` which line of the material each statement is for, where the language has that. A
+    profile that lacks something that a material needs is an error; with ``partial`` that material
+    goes without, and its ``lacking`` says what.
 
     Raises ``CompileError``, whose ``diagnostics`` are all the errors found, and ``TypeError`` for
     arguments of other types.
@@ -276,7 +281,7 @@ def select_targets(
     for text in chain.from_iterable(_meant(text.strip(), known) for text in wanted):
         name, _, profile_name = text.partition(":")
         if name not in known:
-            hint = suggestion(name, (*known, ALL)) or f"there are {', '.join(known)}, and {ALL}"
+            hint = suggestion(name, (*known, ALL)) or f"there are {', '.join(_listed())}, and {ALL}"
             report.add(rules.UNKNOWN_TARGET, None, name=name, hint=hint)
             continue
         target = registry.load(name)
@@ -294,8 +299,16 @@ def select_targets(
     return list(chosen.values())
 
 
+def _listed() -> Iterator[str]:
+    """The names of all targets, each with what there is to know before one relies on it."""
+    for target in map(registry.load, registry.names()):
+        yield f"{target.name} ({target.unproven})" if target.unproven else target.name
+
+
 def _meant(name: str, known: Iterable[str]) -> Iterable[str]:
-    """``all`` is every profile of every target."""
+    """What ``all`` and ``default`` stand for; any other name is meant as it is."""
+    if name == DEFAULT:
+        return registry.defaults()
     if name != ALL:
         return (name,)
     return [f"{each}:{profile.name}" for each in known for profile in registry.load(each).profiles]
@@ -409,7 +422,7 @@ _RUNTIME = {
     "Instance": "instances.instance",
     "MissingValuesError": "instances.instance",
     "ParameterError": "instances.values",
-    "PictureError": "textures.texture",
+    "PictureError": "textures.kinds",
     "Texture": "textures.texture",
 }
 """Where the names of the runtime live, which most programs do without: they only compile."""

@@ -28,7 +28,7 @@ setup(
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish", "*.toml"],
         **{
-            f"burnish.{name}": ["*.j2", "*.txt", "*.json", "*.lark", "*.mjs"]
+            f"burnish.{name}": ["*.h", "*.j2", "*.txt", "*.json", "*.lark", "*.mjs"]
             for name in sub_packages
             if name.startswith(("compiler", "targets"))
         },

@@ -23,7 +23,7 @@ class Request(NamedTuple):
 
     file: Path
     targets: tuple[str, ...]
-    """Empty for all targets."""
+    """Empty for the default ones."""
     output: str
     """A folder, or ``-``."""
     validate: bool
@@ -50,8 +50,8 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
     metavar="NAME[:PROFILE],…",
     multiple=True,
     callback=_split,
-    help="What to write; see `burnish targets`. Default: each target's first profile; `all` means "
-    "every profile.",
+    help="What to write; see `burnish targets`. Default: the first profile of every target that is "
+    "not marked as unproven there; `all` means every profile.",
 )
 @click.option(
     "-o",
@@ -113,11 +113,10 @@ def _succeeds(request: Request) -> bool:
 
 def _compiled(request: Request) -> CompileResult:
     from .. import api
-    from ..targets import registry
 
     return api.compile(
         request.file,
-        request.targets or registry.names(),
+        request.targets or api.DEFAULT,
         material=request.material,
         rig=request.rig,
         pass_=request.pass_,

@@ -42,6 +42,8 @@ def targets(form: str) -> None:
 
 def _lines(target: Target) -> Iterator[str]:
     yield click.style(f"{target.name}", bold=True) + f"  {target.title}, *.{target.extension}"
+    if target.unproven:
+        yield f"  {click.style('unproven', fg='yellow')}: {target.unproven}"
     for profile in target.profiles:
         default = "" if profile is not target.profiles[0] else " (default)"
         yield f"  {target.name}:{profile.name}{default}"
@@ -65,6 +67,7 @@ def _data(target: Target) -> dict[str, Any]:
         "name": target.name,
         "title": target.title,
         "extension": target.extension,
+        "unproven": target.unproven,
         "profiles": [_profile_data(profile) for profile in target.profiles],
     }
 

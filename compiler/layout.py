@@ -1,54 +1,25 @@
-"""One byte layout for uniform blocks that std140, D3D and WGSL all agree on.
+"""Uniform blocks: which parameters share a block, and where each of them lies in it.
 
-The three rule sets differ as soon as they have a choice, so the text leaves them none:
-
-- a gap that some rule set would not leave is filled by scalar members of its own (D3D would move a
-  ``vec2`` up into it);
-- arrays are ``vec4[n]`` with the elements in the lanes (std140 and D3D pad elements to 16 bytes,
-  WGSL refuses element strides that are not multiples of 16);
-- matrices have columns of four rows (a ``mat2`` column takes 8 bytes in WGSL and 16 elsewhere, and
-  after a ``mat3`` D3D would move a scalar up into the last one); in arrays, the columns are the
-  elements;
-- structs start at multiples of 16 bytes and end in explicit padding at one;
-- bools are uints (no rule set gives a bool a size that all of them keep).
-
-Sources: OpenGL 4.6 specification, 7.6.2.2 "Standard Uniform Block Layout"; Microsoft, "Packing
-Rules for Constant Variables"; WGSL, "Memory Layout" and "Address Space Layout Constraints".
+The pass pipeline calls ``layout_blocks`` once for each shader. The group of a parameter decides in
+which block it lies, and the order of the declarations decides the order in the block. How a single
+value is stored is said in ``ir/storage.py``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cache
-from itertools import count, filterfalse
 from typing import TYPE_CHECKING
 
-from ..frozen import frozen
 from .ir.leaves import Parameter
 from .ir.program import Block, StoredMember
-from .ir.types import FLOAT, Array, Matrix, Scalar, ScalarKind, Struct, TallMatrix, Type, Vector
+from .ir.storage import ROW, byte_size, padding_names, place, rounded_to_row, stored_type
+from .ir.types import FLOAT, Array, Struct, Type, Vector
 
 if TYPE_CHECKING:
     from .ir.shader import ExternInfo
 
 STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
-"""The groups that every shader has, in binding order."""
-
-ROW = 16
-"""Bytes of a ``vec4``: what arrays, matrices, structs and blocks are counted in."""
-
-LANE = 4
-"""Bytes of a scalar."""
-
-
-@frozen
-class Placed:
-    """A stored member at its offset in bytes."""
-
-    name: str
-    type: Type
-    offset: int
-    padding: bool = False
+"""The groups that exist in every shader, in the order of their bindings."""
 
 
 def layout_blocks(
@@ -57,11 +28,11 @@ def layout_blocks(
     docs: Mapping[str, str] | None = None,
     externs: Sequence[ExternInfo] = (),
 ) -> tuple[Block, ...]:
-    """One block for each group's parameters, each followed by the one of what is derived there.
+    """One block for the parameters of each group, and one for the values derived from them.
 
-    Groups that ``group_order`` does not name come last, in order of first appearance. ``docs``
-    are doc comments by parameter name. Nothing but the declarations decides the layout. The host's
-    own blocks, ``externs``, come first, as their names are not ours to change.
+    Groups that are not in ``group_order`` come last, in order of first appearance. ``docs`` are doc
+    comments by parameter name. The layout depends only on the declarations. The host's own blocks,
+    ``externs``, come first, because Burnish cannot change their names.
     """
     own = [parameter for parameter in parameters if parameter.host is None]
     groups = dict.fromkeys((*group_order, *(parameter.group for parameter in own)))
@@ -77,9 +48,9 @@ def layout_blocks(
 
 
 def _extern_block(extern: ExternInfo) -> Block:
-    """A block of the host's as it says, with every gap filled."""
+    """A block that the host owns, as it is declared, with every gap filled."""
     name = extern.place.name
-    padding = _padding_names(f"{name.lower()}_pad", (member.name for member in extern.members))
+    padding = padding_names(f"{name.lower()}_pad", (member.name for member in extern.members))
     members: list[StoredMember] = []
     end = 0
     for member in extern.members:
@@ -97,14 +68,15 @@ def _extern_block(extern: ExternInfo) -> Block:
         group=extern.group,
         derived=False,
         members=tuple(members),
-        size=_rounded(end),
+        size=rounded_to_row(end),
         structs=_structs(member.type for member in members),
         host=extern.place,
     )
 
 
 def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
-    """What fills a gap: scalars, and whole rows at once."""
+    """The types that fill a gap, with their offsets: scalars, and as many whole rows as
+    possible."""
     while start < end:
         rows = (end - start) // ROW if start % ROW == 0 else 0
         filler: Type = Array(Vector("float", 4), rows) if rows else FLOAT
@@ -112,13 +84,8 @@ def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
         start += byte_size(filler)
 
 
-def _padding_names(stem: str, taken: Iterable[str]) -> Iterator[str]:
-    """``stem_0``, ``stem_1`` …, without those that are taken."""
-    return filterfalse(frozenset(taken).__contains__, (f"{stem}_{i}" for i in count()))
-
-
 def block_name(group: str, derived: bool, taken: frozenset[str] = frozenset()) -> str:
-    """Suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
+    """The suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
     name = group[:1].upper() + group[1:] + ("Derived" if derived else "")
     while name in taken:
         name += "Group"
@@ -130,8 +97,9 @@ def _block(
 ) -> Block:
     rows = [(suggested_name(p), stored_type(p.type)) for p in parameters]
     placed = place(rows, f"{name.lower()}_pad", gaps=True)
-    size = _rounded(placed[-1].offset + byte_size(placed[-1].type))
-    # Every backend rounds a whole block up by itself; only gaps before a member have to be said.
+    size = rounded_to_row(placed[-1].offset + byte_size(placed[-1].type))
+    # Every backend rounds the size of the whole block up by itself, so padding at the end is not
+    # written.
     while placed[-1].padding:
         placed = placed[:-1]
     remaining = iter(parameters)
@@ -152,139 +120,15 @@ def _block(
 
 
 def suggested_name(parameter: Parameter) -> str:
-    """``sun.direction`` as an identifier.
+    """A parameter's name as an identifier: ``sun_direction`` for ``sun.direction``.
 
-    A backend's namer keeps it apart from a ``sun_direction`` that may stand beside it.
+    If there is also a parameter ``sun_direction``, a backend's namer distinguishes the two.
     """
     return parameter.name.replace(".", "_")
 
 
-def place(
-    members: Iterable[tuple[str, Type]], padding: str = "pad", *, gaps: bool = False
-) -> tuple[Placed, ...]:
-    """Stored members in order, filled up to a whole number of rows.
-
-    ``padding`` is what fillers are called, with a number. With ``gaps`` there are none before a
-    vector that every rule set moves to the next row by itself.
-    """
-    members = tuple(members)
-    free = _padding_names(padding, (name for name, _ in members))
-    placed: list[Placed] = []
-    end = 0
-
-    def pad_to(alignment: int) -> None:
-        nonlocal end
-        while end % alignment:
-            placed.append(Placed(next(free), FLOAT, end, padding=True))
-            end += LANE
-
-    for name, type_ in members:
-        if gaps and _is_vector_in_new_row(type_, end):
-            end = _rounded(end)
-        pad_to(alignment(type_))
-        placed.append(Placed(name, type_, end))
-        end += byte_size(type_)
-    pad_to(ROW)
-    return tuple(placed)
-
-
-@cache
-def stored_type(type_: Type) -> Type:
-    """How a value of ``type_`` lies in a block. What is stored already is left as it is."""
-    match type_:
-        case Scalar(kind):
-            return Scalar(_stored_kind(kind))
-        case Vector(kind, size):
-            return Vector(_stored_kind(kind), size)
-        case Matrix(size):
-            return type_ if size == 4 else TallMatrix(size)
-        case TallMatrix():
-            return type_
-        case Array(element, count):
-            return _stored_array(element, count)
-        case Struct():
-            return stored_struct(type_)
-        case _:
-            raise TypeError(f"{type_} cannot be kept in a uniform block")
-
-
-@cache
-def stored_struct(struct: Struct) -> Struct:
-    """A struct whose members are in stored form, with its gaps as members."""
-    placed = place((name, stored_type(type_)) for name, type_ in struct.members)
-    return Struct(struct.name, tuple((row.name, row.type) for row in placed))
-
-
-def _stored_array(element: Type, count: int) -> Array:
-    match element:
-        case Scalar(kind) | Vector(kind):
-            rows = -(-count // elements_in_row(element))
-            return Array(Vector(_stored_kind(kind), 4), rows)
-        case Matrix(size):
-            return Array(Vector("float", 4), size * count)
-        case Struct():
-            return Array(stored_struct(element), count)
-        case _:
-            raise TypeError(f"an array of {element} cannot be kept in a uniform block")
-
-
-def elements_in_row(element: Scalar | Vector) -> int:
-    """How many elements of an array share a ``vec4``: 4 scalars, 2 ``vec2``, 1 longer vector."""
-    match element:
-        case Scalar():
-            return 4
-        case Vector(size=2):
-            return 2
-        case _:
-            return 1
-
-
-def _stored_kind(kind: ScalarKind) -> ScalarKind:
-    return "uint" if kind == "bool" else kind
-
-
-def byte_size(stored: Type) -> int:
-    """Bytes that a stored type occupies; gaps are members, so nothing needs rounding."""
-    match stored:
-        case Scalar():
-            return LANE
-        case Vector(size=size):
-            return LANE * size
-        case Matrix(4 as columns) | TallMatrix(columns):
-            return columns * ROW
-        case Array(element, count):
-            return count * byte_size(element)
-        case Struct(members=members):
-            return sum(byte_size(type_) for _, type_ in members)
-        case _:
-            raise TypeError(f"{stored} is not a stored type")
-
-
-def _is_vector_in_new_row(stored: Type, end: int) -> bool:
-    """Whether a vector would cross the end of a row, so that every rule set moves it to the next.
-
-    D3D for that very reason; std140 and WGSL since vectors are aligned to their size, a vec3 to 16.
-    """
-    return isinstance(stored, Vector) and end % ROW + byte_size(stored) > ROW
-
-
-def _rounded(end: int) -> int:
-    return -(-end // ROW) * ROW
-
-
-def alignment(stored: Type) -> int:
-    """What the offset of a stored type is a multiple of, in bytes."""
-    match stored:
-        case Scalar():
-            return LANE
-        case Vector(size=2):
-            return 2 * LANE
-        case _:
-            return ROW
-
-
 def _structs(types: Iterable[Type]) -> tuple[Struct, ...]:
-    """The structs that ``types`` use, those inside others first, each once."""
+    """The structs that ``types`` use, each once; a struct comes after those that it contains."""
     found: dict[Struct, None] = {}
     for type_ in types:
         inner = type_.element if isinstance(type_, Array) else type_

@@ -17,6 +17,11 @@ def names() -> tuple[str, ...]:
     return tuple(sorted(row.parent.name for row in rows))
 
 
+def defaults() -> tuple[str, ...]:
+    """The names of those that a material is compiled for when no target is named."""
+    return tuple(name for name in names() if not load(name).unproven)
+
+
 @cache
 def load(name: str) -> Target:
     """The target called ``name``; ``KeyError`` if there is none."""

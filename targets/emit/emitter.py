@@ -93,7 +93,7 @@ class _Emitter:
 
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
-        names = {stage.name: stage.row.entry if single else "main" for stage in stages}
+        names = {stage.name: self._entry_point(stage, single) for stage in stages}
         marks = Marks()
         entries = [
             StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
@@ -112,6 +112,10 @@ class _Emitter:
             text=text,
             origins=origins,
         )
+
+    def _entry_point(self, stage: Stage, single: bool) -> str:
+        entry = stage.row.entry
+        return entry if single else self._target.entry_point.format(entry=entry)
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
         view = self._view(stages, entries)

@@ -69,6 +69,8 @@ class Forms:
     # Declarations.
     function: str = "{type} {name}({parameters}) {{"
     parameter: str = "{typed}"
+    block_argument: str = "{type} {name}"
+    """A uniform block as a parameter, where ``Target.resource_arguments`` makes it one."""
     member_end: str = ";"
     """Ends a member of a struct or block."""
     struct_end: str = "};"
@@ -93,6 +95,8 @@ class Forms:
     """An array from its elements."""
     member: str = "{name}"
     """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
+    stored: str = "{value}"
+    """A member of a block of one of the types in ``TypeNames.stored``, as the plain ``{type}``."""
     texture: str = "{texture}"
     """A texture read by its sampler, called ``{sampler}``; ``{type}`` is that of both in one."""
     input: str = "{name}"
@@ -126,6 +130,8 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "column": "matrix position",
             "array": "type elements",
             "member": "block name",
+            "block_argument": "type name",
+            "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",
         }.items()

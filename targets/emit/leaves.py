@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.operations import ATTRIBUTE, PARAMETER, RESOURCE
+from ...compiler.ir.operations import ATTRIBUTE, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.types import Type, width
 from ...stdlib.builtins import BUILTINS
@@ -24,6 +24,8 @@ class Leaves:
         self._forms = context.target.forms
         self._texture = context.profile.samplers.joined or context.target.forms.texture
         self._textures = context.textures
+        self._types = context.types
+        self._stored = context.target.types.stored
         self._names = context.names
         self._inputs = context.inputs
         self._members = context.members
@@ -37,7 +39,13 @@ class Leaves:
         text = self._forms.member.format(
             block=self._names.variables.get(block, ""), name=self._names.member(block, member)
         )
-        return Text(text, Binding.NAME)
+        return self.loaded(Text(text, Binding.NAME), stored)
+
+    def loaded(self, member: Text, type_: Type) -> Text:
+        """A block's member as a plain value, where it is stored as something else."""
+        if str(type_) not in self._stored:
+            return member
+        return Text(self._forms.stored.format(value=member, type=self._types.type(type_)))
 
     def resource(self, node: Node) -> Text:
         """A texture by its name."""
@@ -69,7 +77,7 @@ class Leaves:
 
     def interpolated(self, node: Node, wanted: tuple[int, ...] | None = None) -> Text:
         """A varying, or those of its lanes that hold the value (or the ``wanted`` ones of it)."""
-        slot, first, total = self._crossings[node.operands[0].id, node.data]
+        slot, first, total = self._crossings[node.operands[0].id, CROSS.data(node).mode]
         text = self._read(self._names.varyings[slot])
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:

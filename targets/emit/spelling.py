@@ -51,6 +51,8 @@ class TypeSpeller:
         if isinstance(type_, Array) and not self._names.array:
             element, name = type_.element, f"{name}[{type_.count}]"
         text = self.type(element)
+        if stored and self._names.stored:
+            text = self._names.stored.get(str(element), text)
         inner = element.element if isinstance(element, Array) else element
         if stored and isinstance(inner, Matrix | TallMatrix):
             text = self._names.stored_matrix.format(type=text)

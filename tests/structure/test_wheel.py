@@ -15,7 +15,7 @@ import pytest
 
 from .kit import ROOT, files
 
-DATA = {".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".burnish", ".typed"}
+DATA = {".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".burnish", ".typed"}
 PACKAGE = ("commands", "compiler", "stdlib", "targets")
 
 

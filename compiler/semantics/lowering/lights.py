@@ -124,7 +124,7 @@ def _closed(ctx: Context, symbol: Symbol, light: LightVariable, body: Node) -> L
         body = build.floating(ctx.graph, float(body.data))
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
     for node in changing((body,), set(formals)):
-        if node.op == "interpolate":
+        if node.op == "cross":
             where = ctx.notes.spans.get(node.id, function.body.span)
             ctx.report.add(rules.CROSSING_PER_LIGHT, where)
             return FAILURE

@@ -198,7 +198,7 @@ def _note(ctx: Context, instance: Instance, name: str, level: int, node: Node) -
     is_inherited = level != OUTERMOST and overridden and isinstance(own.member, ast.Slot)
     shown = f"{instance.prefix}_{name}" if instance.prefix else name
     crossing = bare(node)
-    for named in (node, *crossing.operands) if crossing.op == "interpolate" else (node,):
+    for named in (node, *crossing.operands) if crossing.op == "cross" else (node,):
         if is_inherited and named.id not in ctx.notes.names:
             ctx.notes.wholes[named.id] = shown
         ctx.notes.names.setdefault(named.id, f"inherited_{shown}" if is_inherited else shown)
