@@ -1,7 +1,7 @@
 """Recursion without the call stack.
 
-Graphs are as deep as programs are long, so some functions that follow their structure are written
-as generators: ``yield sub()`` stands for a recursive call. ``run`` keeps the pending ones on a list,
+Graphs are as deep as programs are long, so some functions that follow their structure are
+generators: ``yield sub()`` stands for a recursive call. ``run`` keeps the pending ones on a list,
 whose length nothing limits. What can be answered without a further call need not be a generator:
 ``yield answer`` is as good, and cheaper.
 """
