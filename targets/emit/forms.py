@@ -69,6 +69,8 @@ class Forms:
     # Declarations.
     function: str = "{type} {name}({parameters}) {{"
     parameter: str = "{typed}"
+    block_argument: str = "{type} {name}"
+    """A uniform block as a parameter, where ``Target.resource_arguments`` makes it one."""
     member_end: str = ";"
     """Ends a member of a struct or block."""
     struct_end: str = "};"
@@ -129,6 +131,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "array": "type elements",
             "member": "block name",
             "stored": "value type",
+            "block_argument": "type name",
             "texture": "texture sampler type",
             "input": "name",
         }.items()

@@ -200,6 +200,7 @@ METAL2 = Profile(
         "using namespace metal;",
     ),
     single_file=True,
+    numbering="kind",
     lacks=frozenset({"first_leading_bit", "first_trailing_bit"}),
     limits=Limits(varyings=31, attributes=31, textures=31, block_bytes=65536),
     checkers=("clang-msl",),
@@ -232,6 +233,7 @@ TARGET = Target(
     profiles=(METAL2,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt", "__", "_[A-Z]"),
     global_members=False,
+    resource_arguments=True,
     line_directive='#line {line} "{name}"',
     fixed_names=(
         *HELPERS, "vs_main", "fs_main", "input", "output", "clip_position",
