@@ -18,6 +18,7 @@ from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...stdlib.builtins.facts import Fact
 from ..emit.description import (
     FieldRole,
     Limits,
@@ -191,6 +192,11 @@ def semantic(role: FieldRole, _name: str, location: int) -> str:
     return words[role].format(location)
 
 
+def is_float(facts: tuple[Fact, ...]) -> bool:
+    """Whether the first operand is of floats."""
+    return facts[0].kind == "float"
+
+
 METAL2 = Profile(
     name="metal2",
     doc="Metal 2, never compiled by Apple's compiler.",
@@ -202,6 +208,7 @@ METAL2 = Profile(
     single_file=True,
     numbering="kind",
     lacks=frozenset({"first_leading_bit", "first_trailing_bit"}),
+    agrees={"dot": is_float},
     limits=Limits(varyings=31, attributes=31, textures=31, block_bytes=65536),
     checkers=("clang-msl",),
 )
