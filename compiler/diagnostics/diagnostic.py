@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from ...frozen import changed, frozen
+from .fixes import Fix, Hint, sentence
 from .source import Span
 
 Severity = Literal["error", "warning", "note"]
@@ -46,6 +47,8 @@ class Diagnostic:
     labels: tuple[Label, ...] = ()
     hint: str = ""
     """How to mend this very case, where that is known."""
+    fixes: tuple[Fix, ...] = ()
+    """The changes to the text that ``hint`` speaks of; each one alone is enough."""
 
     @property
     def severity(self) -> Severity:
@@ -83,7 +86,7 @@ class Report:
         *,
         caption: str = "",
         labels: Iterable[Label] = (),
-        hint: str = "",
+        hint: Hint = "",
         **arguments: object,
     ) -> None:
         """Record a finding; ``arguments`` fill the rule's message."""
@@ -95,7 +98,8 @@ class Report:
         ):
             return
         message = rule.message.format(**arguments)
-        found = Diagnostic(rule, message, span, caption, labels, hint)
+        fixes = () if isinstance(hint, str) else hint.fixes
+        found = Diagnostic(rule, message, span, caption, labels, sentence(hint), fixes)
         self._found.setdefault((rule.code, message, span), found)
 
     def extend(self, others: Iterable[Diagnostic]) -> None:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from .fixes import Hint, fix_it
+from .source import Span
+
 _ALIKE = 0.62
 """How much of two names has to agree."""
 _SHORT, _ALIKE_IF_SHORT = 4, 0.7
@@ -33,6 +36,12 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
 def _continues(name: str, other: str) -> bool:
     """Whether one of two names is the other with a letter more: `tt` for `t`."""
     return abs(len(name) - len(other)) == 1 and (name.startswith(other) or other.startswith(name))
+
+
+def respelling(name: str, span: Span, known: Iterable[str]) -> Hint:
+    """A hint to write the nearest name for ``name``, which stands at ``span``."""
+    found = nearest(name, known)
+    return fix_it(f"did you mean `{found}`?", (span, found)) if found else ""
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from .diagnostic import Diagnostic
+from .fixes import Fix
 from .source import Source, Span
 
 
@@ -18,8 +19,14 @@ def serialise(diagnostic: Diagnostic) -> dict[str, Any]:
         "caption": diagnostic.caption,
         "labels": [{"span": _span(label.span), "text": label.text} for label in diagnostic.labels],
         "hint": diagnostic.hint,
+        "fixes": [_fix(fix) for fix in diagnostic.fixes],
         "help": diagnostic.rule.help,
     }
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    edits = [{"span": _span(edit.span), "text": edit.text} for edit in fix.edits]
+    return {"applicability": fix.applicability, "edits": edits}
 
 
 def _span(span: Span) -> dict[str, Any]:

@@ -48,6 +48,11 @@ class Span:
     start: int
     end: int
 
+    @property
+    def text(self) -> str:
+        """What stands there."""
+        return self.source.text[self.start : self.end]
+
     def to(self, other: Span) -> Span:
         """From the start of this span to the end of ``other``."""
         return Span(self.source, self.start, other.end)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from ..diagnostics.fixes import Hint, fix_it
 from ..diagnostics.nearest import nearest
+from ..diagnostics.source import Source, Span
 from .ast import MEMBERS
 from .expectations import may_begin_declaration, may_begin_member
 from .foreign_syntax import Row, rewritten, types
@@ -43,6 +45,9 @@ _FOUND: Mapping[str, str] = MappingProxyType(
 """By the token that is found where an expression or an operator could be."""
 
 
+_BRACKETS = {"(": ")", "[": "]"}
+
+
 def elsewhere(word: str) -> str:
     """What there is in place of a statement or declaration that begins with ``word`` elsewhere."""
     from ...stdlib.builtins.elsewhere import KEYWORDS
@@ -61,16 +66,17 @@ def _called(word: str) -> str:
 class Advice:
     """Looks at the tokens around a mistake."""
 
-    def __init__(self, outline: Outline) -> None:
+    def __init__(self, outline: Outline, source: Source) -> None:
         self._outline = outline
+        self._source = source
         self._tokens = outline.tokens
 
-    def at(self, index: int, expected: set[str], start: int, begin: int) -> str:
+    def at(self, index: int, expected: set[str], start: int, begin: int) -> Hint:
         """What to do about the token at ``index``; empty where the rule's help is as good.
 
         What cannot be read starts at ``start``, and the declaration around it at ``begin``.
         """
-        ways: tuple[Callable[[], str], ...] = (
+        ways: tuple[Callable[[], Hint], ...] = (
             lambda: self._of_body(index, begin),
             lambda: self._of_decimals(index),
             lambda: self._of_marks(index, expected),
@@ -94,20 +100,42 @@ class Advice:
             return ""
         return nearest(previous.text, DECLARATIONS if start == begin else MEMBERS) or ""
 
-    def _of_decimals(self, index: int) -> str:
+    def _tokens_span(self, first: int, last: int) -> Span:
+        """From the beginning of one token to the end of another."""
+        return Span(self._source, self._token(first).start, self._token(last).end)
+
+    def _replace(self, said: str, first: int, last: int, text: str, *, sure: bool = False) -> Hint:
+        """A hint to write ``text`` in place of the tokens from ``first`` to ``last``."""
+        return fix_it(said, (self._tokens_span(first, last), text), sure=sure)
+
+    def _behind_brackets(self, index: int) -> int:
+        """The token behind the brackets that open at ``index``; ``index`` itself if none do."""
+        if self._token(index).kind not in _BRACKETS:
+            return index
+        depth, end = self._outline.depths[index], index + 1
+        while end < len(self._tokens) and self._outline.depths[end] > depth:
+            end += 1
+        return end + (self._token(end).kind in _BRACKETS.values())
+
+    def _without(self, said: str, first: int, behind: int) -> Hint:
+        """A hint to remove the tokens from ``first`` up to ``behind``."""
+        return self._replace(said, first, behind - 1, "")
+
+    def _of_decimals(self, index: int) -> Hint:
         """About a decimal comma."""
         found, comma, before = (self._token(index - back) for back in range(3))
         kinds = [found.kind, comma.kind, before.kind]
         if kinds != ["NUMBER", ",", "NUMBER"] or found.start != before.end + 1:
             return ""
-        return f"decimals follow a point: `{before.text}.{found.text}`"
+        number = f"{before.text}.{found.text}"
+        return self._replace(f"decimals follow a point: `{number}`", index - 2, index, number)
 
-    def _of_marks(self, index: int, expected: set[str]) -> str:
+    def _of_marks(self, index: int, expected: set[str]) -> Hint:
         """About marks that are one too many, or the wrong ones."""
         found, previous = self._token(index), self._token(index - 1)
         begins = may_begin_member(expected) or may_begin_declaration(expected)
         if found.kind in _OPENED_BY and begins and found.kind not in expected:
-            return f"no `{_OPENED_BY[found.kind]}` is open here"
+            return self._without(f"no `{_OPENED_BY[found.kind]}` is open here", index, index + 1)
         at_start = self._outline.begins_line(index) or previous.kind in ("{", ";", ",")
         if found.kind == "=" and begins and at_start:
             return "a name stands in front: `name = expression`"
@@ -116,7 +144,7 @@ class Advice:
         if found.kind == "," == previous.kind and "NUMBER" in expected:
             return "between these commas an argument is missing"
         if found.kind == ";" and {",", ")"} <= expected:
-            return "arguments are parted by commas"
+            return self._replace("arguments are parted by commas", index, index, ",")
         if found.kind in ("NAME", "NUMBER", "COLOR") and expected & {")", "]"} and "+" in expected:
             return self._of_missing_mark(index)
         return ""
@@ -128,40 +156,53 @@ class Advice:
             return ""
         return f"a comma or an operator is missing in front of `{found.text}`"
 
-    def _of_header(self, index: int, expected: set[str]) -> str:
+    def _of_header(self, index: int, expected: set[str]) -> Hint:
         """About what stands behind the name of a material, light or pass."""
         found, previous, following = (self._token(index + step) for step in (0, -1, 1))
         if "blend" not in expected or "{" not in expected:
             return ""
         if found.kind == "NAME" and following.kind in ("{", ":"):
-            return f"a name is one word: `{previous.text}{found.text}`"
-        return _dashed(previous, found, following)
+            name = previous.text + found.text
+            return self._replace(f"a name is one word: `{name}`", index - 1, index, name)
+        return self._dashed(index)
 
-    def _of_typed(self, index: int, expected: set[str], start: int, begin: int) -> str:
+    def _of_typed(self, index: int, expected: set[str], start: int, begin: int) -> Hint:
         """About ``param``, ``map`` and ``attribute``, members of structures, arguments, lights."""
         found, previous, following = (self._token(index + step) for step in (0, -1, 1))
         word, within = self._text(start), self._text(begin)
         if expected == {":"}:
             if found.kind == "NAME" and (word in MEMBERS or within in ("struct", "fn", "term")):
                 first = start if word in MEMBERS and index - start < 4 else index - 1
-                return rewritten(self._row(first))
+                return rewritten(self._row(first), in_body=start != begin)
             if found.kind == ",":
                 return "each name has a declaration of its own"
             if found.kind == ">":
-                return f"a type parameter names its family: `{previous.text}: floats`"
+                name = f"{previous.text}: floats"
+                said = f"a type parameter names its family: `{name}`"
+                return self._replace(said, index - 1, index - 1, name)
             if found.kind == "=" and within == "rig":
-                return (
-                    f"the kind of a light stands behind `:`: `{previous.text} : {following.text}`"
-                )
+                entry = f"{previous.text} : {following.text}"
+                said = f"the kind of a light stands behind `:`: `{entry}`"
+                return self._replace(said, index, index, ":")
         if expected == {"="} and found.kind == ":":
-            return f"a value stands behind `=`: `{previous.text} = …`"
+            said = f"a value stands behind `=`: `{previous.text} = …`"
+            return self._replace(said, index, index, "=")
         if found.kind == "=" and within == "struct":
             return "members of a structure have no values of their own"
         if found.kind == ":" and word in MEMBERS and "per" in expected:
-            return _PLACES
+            return self._without(_PLACES, index, self._behind_brackets(index + 2))
         if found.kind == "NUMBER" and expected == {">", "NAME"}:
-            return "an array is written `float[3]`"
+            return self._of_length(index)
         return ""
+
+    def _of_length(self, index: int) -> Hint:
+        """About a length among the arguments of a type: ``array<float, 3>``."""
+        said = "an array is written `float[3]`"
+        kinds = [self._token(index + step).kind for step in range(-4, 2)]
+        if kinds != ["NAME", "<", "NAME", ",", "NUMBER", ">"]:
+            return said
+        element = types().get(self._text(index - 2), self._text(index - 2))
+        return self._replace(said, index - 4, index + 1, f"{element}[{self._text(index)}]")
 
     def _of_body(self, index: int, begin: int) -> str:
         """About braces around a function's body, as other languages have them."""
@@ -169,20 +210,21 @@ class Advice:
         word = self._text(begin)
         return DECLARATIONS[word] if in_braces and word in ("fn", "term") else ""
 
-    def _of_name(self, index: int, expected: set[str], start: int, outside: bool) -> str:
+    def _of_name(self, index: int, expected: set[str], start: int, outside: bool) -> Hint:
         """About what stands where a member or declaration begins."""
         found, previous, before = (self._token(index - back) for back in range(3))
         begins = may_begin_member(expected) or may_begin_declaration(expected)
         if begins and found.kind in _MARKS:
-            return _MARKS[found.kind]
+            opens = index + 2 if found.kind == "@" else index
+            return self._without(_MARKS[found.kind], index, self._behind_brackets(opens))
         if self._text(start) in MEMBERS and not self._outline.begins_line(index):
             return ""
         if not expected & {"=", "when"}:
             return elsewhere(found.text) if begins else ""
         if found.kind == "==":
-            return "an equation is written with a single `=`"
+            return self._replace("an equation is written with a single `=`", index, index, "=")
         if hint := elsewhere(previous.text):
-            return self._of_row(index, start, previous.text) or hint
+            return self._of_row(index, start, previous.text, outside) or hint
         if found.text in ("in", "{") and (hint := elsewhere(before.text)):
             return hint
         if found.kind == "," and "=" in expected:
@@ -200,8 +242,15 @@ class Advice:
             return f"`{previous.text}` stands outside of other declarations"
         if previous.kind != "NAME" or self._outline.begins_line(index):
             return ""
-        dashed = _dashed(previous, found, self._token(index + 1))
-        return dashed or self._of_two_words(index, start, outside)
+        return self._dashed(index) or self._of_two_words(index, start, outside)
+
+    def _dashed(self, index: int) -> Hint:
+        """About a name with a dash in it."""
+        kinds = [self._token(index + step).kind for step in (-1, 0, 1)]
+        if kinds != ["NAME", "-", "NAME"]:
+            return ""
+        name = f"{self._text(index - 1)}_{self._text(index + 1)}"
+        return self._replace(f"names have no `-`: `{name}`", index - 1, index + 1, name)
 
     def _follows_value(self, index: int) -> bool:
         """Whether a name stands directly behind a value, on its line."""
@@ -213,15 +262,16 @@ class Advice:
             ends and is_name and not self._outline.begins_line(index) and not self._is_cast(index)
         )
 
-    def _of_row(self, index: int, start: int, first: str) -> str:
+    def _of_row(self, index: int, start: int, first: str, outside: bool) -> Hint:
         """About a declaration whose first word says nothing by itself."""
         if first in ("out", "varying"):
             return ""
         if self._token(index).kind != "NAME" or self._outline.begins_line(index):
             return ""
-        return rewritten(self._row(min(start, index - 1))) if index - start < 4 else ""
+        row = self._row(min(start, index - 1))
+        return rewritten(row, in_body=not outside) if index - start < 4 else ""
 
-    def _of_two_words(self, index: int, start: int, outside: bool) -> str:
+    def _of_two_words(self, index: int, start: int, outside: bool) -> Hint:
         """About what follows a word in which no equation can go on."""
         found, previous = self._token(index), self._token(index - 1)
         if found.kind == "(":
@@ -233,11 +283,12 @@ class Advice:
             return _placed(previous.text)
         row = self._row(index - 1)
         if previous.text == "as":
-            return "what is imported keeps its name"
+            said = "what is imported keeps its name"
+            return self._without(said, index - 1, index + 1) if found.kind == "NAME" else said
         if self._token(index + len(row.words) - 1).kind == "(":
             return DECLARATIONS["fn"]
         if found.kind == "NAME" and self._goes_on(index + len(row.words) - 1):
-            return rewritten(row)
+            return rewritten(row, in_body=not outside)
         return ""
 
     def _goes_on(self, index: int) -> bool:
@@ -255,9 +306,10 @@ class Advice:
         length = ""
         if [self._token(end + step).kind for step in range(3)] == ["[", "NUMBER", "]"]:
             length, end = self._text(end + 1), end + 3
-        return Row(words, length, self._token(end).kind == "=")
+        span = self._tokens_span(first, end - 1)
+        return Row(words, length, self._token(end).kind == "=", span)
 
-    def _of_expression(self, index: int, expected: set[str], member: str) -> str:
+    def _of_expression(self, index: int, expected: set[str], member: str) -> Hint:
         """About what stands where an expression is to begin or to go on."""
         found, previous = self._token(index), self._token(index - 1)
         if expected & {"then", "else"} and not may_begin_member(expected):
@@ -275,8 +327,7 @@ class Advice:
         if found.kind == "," and "as" in expected:
             return _VECTOR
         if self._is_cast(index):
-            name = self._text(index - 2)
-            return f"a conversion is a call: `{types().get(name, name)}(x)`"
+            return self._of_cast(index)
         if found.kind in RESERVED and found.kind not in ("true", "false"):
             return self._of_reserved(index, expected)
         return self._of_operand(index, expected)
@@ -301,13 +352,32 @@ class Advice:
             return "arguments are given by their position, without names"
         return ""
 
-    def _of_operand(self, index: int, expected: set[str]) -> str:
+    def _of_cast(self, index: int) -> Hint:
+        """About ``(float)x``, which can be rewritten where the operand is one token."""
+        name = self._text(index - 2)
+        type_, operand = types().get(name, name), self._token(index)
+        said = f"a conversion is a call: `{type_}(x)`"
+        if operand.kind == "(" or self._token(index + 1).kind in (".", "(", "["):
+            return said
+        return self._replace(said, index - 3, index, f"{type_}({operand.text})")
+
+    def _of_as(self, index: int) -> Hint:
+        """About ``x as float``, likewise."""
+        type_, operand = types()[self._text(index + 1)], self._token(index - 1)
+        said = f"a conversion is a call: `{type_}(x)`"
+        if operand.kind not in ("NAME", "NUMBER") or self._token(index - 2).kind == ".":
+            return said
+        return self._replace(said, index - 1, index + 1, f"{type_}({operand.text})")
+
+    def _of_operand(self, index: int, expected: set[str]) -> Hint:
         """About a token that no expression has in its place, by what it is."""
         found, previous, following = (self._token(index + step) for step in (0, -1, 1))
         if found.kind == "STRING" and found.text.startswith('"#'):
-            return f"a colour is written without quotes: `{found.text[1:-1]}`"
+            color = found.text[1:-1]
+            said = f"a colour is written without quotes: `{color}`"
+            return self._replace(said, index, index, color)
         if found.text == "as" and types().get(following.text) in _CONVERSIONS:
-            return f"a conversion is a call: `{types()[following.text]}(x)`"
+            return self._of_as(index)
         if found.kind == "{" and previous.kind == "NAME" and "+" in expected:
             return f"a structure is made by a call: `{previous.text}(a, b)`"
         if found.kind in _FOUND and ({"NUMBER", "NAME"} <= expected or "+" in expected):
@@ -316,7 +386,7 @@ class Advice:
             return _FOUND["as"]
         return elsewhere(found.text) if found.kind == "NAME" and "+" in expected else ""
 
-    def _of_missing_name(self, index: int, member: str) -> str:
+    def _of_missing_name(self, index: int, member: str) -> Hint:
         """About what stands where only a name can: a type, a space, what a texture is at first."""
         found, previous, before = (self._token(index - back) for back in range(3))
         if found.kind == "STRING" and member == "map":
@@ -325,7 +395,8 @@ class Advice:
             return "spaces are named, `x in world`; a fold is `sum i in a..b : e`"
         is_value = found.kind in ("COLOR", "NUMBER", "(", "-", "[", "true", "false")
         if is_value and previous.kind == ":" and before.text == member:
-            return f"a value stands behind `=`: `{before.text} = …`"
+            said = f"a value stands behind `=`: `{before.text} = …`"
+            return self._replace(said, index - 1, index - 1, "=")
         return ""
 
     def _of_reserved(self, index: int, expected: set[str]) -> str:
@@ -363,10 +434,3 @@ class Advice:
 def _placed(word: str) -> str:
     """Where a member belongs that begins with ``word``."""
     return f"`{word}` belongs in {MEMBERS[word].places}"
-
-
-def _dashed(previous: Token, found: Token, following: Token) -> str:
-    """About a name with a dash in it."""
-    if found.kind != "-" or previous.kind != "NAME" or following.kind != "NAME":
-        return ""
-    return f"names have no `-`: `{previous.text}_{following.text}`"

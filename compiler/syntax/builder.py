@@ -11,6 +11,7 @@ from typing import cast
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
+from ..diagnostics.fixes import write
 from ..diagnostics.source import Span
 from . import ast
 from .ast import Expression, Name
@@ -58,9 +59,8 @@ class Builder:
 
     def edition(self, span: Span, number: Token) -> int:
         if number.text != str(_EDITION):
-            self._report.add(
-                rules.UNKNOWN_EDITION, span, edition=number.text, hint=f"write `burnish {_EDITION}`"
-            )
+            hint = write(span, f"burnish {_EDITION}")
+            self._report.add(rules.UNKNOWN_EDITION, span, edition=number.text, hint=hint)
         return _EDITION
 
     def module(self, _: Span, *path: Token | tuple[str, ...]) -> tuple[str, ...]:

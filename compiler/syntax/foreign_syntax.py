@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from ..diagnostics.fixes import Hint, fix_it
+from ..diagnostics.source import Span
 from .ast import MEMBERS
 from .forms import DECLARATIONS
 
@@ -36,10 +38,15 @@ class Row(NamedTuple):
     length: str
     """What stands in brackets behind them: the length of an array."""
     has_value: bool
+    span: Span
+    """Of the names and the brackets."""
 
 
-def rewritten(row: Row) -> str:
-    """What to write for ``const vec3 name = …`` and its like; empty where nothing comes to mind."""
+def rewritten(row: Row, *, in_body: bool) -> Hint:
+    """What to write for ``const vec3 name = …`` and its like; empty where nothing comes to mind.
+
+    ``in_body`` says that it stands among the members of a record, where a ``param`` or ``map`` may.
+    """
     word = f"{row.words[0]} " if row.words[0] in _WORDS_OF_MEMBERS else ""
     words = list(row.words[1:] if word else row.words)
     qualifiers: list[str] = []
@@ -47,33 +54,43 @@ def rewritten(row: Row) -> str:
         qualifiers.append(words.pop(0))
     if len(words) == 1:
         declarator = next(filter(_DECLARATORS.__contains__, qualifiers), "")
-        return f"equations need no `{declarator}`: write `{words[0]} = …`" if declarator else ""
+        said = f"equations need no `{declarator}`: write `{words[0]} = …`"
+        return fix_it(said, (row.span, words[0])) if declarator else ""
     if len(words) != 2:
         return ""
-    return _typed(word, words[0], words[1], row, is_uniform="uniform" in qualifiers)
+    hint, instead = _typed(word, words[0], words[1], row, is_uniform="uniform" in qualifiers)
+    is_member = instead.startswith(("param ", "map "))
+    return fix_it(hint, (row.span, instead)) if instead and in_body >= is_member else hint
 
 
-def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> str:
-    """What to write for a type and a name."""
+def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> tuple[str, str]:
+    """What to write for a type and a name: the hint, and what stands in place of the names."""
     known = types()
     if word and name in known and type_ not in known:
-        return f"a type stands behind a colon: write `{word}{type_} : {known[name]}`"
+        instead = f"{word}{type_} : {known[name]}"
+        return f"a type stands behind a colon: write `{instead}`", instead
     if type_ in _SAMPLERS:
-        return "a sampler belongs to its texture: `map name : texture2d with { filter = nearest }`"
+        written = "map name : texture2d with { filter = nearest }"
+        return f"a sampler belongs to its texture: `{written}`", ""
     if type_ not in known and not type_[0].isupper():
-        return "" if _begins_elsewhere(type_) else f"a name is one word: `{type_}_{name}`"
+        if _begins_elsewhere(type_):
+            return "", ""
+        return f"a name is one word: `{type_}_{name}`", f"{word}{type_}_{name}"
     if _begins_elsewhere(type_):
-        return ""
+        return "", ""
     here = known.get(type_, type_)
     if here.startswith(("texture", "itexture", "utexture", "depth")) and not word:
-        return f"a texture is a member: `map {name} : {here}`"
+        instead = f"map {name} : {here}"
+        return f"a texture is a member: `{instead}`", instead
     if row.length:
         here += f"[{row.length}]"
     if is_uniform:
-        return f"a value from the host is a parameter of a material: `param {name} : {here}`"
+        instead = f"param {name} : {here}"
+        return f"a value from the host is a parameter of a material: `{instead}`", instead
     may_have_value = not word or MEMBERS[word.rstrip()].has_default
     value = " = …" if row.has_value and may_have_value else ""
-    return f"a type stands behind the name: write `{word}{name} : {here}{value}`"
+    instead = f"{word}{name} : {here}"
+    return f"a type stands behind the name: write `{instead}{value}`", instead
 
 
 def _begins_elsewhere(word: str) -> bool:

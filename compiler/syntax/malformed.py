@@ -6,6 +6,7 @@ import re
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
+from ..diagnostics.fixes import Hint, fix_it, write
 from ..diagnostics.source import Span
 from .tokens import Token
 
@@ -45,6 +46,9 @@ _INSTEAD = {
     "!==": "!=", "..=": "..", "::": ".",
 }  # fmt: skip
 
+_SAME = frozenset(("&&", "||", "!", ":=", "<>", "===", "!=="))
+"""Those that mean the same as what stands here instead, whatever their operands are."""
+
 _HINTS = {
     "?": "write `if condition then a else b`",
     "=>": "an equation is written `name = expression`",
@@ -59,10 +63,8 @@ _HINTS = {
 
 
 _CHARACTERS = {
-    "°": "write `deg`", "×": "write `*`", "·": "write `*`", "÷": "write `/`", "–": "write `-`",
-    "−": "write `-`", "≤": "write `<=`", "≥": "write `>=`", "≠": "write `!=`",
-    "\N{LEFT DOUBLE QUOTATION MARK}": 'write `"`', "\N{RIGHT DOUBLE QUOTATION MARK}": 'write `"`',
-    "π": "write `pi`",
+    "°": "deg", "×": "*", "·": "*", "÷": "/", "–": "-", "−": "-", "≤": "<=", "≥": ">=", "≠": "!=",
+    "\N{LEFT DOUBLE QUOTATION MARK}": '"', "\N{RIGHT DOUBLE QUOTATION MARK}": '"', "π": "pi",
 }  # fmt: skip
 """What is meant by characters that painting and writing programs put in."""
 
@@ -73,7 +75,7 @@ def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
         return _number(word, span, report)
     if kind == "PERCENT":
         share = f"{float(word.rstrip('%')) / 100:g}"
-        report.add(rules.BAD_NUMBER, span, text=word, hint=f"write `{share}`")
+        report.add(rules.BAD_NUMBER, span, text=word, hint=write(span, share, sure=True))
         return Token("NUMBER", share, span.start, span.end)
     if kind == "FOREIGN":
         return _foreign(word, span, report)
@@ -88,7 +90,9 @@ def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
         _hash(word, span, report)
         return None
     if kind not in _SIMPLE:
-        hint = _CHARACTERS.get(word[0], "")
+        meant = _CHARACTERS.get(word[0], "")
+        first = Span(span.source, span.start, span.start + 1)
+        hint = write(first, meant, sure=True) if meant else ""
         report.add(rules.UNKNOWN_CHARACTER, span, character=_character(word[0]), hint=hint)
         return Token("FOREIGN", word, span.start, span.end)
     rule, symbol, instead = _SIMPLE[kind]
@@ -103,24 +107,31 @@ def _hash(line: str, span: Span, report: Report) -> None:
     words = line.split()
     if words[0] in ("#elif", "#else", "#endif") and report.failed:
         return
-    hint = "a remark begins with `//`"
+    sign = Span(span.source, span.start, span.start + 1)
+    hint: Hint = fix_it("a remark begins with `//`", (sign, "//"))
     if words[0] != "#":
-        hint = f"there is no preprocessor: {_instead_of_directive(line)}"
+        hint = _instead_of_directive(line, span)
         report.unread(word.partition("(")[0] for word in words[1:2])
     mark = Span(span.source, span.start, span.start + len(words[0]))
     report.add(rules.UNKNOWN_CHARACTER, mark, character=_character("#"), hint=hint)
 
 
-def _instead_of_directive(line: str) -> str:
+def _instead_of_directive(line: str, span: Span) -> Hint:
     """What there is in place of a line for a preprocessor."""
+    said = "there is no preprocessor"
     macro = re.match(r"#define\s+(\w+)\(([\w\s,]*)\)\s*(.*)", line)
     if macro:
         arguments = ", ".join(f"{name.strip()}: float" for name in macro[2].split(","))
-        return f"a function is `fn {macro[1]}({arguments}) = {macro[3].strip() or '…'}`"
+        body = macro[3].strip()
+        function = f"fn {macro[1]}({arguments}) = {body}"
+        if not body:
+            return f"{said}: a function is `{function}…`"
+        return fix_it(f"{said}: a function is `{function}`", (span, function))
     constant = re.match(r"#define\s+(\w+)\s+(\S.*)", line)
     if constant:
-        return f"a constant is `{constant[1]} = {constant[2].strip()}`"
-    return "a constant is `name = expression`, a file is imported"
+        equation = f"{constant[1]} = {constant[2].strip()}"
+        return fix_it(f"{said}: a constant is `{equation}`", (span, equation))
+    return f"{said}: a constant is `name = expression`, a file is imported"
 
 
 _BITS = re.compile(r"([0-9.]+)([iuf])(?:8|16|32|64)")
@@ -129,16 +140,17 @@ _BITS = re.compile(r"([0-9.]+)([iuf])(?:8|16|32|64)")
 
 def _number(word: str, span: Span, report: Report) -> Token:
     if re.fullmatch(r"[0-9]+[A-Za-z_]\w*", word) and _is_defined(span):
-        hint = f"names begin with a letter: `{re.sub('[0-9]+', '', word, count=1) or 'a'}`"
-        report.add(rules.BAD_NAME, span, text=word, hint=hint)
+        name = re.sub("[0-9]+", "", word, count=1)
+        begun = fix_it(f"names begin with a letter: `{name}`", (span, name))
+        report.add(rules.BAD_NAME, span, text=word, hint=begun)
         return Token("NAME", word, span.start, span.end)
     if re.fullmatch(r"(?=.*[a-fA-F])(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})", word):
-        report.add(rules.BAD_NUMBER, span, text=word, hint=f"a colour is written `#{word}`")
+        report.add(rules.BAD_NUMBER, span, text=word, hint=_color(word, span))
         return Token("COLOR", f"#{word}", span.start, span.end)
     number = re.match(r"[0-9.]+(?=°|degrees?$)", word)
     if number:
         better = f"{number[0]}deg"
-        report.add(rules.BAD_NUMBER, span, text=word, hint=f"write `{better}`")
+        report.add(rules.BAD_NUMBER, span, text=word, hint=write(span, better, sure=True))
         return Token("NUMBER", better, span.start, span.end)
     suffixed = _BITS.fullmatch(word)
     digits = suffixed[1] if suffixed else word.rstrip("fFhHlL")
@@ -146,8 +158,13 @@ def _number(word: str, span: Span, report: Report) -> Token:
     proper = better.replace(".", "", 1).isdigit()
     if suffixed and suffixed[2] == "u" and better.isdigit():
         better += "u"
-    report.add(rules.BAD_NUMBER, span, text=word, hint=f"write `{better}`" if proper else "")
+    hint: Hint = write(span, better, sure=True) if proper else ""
+    report.add(rules.BAD_NUMBER, span, text=word, hint=hint)
     return Token("NUMBER", better if proper else "0", span.start, span.end)
+
+
+def _color(digits: str, span: Span) -> Hint:
+    return fix_it(f"a colour is written `#{digits}`", (span, f"#{digits}"), sure=True)
 
 
 def _is_defined(span: Span) -> bool:
@@ -157,19 +174,31 @@ def _is_defined(span: Span) -> bool:
 
 def _foreign(word: str, span: Span, report: Report) -> Token:
     instead = _INSTEAD.get(word, "")
-    hint = _HINTS.get(word) or (f"write `{instead}`" if instead else "")
+    hint: Hint = _HINTS.get(word, "")
+    if instead:
+        said = _HINTS.get(word, f"write `{instead}`")
+        hint = fix_it(said, (span, _set_apart(instead, span)), sure=word in _SAME)
     if word == "++":
         hint = _joined_or_counted(span)
     report.add(rules.FOREIGN_OPERATOR, span, operator=word, hint=hint)
     return Token(instead or "FOREIGN", instead or word, span.start, span.end)
 
 
-def _joined_or_counted(span: Span) -> str:
+def _set_apart(word: str, span: Span) -> str:
+    """A word with spaces where it would run together with what stands beside the place."""
+    if not word.isalpha():
+        return word
+    text = span.source.text
+    before, behind = text[: span.start][-1:], text[span.end : span.end + 1]
+    return f"{' ' * before.isalnum()}{word}{' ' * behind.isalnum()}"
+
+
+def _joined_or_counted(span: Span) -> Hint:
     """What ``a ++ b`` joins elsewhere, or what ``a++`` counts."""
     text = span.source.text
     before, behind = re.search(r"\w+(?= *$)", text[: span.start]), text[span.end :]
     if before and re.match(r" *[\w(\[#.]", behind):
-        return "numbers are added by `+`; arrays are not joined"
+        return fix_it("numbers are added by `+`; arrays are not joined", (span, "+"))
     name = before[0] if before else "x"
     return f"nothing changes its value: an equation gives a new name to `{name} + 1`"
 

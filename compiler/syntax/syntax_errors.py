@@ -6,6 +6,7 @@ from bisect import bisect_left
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
+from ..diagnostics.fixes import Hint, fix_it
 from ..diagnostics.source import Source, Span
 from .advice import STATEMENTS, Advice
 from .ast import MEMBERS, RECORD_KINDS
@@ -28,7 +29,7 @@ class SyntaxErrors:
         self._outline = outline
         self._tokens = outline.tokens
         self._report = report
-        self._advice = Advice(outline)
+        self._advice = Advice(outline, source)
 
     def too_deep(self, index: int) -> None:
         """Brackets beyond the limit."""
@@ -60,7 +61,9 @@ class SyntaxErrors:
             return index
         if word := self._advice.misspelt(index, expected, start, chunk.start):
             words = set(DECLARATIONS if start == chunk.start else MEMBERS)
-            self._unexpected(self._tokens[index - 1], words, f"did you mean `{word}`?")
+            slip = self._tokens[index - 1]
+            hint = fix_it(f"did you mean `{word}`?", (self._span(slip), word))
+            self._unexpected(slip, words, hint)
             return index
         self._unexpected(found, expected, self._advice.at(index, expected, start, chunk.start))
         return self._end_of_line(index) if found.kind in ("@", "[") else index
@@ -93,9 +96,10 @@ class SyntaxErrors:
         elif found.kind in _COMPARISONS and "and" in expected and found.kind not in expected:
             self._report.add(rules.CHAINED_COMPARISON, span)
         elif self._begins_statement(index, expected):
-            hint = STATEMENTS.get(found.kind, "") if may_begin_member(expected) else ""
+            hint: Hint = STATEMENTS.get(found.kind, "") if may_begin_member(expected) else ""
             if self._token(index + 1).kind in ("=", ":"):
-                hint = f"give it another name, such as `{found.text}_`"
+                other = f"{found.text}_"
+                hint = fix_it(f"give it another name, such as `{other}`", (span, other))
             self._report.add(rules.RESERVED_WORD, span, word=found.text, hint=hint)
         elif found.kind == "if" and "NUMBER" in expected:
             self._report.add(rules.UNPARENTHESISED, span, word=found.text)
@@ -121,13 +125,14 @@ class SyntaxErrors:
         kinds = [called.kind, opening.kind, closing.kind, call.kind]
         return kinds == ["NAME", "<", ">", "("] and called.end == opening.start
 
-    def _without_types(self, index: int) -> str:
+    def _without_types(self, index: int) -> Hint:
         """The call without the types that it names."""
         called, type_ = self._token(index - 3).text, self._token(index - 1).text
         name = types().get(f"{called}{type_[:1]}", called)
-        return f"a call names no types: write `{name}(…)`"
+        span = self._span(self._token(index - 3)).to(self._span(self._token(index)))
+        return fix_it(f"a call names no types: write `{name}(…)`", (span, name))
 
-    def _unexpected(self, found: Token, expected: set[str], hint: str = "") -> None:
+    def _unexpected(self, found: Token, expected: set[str], hint: Hint = "") -> None:
         words = describe_expected(expected)
         self._report.add(
             rules.UNEXPECTED,

@@ -1,4 +1,7 @@
-"""The one table of builtin functions and operators, by name."""
+"""The table of builtin functions and operators, by name.
+
+Each module holds the rows of one theme. ``row.py`` says what the columns mean and who reads them.
+"""
 
 from __future__ import annotations
 
@@ -41,6 +44,6 @@ _THEMES = (
 BUILTINS: Mapping[str, Builtin] = MappingProxyType(
     {row.name: row for theme in _THEMES for row in theme.ROWS}
 )
-"""Every builtin, in the manual's order."""
+"""Every builtin, in the order of the manual."""
 
 __all__ = ["BUILTINS", "Builtin"]

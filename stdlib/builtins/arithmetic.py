@@ -1,7 +1,7 @@
-"""Operators on numbers: ``+ - * /``, ``mod`` and the sign change.
+"""Operators on numbers: ``+ - * /``, ``mod`` and negation.
 
-Integers are 32 bits wide and wrap. Division by zero has WGSL's result for integers and zero for
-floats, and ``mod`` floors, so that its result has the sign of the divisor.
+Integers are 32 bits wide and wrap. Division by zero has WGSL's result for integers, and is zero for
+floats. ``mod`` rounds the quotient down, so that its result has the sign of the divisor.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def _remainder(facts: tuple[Fact, ...], _same: bool) -> Fact:
     if x.kind != "float":
         return Fact(min(y.lo + 1, 0.0), max(y.hi - 1, 0.0)).as_kind(x.kind)
     exact = Fact(min(y.lo, 0.0), max(y.hi, 0.0))
-    # In float32 the floored quotient may be one off, and its product with y is rounded.
+    # In float32 the rounded-down quotient may be wrong by one, and its product with y is rounded.
     return around(exact, (x.most + y.most) * 2.0**-20)
 
 
@@ -69,7 +69,7 @@ def _negated(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 def _divides(facts: tuple[Fact, ...]) -> bool:
     x, y = facts
-    # The lowest integer over -1 overflows, which only WGSL defines.
+    # The lowest integer divided by -1 overflows, and only WGSL defines the result.
     overflows = x.kind == "int" and x.lo == -(2.0**31) and y.lo <= -1 <= y.hi
     return y.excludes_zero and not overflows
 
@@ -102,7 +102,7 @@ ROWS = (
         name="mul",
         signatures=(*_LANEWISE, "M, C -> C", "M, M -> M", "M, S -> M", "S, M -> M"),
         meaning="product",
-        doc="Product: lane by lane for numbers and vectors, the linear map's for matrices.",
+        doc="Product: lane by lane for numbers and vectors, that of linear algebra for matrices.",
         operator="*",
         range=_product,
         accuracy=EXACT,
@@ -111,7 +111,7 @@ ROWS = (
         name="div",
         signatures=_LANEWISE,
         meaning="quotient",
-        doc="Quotient, lane by lane. Integers are cut towards zero.",
+        doc="Quotient, lane by lane. Quotients of integers are truncated towards zero.",
         operator="/",
         domain=_divides,
         needs="the divisor is not 0, and no integer overflows",
@@ -129,7 +129,7 @@ ROWS = (
         name="mod",
         signatures=_LANEWISE,
         meaning="remainder",
-        doc="Remainder of the floored quotient; it has the sign of the divisor.",
+        doc="Remainder of the quotient rounded down; it has the sign of the divisor.",
         operator="%",
         domain=_counts,
         needs="integers, the first not negative, the divisor 1 or more",
@@ -143,7 +143,7 @@ ROWS = (
         name="neg",
         signatures=(*SIGNED, "M -> M"),
         meaning="negation",
-        doc="The value with its sign changed. The lowest integer is its own negative.",
+        doc="The value with the opposite sign. The lowest integer stays as it is.",
         operator="-",
         range=_negated,
         accuracy=EXACT,

@@ -1,4 +1,4 @@
-"""Integers as 32 bits, and what a float looks like in them."""
+"""Builtins that treat integers as 32 bits, and those that access the bits of floats."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ BITS = 32
 
 
 def _intersection(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """No bit is added: an operand without a sign bounds the result."""
+    """No bit is added, so an operand that is not negative bounds the result."""
     ends = [fact.hi for fact in facts if fact.lo >= 0]
     kind = facts[0].kind
     return Fact(0.0, min(ends), kind=kind) if ends else Fact().as_kind(kind)
 
 
 def _difference(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """Without signs, no bit is set above the highest of either."""
+    """If no operand is negative, the highest bit of the operands is the highest of the result."""
     kind = facts[0].kind
     if any(fact.lo < 0 for fact in facts):
         return Fact().as_kind(kind)
@@ -34,7 +34,7 @@ def _difference(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _union(facts: tuple[Fact, ...], same: bool) -> Fact:
-    """As ``_difference``; and no bit is lost."""
+    """Like ``_difference``, and no bit gets lost."""
     union = _difference(facts, same)
     return changed(union, lo=max(fact.lo for fact in facts)) if union.lo >= 0 else union
 
@@ -55,7 +55,7 @@ def _shifted_right(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _shifts(facts: tuple[Fact, ...]) -> bool:
-    """All backends shift by a `uint` below 32."""
+    """Whether all backends agree: they do for a ``uint`` below 32."""
     amount = facts[1]
     return amount.kind == "uint" and amount.hi < BITS
 
@@ -69,7 +69,7 @@ def _is_number(facts: tuple[Fact, ...]) -> bool:
 
 
 def _are_numbers(facts: tuple[Fact, ...]) -> bool:
-    """Neither zero nor subnormal, infinite or NaN."""
+    """Whether the bits are those of a number that is not zero, subnormal, infinite or NaN."""
     (x,) = facts
     return x.within(0x00800000, 0x7F7FFFFF) or x.within(0x80800000, 0xFF7FFFFF)
 
@@ -80,7 +80,7 @@ ROWS = (
     Builtin(
         name="bit_and",
         signatures=_PAIR,
-        doc="The bits that both have.",
+        doc="The bits that are set in both operands.",
         operator="&",
         range=_intersection,
         accuracy=_TOTAL,
@@ -88,7 +88,7 @@ ROWS = (
     Builtin(
         name="bit_or",
         signatures=_PAIR,
-        doc="The bits that at least one has.",
+        doc="The bits that are set in at least one operand.",
         operator="|",
         range=_union,
         accuracy=_TOTAL,
@@ -96,7 +96,7 @@ ROWS = (
     Builtin(
         name="bit_xor",
         signatures=_PAIR,
-        doc="The bits that just one has.",
+        doc="The bits that are set in exactly one operand.",
         operator="^",
         range=_difference,
         accuracy=_TOTAL,
@@ -104,14 +104,14 @@ ROWS = (
     Builtin(
         name="bit_not",
         signatures=("I -> I",),
-        doc="The bits that it has not.",
+        doc="All bits inverted.",
         operator="~",
         accuracy=_TOTAL,
     ),
     Builtin(
         name="shift_left",
         signatures=_SHIFT,
-        doc="The bits moved up; zeros follow. The amount is an `int` or a `uint`.",
+        doc="The bits shifted up and filled with zeros. The amount is an `int` or a `uint`.",
         operator="<<",
         domain=_shifts,
         needs="the amount is a `uint` below 32",
@@ -125,8 +125,8 @@ ROWS = (
         name="shift_right",
         signatures=_SHIFT,
         doc=(
-            "The bits moved down. Copies of the sign follow in an `int`, which makes it the "
-            "floored quotient by a power of two; zeros in a `uint`."
+            "The bits shifted down. An `int` is filled with copies of its sign, so the result is "
+            "the quotient by a power of two, rounded down; a `uint` is filled with zeros."
         ),
         operator=">>",
         domain=_shifts,
@@ -140,7 +140,7 @@ ROWS = (
     Builtin(
         name="count_bits",
         signatures=("I -> J",),
-        doc="How many bits are set.",
+        doc="The number of bits that are set.",
         definition="count_bits",
         range=_count,
         accuracy=_TOTAL,
@@ -160,8 +160,8 @@ ROWS = (
         name="first_leading_bit",
         signatures=("I -> J",),
         doc=(
-            "The place of the highest bit that is set, counted from 0; in a negative `int`, of "
-            "the highest that is not set. -1 where there is none."
+            "The position of the highest bit that is set, counted from 0; for a negative `int`, of "
+            "the highest that is not set. -1 if there is none."
         ),
         definition="first_leading_bit",
         accuracy=_TOTAL,
@@ -171,7 +171,7 @@ ROWS = (
     Builtin(
         name="first_trailing_bit",
         signatures=("I -> J",),
-        doc="The place of the lowest bit that is set, counted from 0; -1 where there is none.",
+        doc="The position of the lowest bit that is set, counted from 0; -1 if there is none.",
         definition="first_trailing_bit",
         accuracy=_TOTAL,
         cost=2,
@@ -181,8 +181,8 @@ ROWS = (
         name="extract_bits",
         signatures=("I, int, int -> I",),
         doc=(
-            "extract_bits(x, offset, count): the bits from an offset on, moved down to bit 0. "
-            "In an `int` the highest of them is the sign."
+            "extract_bits(x, offset, count): `count` bits of x from bit `offset` on, moved down to "
+            "bit 0. For an `int`, the highest of them is the sign."
         ),
         domain=nowhere,
         outside=_FIELD,
@@ -195,8 +195,8 @@ ROWS = (
         name="insert_bits",
         signatures=("I, I, int, int -> I",),
         doc=(
-            "insert_bits(x, y, offset, count): x, with the lowest bits of y in place of as many "
-            "from an offset on."
+            "insert_bits(x, y, offset, count): x, in which the lowest `count` bits of y replace "
+            "those from bit `offset` on."
         ),
         domain=nowhere,
         outside=_FIELD,
@@ -223,8 +223,8 @@ ROWS = (
         domain=_are_numbers,
         needs="the bits of a number that is not 0",
         outside=(
-            "0 for the bits of what is no number here: infinities, NaN, and magnitudes below "
-            "2^-126, zeros among them."
+            "0 for the bits of infinities and NaN, and of all magnitudes below 2^-126, which "
+            "include the zeros."
         ),
         expansion="float_of_bits",
         accuracy=_TOTAL,
@@ -234,7 +234,7 @@ ROWS = (
     Builtin(
         name="exponent",
         signatures=("float -> int", "vec2 -> ivec2", "vec3 -> ivec3", "vec4 -> ivec4"),
-        doc="The n for which the magnitude of x is mantissa(x) * 2^n; see `mantissa`.",
+        doc="The n for which x is mantissa(x) * 2^n; see `mantissa`.",
         domain=nowhere,
         outside="0 for magnitudes below 2^-126.",
         expansion="exponent",

@@ -1,4 +1,4 @@
-"""Rounding, limits and blending: functions that are cheap everywhere."""
+"""Rounding, limits and blending: functions that are cheap on every device."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def _sign_of(bound: float) -> float:
 
 
 def _rounding(function: Callable[[float], int]) -> RangeRule:
-    """The rule of a function to whole numbers that never decreases."""
+    """The range rule of a monotonic function whose results are whole numbers."""
 
     def whole(bound: float) -> float:
         return bound if math.isinf(bound) else float(function(bound))
@@ -109,7 +109,7 @@ ROWS = (
         name="abs",
         signatures=SIGNED,
         meaning="limits",
-        doc="Magnitude. That of the lowest integer is itself, since it has no positive twin.",
+        doc="Absolute value. The lowest integer stays as it is, because its negative does not fit.",
         range=_absolute,
         accuracy=EXACT,
     ),
@@ -117,7 +117,7 @@ ROWS = (
         name="sign",
         signatures=SIGNED,
         meaning="numbers",
-        doc="-1, 0 or 1, in the operand's own type; 0 for either zero.",
+        doc="-1, 0 or 1, in the operand's own type; 0 for 0.0 and for -0.0.",
         range=_sign,
         accuracy=EXACT,
         cost=2,
@@ -126,21 +126,21 @@ ROWS = (
     Builtin(
         name="floor",
         signatures=_FLOATS,
-        doc="The greatest whole number not above.",
+        doc="The greatest whole number that is not above the operand.",
         range=_rounding(math.floor),
         accuracy=EXACT,
     ),
     Builtin(
         name="ceil",
         signatures=_FLOATS,
-        doc="The least whole number not below.",
+        doc="The least whole number that is not below the operand.",
         range=_rounding(math.ceil),
         accuracy=EXACT,
     ),
     Builtin(
         name="round",
         signatures=_FLOATS,
-        doc="The nearest whole number; halves go to the even neighbour.",
+        doc="The nearest whole number; a half is rounded to the even neighbour.",
         range=_rounding(round),
         accuracy=EXACT,
         samples=((0.5,), (1.5,), (2.5,), (-0.5,), (-1.5,)),
@@ -148,14 +148,14 @@ ROWS = (
     Builtin(
         name="trunc",
         signatures=_FLOATS,
-        doc="The whole number next towards zero.",
+        doc="The operand without its fraction, so rounded towards zero.",
         range=_rounding(math.trunc),
         accuracy=EXACT,
     ),
     Builtin(
         name="fract",
         signatures=_FLOATS,
-        doc="What is above the floor: x - floor(x).",
+        doc="The part above the floor: x - floor(x).",
         range=_fraction,
         samples=((-0.25,), (1.75,)),
     ),
@@ -179,10 +179,10 @@ ROWS = (
         name="clamp",
         signatures=("N, N, N -> N", "N, L, L -> N"),
         meaning="limits",
-        doc="The first value, kept between the second and the third.",
+        doc="The first value, limited to the range from the second to the third.",
         domain=_ordered,
         needs="the lower limit is at most the upper one",
-        outside="Limits the wrong way round give the upper one: min(max(x, low), high).",
+        outside="Limits in the wrong order give the upper limit: min(max(x, low), high).",
         expansion="clamp",
         range=_clamped,
         accuracy=EXACT,
@@ -192,7 +192,7 @@ ROWS = (
     Builtin(
         name="saturate",
         signatures=_FLOATS,
-        doc="The value kept between 0 and 1.",
+        doc="The value, limited to the range from 0 to 1.",
         range=_saturated,
         accuracy=EXACT,
     ),
@@ -200,14 +200,14 @@ ROWS = (
         name="mix",
         signatures=("T, T, T -> T", "T, T, S -> T"),
         meaning="blend",
-        doc="Blend: x * (1 - a) + y * a. Goes on beyond the ends for an a outside 0 to 1.",
+        doc="Blend: x * (1 - a) + y * a. Extrapolates for an a outside of 0 to 1.",
         range=_blended,
         cost=2,
     ),
     Builtin(
         name="fma",
         signatures=("T, T, T -> T",),
-        doc="fma(x, y, z): x * y + z, rounded once or twice as the device likes.",
+        doc="fma(x, y, z): x * y + z. The device chooses whether it rounds once or twice.",
         range=_multiplied_and_added,
         cost=1,
     ),
@@ -215,7 +215,7 @@ ROWS = (
         name="step",
         signatures=("T, T -> T", "S, T -> T"),
         meaning="numbers",
-        doc="1 where the second value has reached the first, the edge; 0 before.",
+        doc="1 if the second value is at least the first, the edge; otherwise 0.",
         range=_stepped,
         accuracy=EXACT,
         cost=2,
@@ -228,7 +228,7 @@ ROWS = (
         doc="A smooth rise from 0 at the first edge to 1 at the second.",
         domain=_apart,
         needs="the first edge lies below the second",
-        outside="Equal edges make it step; edges the wrong way round mirror the curve.",
+        outside="With equal edges it is `step`; edges in the wrong order mirror the curve.",
         expansion="smoothstep",
         range=_ramped,
         cost=7,

@@ -1,4 +1,7 @@
-"""Comparisons, logic and choices, lane by lane. What ranges decide of them is folded away."""
+"""Comparisons, logic and choices, lane by lane.
+
+They have no range rules: the simplifier removes those whose result ranges decide.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,7 @@ def _comparison(
     doc: str,
     signatures: tuple[str, ...] = _ORDERED,
 ) -> Builtin:
-    """Comparisons differ in nothing but their sign and doc line."""
+    """The row of a comparison; comparisons differ only in their operator and documentation."""
     return Builtin(
         name=name,
         signatures=signatures,
@@ -36,34 +39,34 @@ ROWS = (
     Builtin(
         name="and",
         signatures=_LOGIC,
-        doc="Whether both hold.",
+        doc="Whether both conditions hold.",
         operator="&&",
         accuracy=EXACT,
     ),
     Builtin(
         name="or",
         signatures=_LOGIC,
-        doc="Whether at least one holds.",
+        doc="Whether at least one condition holds.",
         operator="||",
         accuracy=EXACT,
     ),
     Builtin(
         name="not",
         signatures=("B -> B",),
-        doc="Whether it does not hold.",
+        doc="Whether the condition does not hold.",
         operator="!",
         accuracy=EXACT,
     ),
     Builtin(
         name="any",
         signatures=_LANES,
-        doc="Whether at least one lane holds.",
+        doc="Whether at least one lane is true.",
         accuracy=EXACT,
     ),
     Builtin(
         name="all",
         signatures=_LANES,
-        doc="Whether every lane holds.",
+        doc="Whether every lane is true.",
         accuracy=EXACT,
     ),
     Builtin(
@@ -72,7 +75,7 @@ ROWS = (
         meaning="limits",
         doc="choose(c, x, y): x where the condition holds, else y, lane by lane.",
         domain=nowhere,
-        outside="Both are computed: it is no branch. For one condition, write `if`.",
+        outside="Both values are computed: it is not a branch. For one condition, write `if`.",
         expansion="choose",
         accuracy=EXACT,
     ),

@@ -1,4 +1,4 @@
-"""Conversions between kinds of lanes; the language spells them by the type's name, ``int(x)``."""
+"""Conversions between types of lanes; the language writes them as the type's name, ``int(x)``."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from .intervals import monotone
 from .row import EXACT, Builtin
 
 LARGEST_INT = 2147483520.0
-"""The greatest float32 that an int holds; the conversion clamps to it, as WGSL's does."""
+"""The largest float32 that fits an ``int``; the conversion clamps to it, as WGSL's does."""
 LARGEST_UINT = 4294967040.0
-"""The greatest float32 that a uint holds."""
+"""The largest float32 that fits a ``uint``."""
 _LOWEST_INT = -2147483648.0
 
 
 def _signatures(target: str, *sources: str) -> tuple[str, ...]:
-    """Every width of each source scalar to the same width of the target."""
+    """Signatures that convert each width of each source scalar to the same width of the target."""
     prefix = {"float": "", "int": "i", "uint": "u", "bool": "b"}
     return tuple(
         f"{source} -> {target}"
@@ -68,7 +68,7 @@ ROWS = (
         name="to_int",
         signatures=_signatures("int", "float", "uint", "bool"),
         meaning="numbers",
-        doc="A float cut towards zero, a uint's 32 bits, 1 for true or 0 for false.",
+        doc="A float truncated towards zero, the 32 bits of a uint, 1 for true or 0 for false.",
         domain=_fits_int,
         needs="the number fits an int",
         outside="A float is clamped to the floats that fit, -2147483648 to 2147483520.",
@@ -81,7 +81,7 @@ ROWS = (
         name="to_uint",
         signatures=_signatures("uint", "float", "int", "bool"),
         meaning="numbers",
-        doc="A float cut towards zero, an int's 32 bits, 1 for true or 0 for false.",
+        doc="A float truncated towards zero, the 32 bits of an int, 1 for true or 0 for false.",
         domain=_fits_uint,
         needs="the number fits a uint",
         outside="A float is clamped to the floats that fit, 0 to 4294967040.",

@@ -1,4 +1,4 @@
-"""How a value changes from pixel to pixel."""
+"""Derivatives: how a value changes from pixel to pixel."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ROWS = (
         name="ddx",
         signatures=("T -> T",),
         meaning="change",
-        doc="How much `x` grows to the next pixel on the right, along x of `frag_coord`.",
+        doc="The difference of `x` to the next pixel on the right, along x of `frag_coord`.",
         accuracy=DIFFERENCE,
         cost=2,
         uniform_control_flow=True,
@@ -22,7 +22,7 @@ ROWS = (
         name="ddy",
         signatures=("T -> T",),
         meaning="change",
-        doc="How much `x` grows to the next pixel below, along y of `frag_coord`.",
+        doc="The difference of `x` to the next pixel below, along y of `frag_coord`.",
         accuracy=DIFFERENCE,
         cost=2,
         uniform_control_flow=True,

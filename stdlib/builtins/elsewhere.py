@@ -1,8 +1,8 @@
-"""What other shading languages have, and what to write here in its place.
+"""The names of other shading languages, and what to write here in their place.
 
 Every function of GLSL 4.50 and ES 3.00 (chapter 8), of HLSL (the list of intrinsics) and of WGSL
-(chapter "Built-in Functions") either has a row in the table under the same name, or is found here.
-Messages about unknown names and the manual read this table.
+(chapter "Built-in Functions") either is a builtin with the same name, or is in this table. Messages
+about unknown names and the manual read it.
 """
 
 from __future__ import annotations
@@ -13,32 +13,32 @@ from types import MappingProxyType
 from ...frozen import frozen
 
 TEXTURE = "albedo"
-"""What is read in ``Instead.written``."""
+"""The name of the texture in ``Instead.written``."""
 
 
 @frozen
 class Instead:
-    """What stands here for a name of another language."""
+    """What to write here for a name of another language."""
 
     written: tuple[str, ...] = ()
-    """Expressions that say the same, in the names of ``SAMPLE``; several for several results."""
+    """Expressions with the same meaning, in the names of ``SAMPLE``; one for each result."""
     reason: str = ""
-    """Why nothing does, or what else to know."""
+    """Why there is no such expression, or what else to know."""
 
     @property
     def hint(self) -> str:
-        """What to tell who used the name."""
+        """The hint in the message about the unknown name."""
         shown = " and ".join(f"`{expression}`" for expression in self.written)
         parts = [f"it is {shown} here" if shown else "", self.reason]
         return "; ".join(filter(None, parts))
 
     @property
     def is_read(self) -> bool:
-        """Whether it reads a texture."""
+        """Whether the name is a function that reads a texture."""
         return any(expression.startswith(TEXTURE) for expression in self.written)
 
     def hint_for(self, texture: str) -> str:
-        """The same to who read this texture by it."""
+        """The hint for somebody who reads this texture."""
         return self.hint.replace(TEXTURE, texture)
 
 
@@ -46,15 +46,15 @@ SAMPLE: Mapping[str, str] = {
     "x": "float", "y": "float", "z": "float", "n": "int", "m": "int", "u": "uint", "k": "uint",
     "v": "vec3", "w": "vec3", "p": "vec4", "q": "vec4", "a": "mat3", "b": "mat3",
 }  # fmt: skip
-"""The names in ``Instead.written``, with their types; besides ``c`` and ``d``, which are bvec3, the
-``TEXTURE`` and the surface's ``uv``."""
+"""The names in ``Instead.written`` with their types. There are also ``c`` and ``d``, which are
+bvec3, the ``TEXTURE``, and the surface's ``uv``."""
 
 _READ = ("albedo(uv)",)
 _TEXTURES = "a texture is read by calling it: see Textures in the language reference"
 
 
 def _same(names: str, *written: str, reason: str = "") -> Iterator[tuple[str, Instead]]:
-    """Names that mean one thing."""
+    """Several names that mean the same."""
     for name in names.split():
         yield name, Instead(written, reason)
 
@@ -158,7 +158,7 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
     _same("textureGather", "albedo.gather(uv, 0)"),
     _same("textureQueryLevels textureNumLevels", "albedo.levels()"),
     _same("CheckAccessFullyMapped", reason="textures are there as a whole"),
-    # ---- what is left out
+    # ---- not offered
     _same("clip", reason="a pass says `discard when x < 0`"),
     _same(
         "noise noise1 noise2 noise3 noise4",
@@ -206,7 +206,7 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
         reason=_MEMORY,
     ),
     _same("printf print errorf abort", reason="shaders have nobody to tell"),
-    # ---- of engines, and of languages that are not for shading
+    # ---- functions of engines, and of languages that are not for shading
     _same("UnpackNormal", "normalize(2 * p.xyz - 1)"),
     _same("sum", "v.x + v.y + v.z", reason="a sum over numbers is `sum i in a..b : e`"),
     _same("product", "v.x * v.y * v.z", reason="a product is `product i in a..b : e`"),
@@ -251,7 +251,7 @@ TYPES: Mapping[str, str] = MappingProxyType(
         "color": "rgb", "colour": "rgb",
     }
 )  # fmt: skip
-"""Types of other languages, and the nearest one here."""
+"""Types of other languages, and the most similar type here."""
 
 VALUES: Mapping[str, str] = MappingProxyType(
     {
@@ -271,7 +271,7 @@ VALUES: Mapping[str, str] = MappingProxyType(
         "grey": "#808080",
     }
 )  # fmt: skip
-"""What other pipelines supply or take."""
+"""Inputs and outputs of other languages' pipelines."""
 
 METHODS: Mapping[str, str] = MappingProxyType(
     {
@@ -286,7 +286,7 @@ METHODS: Mapping[str, str] = MappingProxyType(
         "Gather": "name.gather(coordinate, lane)",
     }
 )
-"""Methods of textures elsewhere, and how such a texture is read here."""
+"""Texture methods of other languages, and how to read such a texture here."""
 
 _HOST = "a value from the host is a parameter: `param name : type`"
 _LOOP = "there are no statements; `sum i in 0..n : e` and `iterate` repeat"
@@ -344,4 +344,4 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         ),
     }
 )  # fmt: skip
-"""Words with which statements and declarations begin elsewhere."""
+"""Words that begin statements and declarations in other languages."""

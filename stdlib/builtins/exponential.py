@@ -12,11 +12,11 @@ _FLOATS = ("T -> T",)
 _EXP = Accuracy("(3 + 2 * abs(x)) ulp", WGSL_ACCURACY)
 _LOG = Accuracy("abs 2^-21 in [0.5, 2], else 3 ulp", WGSL_ACCURACY)
 _BEYOND = 1000.0
-"""An exponent far outside float32, and inside the numbers that Python computes with."""
+"""An exponent far outside of float32, but small enough for Python's floats."""
 
 
 def _root(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    # Inherited from 1 / inversesqrt(x): 2.5 and 2 ULP.
+    # The error is that of 1 / inversesqrt(x): 2.5 ulp and 2 ulp.
     return monotone(lambda bound: math.sqrt(max(bound, 0.0)), facts[0], 5.0)
 
 
@@ -35,7 +35,7 @@ def _exponential2(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _power_of_two(x: Fact, scale: float) -> Fact:
-    """Bounds on ``2 ** (scale * x)``; the error in ULP grows with the exponent."""
+    """Bounds of ``2 ** (scale * x)``; the error in ulp grows with the exponent."""
     least, most = scale * x.lo, scale * x.hi
     lo = 2.0 ** min(max(least, -_BEYOND), _BEYOND)
     hi = math.inf if most > _BEYOND else 2.0 ** max(most, -_BEYOND)
@@ -54,7 +54,7 @@ def _logarithm2(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _log2(x: Fact, scale: float) -> Fact:
-    """Bounds on ``scale * log2(x)``; near 1 the error is absolute."""
+    """Bounds of ``scale * log2(x)``; near 1 the error is absolute."""
     lo, hi = (
         bound if math.isinf(bound) else scale * math.log2(max(bound, SMALLEST_NORMAL))
         for bound in (max(x.lo, 0.0), x.hi)
@@ -67,7 +67,7 @@ def _power(facts: tuple[Fact, ...], _same: bool) -> Fact:
     if x.lo < SMALLEST_NORMAL or not math.isfinite(x.hi * y.most):
         most = max(1.0, _power_of_two(y, 2.0**-21).hi) if x.hi <= 1 and y.lo >= 0 else math.inf
         return Fact(0.0, most)
-    # exp2(y * log2(x)), where log2 is wrong by up to 2^-21 near 1, and by 3 ULP elsewhere.
+    # exp2(y * log2(x)), in which log2 is wrong by up to 2^-21 near 1, and by 3 ulp elsewhere.
     logs = Fact(math.log2(x.lo), math.log2(x.hi))
     lo, hi = products(logs, y)
     error = y.most * (2.0**-21 + logs.most * 2.0**-21)
@@ -106,7 +106,7 @@ ROWS = (
         doc="One over the square root.",
         domain=_normal,
         needs="the operand is above 0",
-        outside="Operands below the smallest normal number, 2^-126, count as that: 2^63.",
+        outside="Operands below the smallest normal number, 2^-126, count as this number: 2^63.",
         expansion="inversesqrt",
         range=_inverse_root,
         accuracy=Accuracy("2 ulp", WGSL_ACCURACY),
@@ -131,7 +131,7 @@ ROWS = (
     Builtin(
         name="exp",
         signatures=_FLOATS,
-        doc="e to the power of the operand. Beyond 88 the result leaves float32.",
+        doc="e to the power of the operand. Above 88 the result is too large for float32.",
         range=_exponential,
         accuracy=_EXP,
         cost=5,
@@ -139,7 +139,7 @@ ROWS = (
     Builtin(
         name="exp2",
         signatures=_FLOATS,
-        doc="2 to the power of the operand. From 128 on the result leaves float32.",
+        doc="2 to the power of the operand. From 128 on the result is too large for float32.",
         range=_exponential2,
         accuracy=_EXP,
         cost=4,
@@ -150,7 +150,7 @@ ROWS = (
         doc="Natural logarithm.",
         domain=_normal,
         needs="the operand is above 0",
-        outside="Operands below the smallest normal number, 2^-126, count as that.",
+        outside="Operands below the smallest normal number, 2^-126, count as this number.",
         expansion="log",
         range=_logarithm,
         accuracy=_LOG,
@@ -162,7 +162,7 @@ ROWS = (
         signatures=_FLOATS,
         doc="Logarithm to base 10.",
         domain=nowhere,
-        outside="Operands below the smallest normal number, 2^-126, count as that.",
+        outside="Operands below the smallest normal number, 2^-126, count as this number.",
         expansion="log10",
         cost=5,
         samples=((0.0,), (-1.0,), (1.0,), (1000.0,)),
@@ -173,7 +173,7 @@ ROWS = (
         doc="Logarithm to base 2.",
         domain=_normal,
         needs="the operand is above 0",
-        outside="Operands below the smallest normal number, 2^-126, count as that: -126.",
+        outside="Operands below the smallest normal number, 2^-126, count as this number: -126.",
         expansion="log2",
         range=_logarithm2,
         accuracy=_LOG,

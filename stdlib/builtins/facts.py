@@ -1,4 +1,8 @@
-"""What range analysis knows of a value: an interval, and how long a vector is."""
+"""``Fact``: what range analysis knows about a value: an interval, and the length of a vector.
+
+The range rules of builtins compute facts of results from facts of operands. Other compilers call
+this value ranges.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +12,11 @@ from typing import Literal
 from ...frozen import frozen
 
 SMALLEST_NORMAL = 2.0**-126
-"""Magnitudes below this may be flushed to zero by a device, so the meaning treats them as zero."""
+"""A device may flush smaller magnitudes to zero, so Burnish defines them to count as zero."""
 
 UNIT_SLACK = 1e-5
-"""How far float32 rounding may lengthen a vector of length one: a few ULP an operation, with room
-for a chain of them. Keeps ``acos(dot(n, l))`` from losing a clamp that it needs at run time."""
+"""By how much float32 rounding may lengthen a vector of length one: a few ulp for each operation,
+and enough for several of them. Because of it, ``acos(dot(n, l))`` keeps the clamp that it needs."""
 
 Kind = Literal["float", "int", "uint", "bool", "matrix"]
 
@@ -27,20 +31,21 @@ _LIMITS: dict[Kind, tuple[float, float]] = {
 
 @frozen
 class Fact:
-    """Bounds on every lane of a value. ``lo > hi`` never occurs; unknown is (-inf, inf)."""
+    """Bounds of every lane of a value. ``lo`` is never above ``hi``; unknown is (-inf, inf)."""
 
     lo: float = -math.inf
     hi: float = math.inf
     nonzero: bool = False
-    """Every lane's magnitude is known to be at least ``SMALLEST_NORMAL``."""
+    """Whether every lane's magnitude is at least ``SMALLEST_NORMAL``."""
     unit: bool = False
-    """The value is a vector of length one (by contract or by construction), up to rounding. It is
-    shorter only where ``normalize`` was given a vector too short to have a direction."""
+    """Whether the value is a vector of length one, by declaration or by construction, up to
+    rounding. It is shorter only if ``normalize`` got a vector that is too short to have a
+    direction."""
     length: float = 0.0
-    """The value is a vector at least so long, in exact numbers."""
+    """The value is a vector of at least this length, before rounding."""
     kind: Kind = "float"
-    """What the lanes are. The analysis stamps it from the value's type (``as_kind``); rules read
-    it, since integers wrap and a product of matrices is not a product lane by lane."""
+    """The type of the lanes. The analysis sets it from the value's type (``as_kind``). Rules need
+    it, because integers wrap, and a product of matrices is not a product lane by lane."""
 
     @property
     def excludes_zero(self) -> bool:
@@ -54,13 +59,13 @@ class Fact:
 
     @property
     def least(self) -> float:
-        """A lower bound on every lane's magnitude."""
+        """A lower bound of every lane's magnitude."""
         bound = max(self.lo, -self.hi, 0.0)
         return max(bound, SMALLEST_NORMAL) if self.nonzero else bound
 
     @property
     def most(self) -> float:
-        """An upper bound on every lane's magnitude."""
+        """An upper bound of every lane's magnitude."""
         return max(abs(self.lo), abs(self.hi))
 
     def within(self, lo: float, hi: float) -> bool:
@@ -68,7 +73,8 @@ class Fact:
         return lo <= self.lo and self.hi <= hi
 
     def as_kind(self, kind: Kind) -> Fact:
-        """This fact about lanes of ``kind``; bounds that its integers cannot hold may wrap."""
+        """This fact for lanes of type ``kind``; if an integer cannot hold the bounds, it may
+        wrap."""
         if self.kind == kind == "float":
             return self
         lo, hi = _LIMITS[kind]
@@ -79,7 +85,7 @@ class Fact:
         return Fact(lo, hi, kind=kind)
 
     def union(self, other: Fact) -> Fact:
-        """What is known of a value that is one of the two."""
+        """What is known about a value that is one of the two."""
         return Fact(
             min(self.lo, other.lo),
             max(self.hi, other.hi),
@@ -90,7 +96,7 @@ class Fact:
         )
 
     def meet(self, other: Fact) -> Fact:
-        """What is known of a value of which both hold; contradictions keep this fact."""
+        """What is known about a value for which both facts hold; if they contradict, this fact."""
         lo, hi = max(self.lo, other.lo), min(self.hi, other.hi)
         if lo > hi:
             return self

@@ -1,4 +1,4 @@
-"""Vectors as arrows: products, lengths, mirroring; and the classic lighting coefficients."""
+"""Builtins on geometric vectors: products, lengths, reflection, and lighting coefficients."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _WHOLE_PAIR = tuple(
 )
 _NARROWEST, _WIDEST = 2, 4
 _SHORTEST = 2.0**-60
-"""A length whose square is far from what a device may flush to zero."""
+"""The least length whose square is far above what a device may flush to zero."""
 
 
 def _is_float(facts: tuple[Fact, ...]) -> bool:
@@ -36,7 +36,8 @@ def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
 
 
 UNIT_PRODUCT = Fact(-1.0 - UNIT_SLACK, 1.0 + UNIT_SLACK)
-"""Of two vectors of length one; rounding may carry it past 1, so ``acos`` keeps its clamp."""
+"""The range of the product of two vectors of length one. Rounding may make it larger than 1, so
+``acos`` keeps its clamp."""
 
 
 def _outer(facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -49,7 +50,7 @@ def _outer(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 def _norm(facts: tuple[Fact, ...], _same: bool) -> Fact:
     (x,) = facts
-    # The diagonal of the box is at most twice its side, in four dimensions.
+    # In four dimensions, the diagonal of a box is at most twice its side.
     longest = 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + 2.0**-20)
     shortest = x.length * (1.0 - 2.0**-20) if x.length >= _SHORTEST else 0.0
     return Fact(min(shortest, longest), longest)
@@ -112,7 +113,7 @@ ROWS = (
         name="distance",
         signatures=_PAIR,
         meaning="distance",
-        doc="Distance of two points: length(x - y).",
+        doc="Distance between two points: length(x - y).",
         range=_apart,
         cost=7,
     ),
@@ -136,7 +137,7 @@ ROWS = (
         name="reflect",
         signatures=("V, V -> V",),
         meaning="reflected",
-        doc="reflect(i, n): i - 2 * dot(n, i) * n, which mirrors i when n has length one.",
+        doc="reflect(i, n): i - 2 * dot(n, i) * n, which mirrors i if n has length one.",
         range=_mirrored,
         cost=3,
         samples=((1.0, 0.0), (1.0, 2.0)),
@@ -145,8 +146,8 @@ ROWS = (
         name="refract",
         signatures=("V, V, S -> V",),
         meaning="reflected",
-        doc="refract(i, n, eta): i bent at a surface; 0 where it is reflected totally.",
-        outside="The formula stands for vectors not of length one too.",
+        doc="refract(i, n, eta): i refracted at a surface; 0 at total reflection.",
+        outside="The same formula is used for vectors whose length is not one.",
         cost=10,
         samples=((0.5, 0.5, 1.5), (0.6, -0.6, 0.75)),
     ),

@@ -11,7 +11,7 @@ from .row import WGSL_ACCURACY, Accuracy, Builtin, nowhere
 _FLOATS = ("T -> T",)
 _TANH = Accuracy("the worse of abs 1e-5 and inherited", WGSL_ACCURACY)
 _FLAT = 16.0
-"""From here on tanh is 1 in float32; further out, the quotient of exponentials would overflow."""
+"""From here on tanh is 1 in float32; far beyond, the quotient of exponentials would overflow."""
 
 
 def _tangent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -31,14 +31,14 @@ ROWS = (
         name="sinh",
         signatures=_FLOATS,
         meaning="numbers",
-        doc="Hyperbolic sine, (exp(x) - exp(-x)) / 2. Beyond 88 the result leaves float32.",
+        doc="Hyperbolic sine, (exp(x) - exp(-x)) / 2. Beyond 88 it is too large for float32.",
         cost=10,
     ),
     Builtin(
         name="cosh",
         signatures=_FLOATS,
         meaning="numbers",
-        doc="Hyperbolic cosine, (exp(x) + exp(-x)) / 2. Beyond 88 the result leaves float32.",
+        doc="Hyperbolic cosine, (exp(x) + exp(-x)) / 2. Beyond 88 it is too large for float32.",
         range=_cosine,
         cost=10,
     ),
@@ -49,7 +49,7 @@ ROWS = (
         doc="Hyperbolic tangent, sinh(x) / cosh(x).",
         domain=_is_near,
         needs="the operand lies within -16..16",
-        outside="-1 or 1 beyond -16 to 16, also where exponentials leave float32.",
+        outside="-1 or 1 outside of -16 to 16, also where exponentials are too large for float32.",
         expansion="tanh",
         range=_tangent,
         accuracy=_TANH,
@@ -60,9 +60,9 @@ ROWS = (
         name="asinh",
         signatures=_FLOATS,
         meaning="numbers",
-        doc="The x whose hyperbolic sine this is: log(x + sqrt(x * x + 1)).",
+        doc="Inverse hyperbolic sine: log(x + sqrt(x * x + 1)).",
         domain=nowhere,
-        outside="Also where the square leaves float32, and without loss for negative operands.",
+        outside="Also where x * x is too large for float32; as precise for negative operands.",
         expansion="asinh",
         cost=14,
         samples=((0.0,), (-3.0,), (1e30,), (-1e30,)),
@@ -71,7 +71,7 @@ ROWS = (
         name="acosh",
         signatures=_FLOATS,
         meaning="numbers",
-        doc="The x of 0 or more whose hyperbolic cosine this is: log(x + sqrt(x * x - 1)).",
+        doc="Inverse hyperbolic cosine, 0 or more: log(x + sqrt(x * x - 1)).",
         domain=nowhere,
         outside="0 for operands below 1.",
         expansion="acosh",
@@ -82,9 +82,9 @@ ROWS = (
         name="atanh",
         signatures=_FLOATS,
         meaning="numbers",
-        doc="The x whose hyperbolic tangent this is: log((1 + x) / (1 - x)) / 2.",
+        doc="Inverse hyperbolic tangent: log((1 + x) / (1 - x)) / 2.",
         domain=nowhere,
-        outside="The operand is clamped to -0.99999994 to 0.99999994, the last floats within.",
+        outside="The operand is clamped to -0.99999994 to 0.99999994, the floats next to -1 and 1.",
         expansion="atanh",
         cost=12,
         samples=((0.0,), (0.5,), (1.0,), (-7.0,)),

@@ -1,9 +1,9 @@
-"""Interval arithmetic for the range rules.
+"""Interval arithmetic for the range rules of builtins.
 
-Bounds hold for the float32 value that a device computes, not only for the exact one, because they
-remove guards from shaders. All endpoints are rounded outward, by as much as the operation's error
-bound allows; rounding being monotone, an endpoint that float32 holds exactly stays where it is.
-Zero stays too: no operation's error turns the sign of a result.
+Bounds must hold for the float32 value that a device computes, not only for the exact value, because
+guards are left out on their account. So all bounds are rounded outward, by the operation's error.
+Rounding is monotonic, so a bound that float32 represents exactly stays unchanged. Zero stays
+unchanged too: no operation's error changes the sign of a result.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from collections.abc import Callable
 from .facts import SMALLEST_NORMAL, Fact
 
 ULP = 2.0**-23
-"""The largest unit in the last place of a float32, relative to its value."""
+"""The largest unit in the last place (ulp) of a float32, relative to its value."""
 
 
 def outward(lo: float, hi: float, ulps: float = 0.0) -> Fact:
-    """The float32 interval around [lo, hi] when the operation is wrong by up to ``ulps``."""
+    """The float32 interval around [lo, hi] if the operation's error is up to ``ulps``."""
     return Fact(_stretch(lo, -1.0, ulps), _stretch(hi, 1.0, ulps))
 
 
@@ -49,23 +49,23 @@ def monotone(function: Callable[[float], float], fact: Fact, ulps: float = 0.0) 
 
 
 def product(x: float, y: float) -> float:
-    """``x * y`` of two bounds; an infinite bound only says that finite operands may be large."""
+    """``x * y`` for two bounds, where an infinite bound means that finite operands may be large."""
     return 0.0 if x == 0 or y == 0 else x * y
 
 
 def products(x: Fact, y: Fact) -> tuple[float, float]:
-    """The least and the greatest product of a value in each interval."""
+    """The least and the greatest product of a value of each interval."""
     corners = [product(a, b) for a in (x.lo, x.hi) for b in (y.lo, y.hi)]
     return min(corners), max(corners)
 
 
 def squares(x: Fact) -> tuple[float, float]:
-    """The least and the greatest square of a value in the interval."""
+    """The least and the greatest square of a value of the interval."""
     return product(x.least, x.least), product(x.most, x.most)
 
 
 def quotients(x: Fact, y: Fact, smallest: float) -> list[float]:
-    """Bounds on ``x / y`` for every ``y`` whose magnitude is at least ``smallest``."""
+    """Bounds of ``x / y`` for every ``y`` whose magnitude is at least ``smallest``."""
     corners: list[float] = []
     for lo, hi in ((y.lo, min(y.hi, -smallest)), (max(y.lo, smallest), y.hi)):
         if lo <= hi:

@@ -1,4 +1,4 @@
-"""Square matrices. Their product is a form of ``mul``."""
+"""Builtins on square matrices. The product of matrices is a form of ``mul``."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ROWS = (
         signatures=("vec2, vec2 -> mat2", "vec3, vec3 -> mat3", "vec4, vec4 -> mat4"),
         doc="outer(c, r): the matrix whose columns are c times each lane of r.",
         domain=nowhere,
-        outside="Not every backend has it; it is written out.",
+        outside="Not every backend has it, so it is expanded.",
         expansion="outer",
         accuracy=EXACT,
         cost=4,
@@ -33,9 +33,9 @@ ROWS = (
     Builtin(
         name="hadamard",
         signatures=("M, M -> M",),
-        doc="The product of two matrices lane by lane. That of linear algebra is `m * n`.",
+        doc="The product of two matrices lane by lane. The product of linear algebra is `m * n`.",
         domain=nowhere,
-        outside="Not every backend has it; it is written out.",
+        outside="Not every backend has it, so it is expanded.",
         expansion="hadamard",
         accuracy=EXACT,
         cost=4,
@@ -44,9 +44,9 @@ ROWS = (
         name="inverse",
         signatures=("M -> M",),
         meaning="reversed",
-        doc="The matrix that undoes this one.",
+        doc="The inverse matrix.",
         domain=nowhere,
-        outside="The zero matrix where the determinant is below 2^-126 in magnitude.",
+        outside="The zero matrix if the magnitude of the determinant is below 2^-126.",
         expansion="inverse",
         cost=60,
     ),

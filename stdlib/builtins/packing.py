@@ -1,4 +1,4 @@
-"""Several small numbers in the 32 bits of a `uint`, the first in the lowest ones."""
+"""Packing: several small numbers in the 32 bits of a ``uint``, the first in the lowest bits."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ _LARGEST_HALF = 65504.0
 
 
 def _quantized(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """Rounding never decreases, and goes by at most half a step: 2^-11 of a value, or 2^-25."""
+    """Rounding never decreases, and changes a value by at most half a step: 2^-11 of it, or
+    2^-25."""
     (x,) = facts
     lo, hi = (min(max(bound, -_LARGEST_HALF), _LARGEST_HALF) for bound in (x.lo, x.hi))
     lowest = 0.0 if lo >= 0 else lo - (-lo * 2.0**-11 + 2.0**-25)
@@ -41,7 +42,7 @@ def _unpack(name: str, vector: str, doc: str, accuracy: Accuracy = _UNPACKED) ->
         signatures=(f"uint -> {vector}",),
         doc=doc,
         domain=nowhere,
-        outside="Every pattern of bits has a value.",
+        outside="Every bit pattern has a value.",
         expansion=name,
         accuracy=accuracy,
         cost=8,
@@ -74,13 +75,13 @@ ROWS = (
     _unpack(
         "unpack_half2x16",
         "vec2",
-        "Two floats of 16 bits; infinities and NaN are 0.",
+        "Two floats of 16 bits as lanes; infinities and NaN become 0.",
         _EXACT,
     ),
     Builtin(
         name="quantize_half",
         signatures=("T -> T",),
-        doc="What `pack_half2x16` and `unpack_half2x16` leave of a value.",
+        doc="The value after `pack_half2x16` and `unpack_half2x16`: rounded to 16 bits.",
         domain=nowhere,
         outside="Clamped to -65504 to 65504.",
         expansion="quantize_half",

@@ -1,7 +1,7 @@
-"""Reads of textures.
+"""Texture reads.
 
-The texture is the first operand; in an array of textures the layer follows behind the coordinate,
-and is clamped to those that there are.
+The texture is the first operand. For arrays of textures, the layer follows the coordinate, and is
+clamped to the existing layers.
 """
 
 from __future__ import annotations
@@ -15,22 +15,22 @@ COUNT = Accuracy("correct", "an integer")
 
 
 def _all_zero(facts: tuple[Fact, ...]) -> bool:
-    """Whether place, layer and level are those that every texture has."""
+    """Whether coordinate, layer and level are 0, which every texture has."""
     return all(fact.lo == fact.hi == 0.0 for fact in facts[1:])
 
 
 def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
-    """Whether a reference is in 0..1; formats differ in what they make of others."""
+    """Whether a reference is in 0..1; formats treat other references differently."""
     return facts[-1].within(0.0, 1.0)
 
 
 def _share(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """What a comparison gives, or a mean of some."""
+    """The result of a comparison, or a mean of several."""
     return Fact(0.0, 1.0)
 
 
 def _counted(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """At least one of everything, and no more than any device has."""
+    """At least one, and no more than any device allows."""
     return Fact(1.0, 65536.0, nonzero=True)
 
 
@@ -53,7 +53,7 @@ ROWS = (
         method="level",
         parameters=("coordinate", "level"),
         signatures=("F, K, float -> vec4", "texture2d_array, vec2, int, float -> vec4"),
-        doc="The colour at a coordinate in a level of detail, filtered; fractions mix two levels.",
+        doc="The filtered colour at a coordinate in a level of detail; fractions blend two levels.",
         accuracy=FILTERED,
         cost=16,
         sampler="filtering",
@@ -64,8 +64,8 @@ ROWS = (
         method="grad",
         parameters=("coordinate", "dx", "dy"),
         signatures=("F, K, K, K -> vec4", "texture2d_array, vec2, int, vec2, vec2 -> vec4"),
-        doc="The colour at a coordinate, in the level that fits a coordinate which changes by the "
-        "last two operands from one pixel to the next, to the right and downwards.",
+        doc="The filtered colour at a coordinate, in the level that fits if the coordinate changes "
+        "by the last two operands from one pixel to the next, to the right and downwards.",
         accuracy=FILTERED,
         cost=16,
         sampler="filtering",
@@ -80,7 +80,7 @@ ROWS = (
             "texture2d_array, vec2, int, int -> vec4",
             "texture_cube, vec3, int -> vec4",
         ),
-        doc="One lane of the four texels between which a filtered read would mix, at level 0: "
+        doc="One lane of the four texels that a filtered read would blend, at level 0: "
         "lower left, lower right, upper right, upper left. The lane is a constant in 0..3.",
         accuracy=TEXEL,
         cost=16,
@@ -93,11 +93,12 @@ ROWS = (
         method="",
         parameters=("coordinate", "reference"),
         signatures=("D, K, float -> float", "depth2d_array, vec2, int, float -> float"),
-        doc="The share, filtered, of depths at a coordinate that the last operand compares with as "
-        "the map says: with `less_equal`, 1 where it is not behind what is stored. Reads level 0.",
+        doc="The share of depths at a coordinate, filtered, for which the map's comparison holds, "
+        "with the last operand, the reference, on its left. With `less_equal` it is 1 where the "
+        "reference is not behind the stored depth. Reads level 0.",
         domain=_reference_is_depth,
         needs="the reference lies in 0..1",
-        outside="References are taken to 0..1, where depths are.",
+        outside="References are clamped to 0..1, the range of depths.",
         expansion="compare",
         range=_share,
         accuracy=FILTERED,
@@ -110,10 +111,10 @@ ROWS = (
         method="gather",
         parameters=("coordinate", "reference"),
         signatures=("depth2d, vec2, float -> vec4", "depth2d_array, vec2, int, float -> vec4"),
-        doc="The four comparisons that a filtered one mixes, each 0 or 1, as `gather` orders them.",
+        doc="The four comparisons that a filtered one would blend, each 0 or 1, as in `gather`.",
         domain=_reference_is_depth,
         needs="the reference lies in 0..1",
-        outside="References are taken to 0..1, where depths are.",
+        outside="References are clamped to 0..1, the range of depths.",
         expansion="gather_compare",
         range=_share,
         accuracy=TEXEL,
@@ -127,10 +128,10 @@ ROWS = (
         parameters=("place", "level"),
         optional=(0,),
         signatures=("G, W, int -> E", "H, ivec2, int, int -> E"),
-        doc="One texel by its place, the first at the top left, and its level; not filtered.",
+        doc="One unfiltered texel by its integer coordinate and level; (0, 0) is at the top left.",
         domain=_all_zero,
         needs="place, layer and level are 0, which every texture has",
-        outside="Places, layers and levels beyond the texture are those at its edge.",
+        outside="Coordinates, layers and levels out of bounds are clamped to the edge.",
         expansion="load",
         accuracy=TEXEL,
         cost=8,
@@ -142,10 +143,10 @@ ROWS = (
         parameters=("level",),
         optional=(0,),
         signatures=("X, int -> W",),
-        doc="The size of a level in texels; of one layer or face.",
+        doc="The size of a level in texels; for arrays and cubes, that of one layer or face.",
         domain=_all_zero,
         needs="the level is 0, which every texture has",
-        outside="Levels beyond the last one have its size.",
+        outside="Levels beyond the last one have the size of the last one.",
         expansion="texture_size",
         range=_counted,
         accuracy=COUNT,
@@ -156,7 +157,7 @@ ROWS = (
         meaning="numbers",
         method="layers",
         signatures=("H -> int",),
-        doc="How many layers there are.",
+        doc="The number of layers.",
         range=_counted,
         accuracy=COUNT,
         cost=2,
@@ -166,7 +167,7 @@ ROWS = (
         meaning="numbers",
         method="levels",
         signatures=("X -> int",),
-        doc="How many levels of detail there are.",
+        doc="The number of levels of detail.",
         range=_counted,
         accuracy=COUNT,
         cost=2,

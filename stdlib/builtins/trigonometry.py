@@ -1,4 +1,4 @@
-"""Angles, in radians."""
+"""Trigonometric functions; angles are in radians."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _ARC = Accuracy("4096 ulp", WGSL_ACCURACY)
 _CLAMPED_ARC = Accuracy("the worse of abs 6.8e-5 and inherited", WGSL_ACCURACY)
 _WAVE_ERROR = 2.0**-11
 _ARC_ERROR = 4096 * 2.0**-22 + 6.8e-5
-"""4096 ULP of an angle below 4, or the absolute bound of asin and acos."""
+"""4096 ulp of an angle below 4, or the absolute error of asin and acos."""
 
 
 def _between(lo: float, hi: float) -> RangeRule:
-    """The rule of a function whose results lie between fixed bounds."""
+    """The range rule of a function whose results lie between fixed bounds."""
     fact = Fact(lo, hi)
     return lambda _facts, _same: fact
 
@@ -33,7 +33,7 @@ def _cosine(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _wave(x: Fact, lowest: float, highest: float, wave: Callable[[float], float]) -> Fact:
-    """Bounds on a wave with these extremes; its accuracy is promised within -pi to pi only."""
+    """Bounds of a wave with these extremes; its accuracy is promised only within -pi to pi."""
     lo, hi = -1.0, 1.0
     if x.within(-math.pi, math.pi):
         ends = wave(x.lo), wave(x.hi)
@@ -68,7 +68,7 @@ ROWS = (
         name="sin",
         signatures=_FLOATS,
         meaning="numbers",
-        doc="Sine. Its accuracy is promised within -pi to pi only.",
+        doc="Sine. Its accuracy is promised only within -pi to pi.",
         range=_sine,
         accuracy=_WAVE,
         cost=4,
@@ -77,7 +77,7 @@ ROWS = (
         name="cos",
         signatures=_FLOATS,
         meaning="numbers",
-        doc="Cosine. Its accuracy is promised within -pi to pi only.",
+        doc="Cosine. Its accuracy is promised only within -pi to pi.",
         range=_cosine,
         accuracy=_WAVE,
         cost=4,
@@ -86,7 +86,7 @@ ROWS = (
         name="tan",
         signatures=_FLOATS,
         meaning="numbers",
-        doc="Tangent, sin(x) / cos(x). Near its poles the result may leave float32.",
+        doc="Tangent, sin(x) / cos(x). Near its poles the result may be too large for float32.",
         range=_tangent,
         cost=9,
     ),
@@ -136,7 +136,7 @@ ROWS = (
         needs="the first operand is not 0, or the second is above 0",
         outside=(
             "atan2(0, 0) is 0, and atan2(0, x) of a negative x is pi. For an x below 2^-126, "
-            "a y of -0.0 or below that magnitude counts as 0."
+            "a y of -0.0 or of a magnitude below 2^-126 counts as 0."
         ),
         expansion="atan2",
         range=_between(-math.pi - _ARC_ERROR, math.pi + _ARC_ERROR),

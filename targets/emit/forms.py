@@ -130,8 +130,8 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "column": "matrix position",
             "array": "type elements",
             "member": "block name",
-            "stored": "value type",
             "block_argument": "type name",
+            "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",
         }.items()

@@ -7,6 +7,7 @@ import re
 
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Diagnostic, Label, Rule
+from burnish.compiler.diagnostics.fixes import Edit, Fix
 from burnish.compiler.diagnostics.nearest import nearest, suggestion
 from burnish.compiler.diagnostics.serialise import serialise
 from burnish.compiler.diagnostics.source import Source, Span
@@ -18,12 +19,14 @@ def test_the_json_form_is_complete() -> None:
     source = Source("a.burnish", "a = 1\nb = tnt")
     span = Span(source, 10, 13)
     rule = Rule("B9999", "warning", "", "Help.")
-    diagnostic = Diagnostic(rule, "wrong", span, "here", (Label(span, "there"),), "mend it")
+    fixes = (Fix((Edit(span, "b"), Edit(Span(source, 0, 0), "b = 2\n")), "maybe-incorrect"),)
+    diagnostic = Diagnostic(rule, "wrong", span, "here", (Label(span, "there"),), "mend it", fixes)
     place = {
         "file": "a.burnish",
         "start": {"line": 2, "column": 5, "offset": 10},
         "end": {"line": 2, "column": 8, "offset": 13},
     }
+    begin = {"line": 1, "column": 1, "offset": 0}
     assert json.loads(json.dumps(serialise(diagnostic))) == {
         "code": "B9999",
         "severity": "warning",
@@ -32,6 +35,18 @@ def test_the_json_form_is_complete() -> None:
         "caption": "here",
         "labels": [{"span": place, "text": "there"}],
         "hint": "mend it",
+        "fixes": [
+            {
+                "applicability": "maybe-incorrect",
+                "edits": [
+                    {"span": place, "text": "b"},
+                    {
+                        "span": {"file": "a.burnish", "start": begin, "end": begin},
+                        "text": "b = 2\n",
+                    },
+                ],
+            }
+        ],
         "help": "Help.",
     }
 

@@ -1,4 +1,8 @@
-"""``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables."""
+"""``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables.
+
+Run it after changing the grammar, a builtin, a diagnostic, a route or a tolerance. A test fails
+if a page is not up to date.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +14,7 @@ from pathlib import Path
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.compiler.ir.rulebook import RULES
+from burnish.compiler.syntax.ast import KINDS
 from burnish.stdlib.builtins import (
     BUILTINS,
     Builtin,
@@ -41,11 +46,11 @@ BUILTINS_HEAD = f"""{NOTE}
 
 # Builtin functions and operators
 
-One table in `stdlib/builtins` declares all of them, and this page is made from it.
+This page is made from the table in `stdlib/builtins`, which declares all of them.
 
-A builtin has **one meaning on every backend**. Where backends differ or leave something open, the
-entry says under *Outside* what Burnish means there; the compiler adds what is needed to get it, and
-leaves it away where it can prove that the operands never go there. See
+A builtin has **one meaning on every backend**. For operands where backends differ or do not
+define the result, the entry says under *Outside* what Burnish defines. The compiler adds a guard
+to get this result, and leaves it out where it can prove that there are no such operands. See
 [guards](language.md#guards-and-unguarded) in the language reference.
 
 **Signatures.** A letter stands for one type throughout a signature:
@@ -58,23 +63,24 @@ leaves it away where it can prove that the operands never go there. See
 | `N` | `T`, and `int`, `uint`, `ivec2` … `ivec4`, `uvec2` … `uvec4` |
 | `I` | `int`, `uint`, `ivec2` … `ivec4`, `uvec2` … `uvec4` |
 | `L` | one lane of `N` |
-| `U`, `J` | the `uint`s and `int`s with as many lanes as `I` or `T` |
+| `U`, `J` | `uint`, and `int`, with as many lanes as `I` or `T` |
 | `B` | `bool`, `bvec2`, `bvec3`, `bvec4` |
-| `P`, `Q` | `N` and `B`; the `bool`s with as many lanes as `P` or `N` |
+| `P`, `Q` | `N` and `B`; `bool`, with as many lanes as `P` or `N` |
 | `M`, `C` | `mat2`, `mat3`, `mat4`; the vector that is a column of `M` |
 | `F`, `D` | `texture2d`, `texture3d`, `texture_cube`; `depth2d`, `depth_cube` |
-| `K` | `vec2`, of `3d` textures and cubes `vec3` |
-| `G`, `H`, `X` | all `2d` and `3d` textures; all `2d_array` ones; all there are |
-| `W` | `ivec2`, of `3d` textures `ivec3` |
-| `E` | `vec4`, of depths `float`, of whole numbers `ivec4` or `uvec4` |
+| `K` | `vec2`; for `3d` textures and cubes, `vec3` |
+| `G`, `H`, `X` | all `2d` and `3d` textures; all `2d_array` ones; all textures |
+| `W` | `ivec2`; for `3d` textures, `ivec3` |
+| `E` | `vec4`; for depths, `float`; for integers, `ivec4` or `uvec4` |
 
-Where a letter allows vectors, a scalar may stand beside a vector and counts as that scalar in every
-lane: `max(v, 0)`, `mix(0, v, t)`.
+Where a letter allows vectors, a scalar may be combined with a vector. It counts as a vector with
+this scalar in every lane: `max(v, 0)`, `mix(0, v, t)`.
 
-**Accuracy** is the error bound of the float32 operation and where it is promised. Where the
-specification of a backend says nothing, as those of OpenGL and OpenGL ES do, the same bound is
-assumed. *Correct* means correctly rounded, *ulp* is a unit in the last place of the result,
-*inherited* is what follows from writing the function out by its definition.
+**Accuracy** is the largest error of the float32 operation, and the specification that promises
+it. If the specification of a backend says nothing, as those of OpenGL and OpenGL ES do, the same
+error is assumed. *Correct* means correctly rounded, *ulp* is a unit in the last place of the
+result, and *inherited* means that the error follows from the function's definition in terms of
+others.
 """
 
 THEMES = (
@@ -113,16 +119,16 @@ def builtins_page() -> str:
 
 ELSEWHERE_HEAD = """## What other languages call it
 
-Every function of GLSL 4.50 and ES 3.00, of HLSL's list of intrinsics and of WGSL stands above under
-its own name, or in this table, from which messages about unknown names take their advice. In it
-`x`, `y`, `z` are floats, `n` and `m` ints, `u` and `k` uints, `v` and `w` `vec3`s, `p` and `q`
-`vec4`s, `c` a `bvec3`, `a` and `b` `mat3`s, `albedo` a texture. `fwidth(x)` is a function of the
-library.
+Every function of GLSL 4.50 and ES 3.00, of HLSL's list of intrinsics and of WGSL is listed above
+under the same name, or in this table. Messages about unknown names take their advice from it,
+too. Here `x`, `y`, `z` are floats, `n` and `m` ints, `u` and `k` uints, `v` and `w` `vec3`s, `p`
+and `q` `vec4`s, `c` a `bvec3`, `a` and `b` `mat3`s, `albedo` a texture. `fwidth(x)` is a function
+of the library.
 """
 
 
 def _elsewhere() -> Iterator[str]:
-    """The names of other languages, and what to write for them."""
+    """The tables of names in other languages, and what to write for them."""
     yield ELSEWHERE_HEAD
     found: dict[tuple[tuple[str, ...], str], list[str]] = {}
     for name, instead in FUNCTIONS.items():
@@ -156,7 +162,7 @@ def _builtin(row: Builtin) -> Iterator[str]:
     if row.outside:
         yield f"- *Outside:* {row.outside}"
     if row.uniform_control_flow:
-        yield "- Compares neighbouring pixels, so it is not available under `@vertex`."
+        yield "- Compares neighbouring pixels, so it cannot be used under `@vertex`."
     yield f"- *Accuracy:* {row.accuracy.bound} ({row.accuracy.source})\n"
 
 
@@ -172,7 +178,7 @@ def _written(row: Builtin) -> str:
 
 
 def _read(row: Builtin) -> str:
-    """How a texture `t` is read; a layer, which only arrays have, would stand second."""
+    """How a texture ``t`` is read. Arrays also have a layer, as the second argument."""
     method = f".{row.method}" if row.method else ""
     return f"t{method}({', '.join(row.parameters)})"
 
@@ -201,12 +207,13 @@ DIAGNOSTICS_HEAD = f"""{NOTE}
 
 # Diagnostics
 
-Every error and warning has a code. The code stays what it is from one version to the next, and a
-retired one is not used again. `burnish explain B0203` shows an entry on the command line,
-`burnish check FILE --format json` gives what was found to programs. Words in braces are filled in.
+Every error and warning has a code. Codes stay the same from one version to the next, and the code
+of a removed diagnostic is not used again. `burnish explain B0203` shows an entry on the command
+line, and `burnish check FILE --format json` writes what it finds for programs. Words in braces
+are placeholders.
 
-Errors end a compile: nothing is written, the exit code is 1, and the library raises `CompileError`.
-Warnings do not.
+After an error a compile writes nothing, the exit code is 1, and the library raises `CompileError`.
+Warnings have no such effect.
 """
 
 SECTIONS = {
@@ -235,14 +242,21 @@ def diagnostics_page() -> str:
 
 
 def _code(message: str) -> str:
-    """A message template as inline code, whatever back quotes it has itself."""
+    """A message template as inline code, even if it contains back quotes."""
     return f"`` {message} ``"
 
 
 def language_page() -> str:
-    """The language reference as it is, with the grammar as it is today."""
+    """The language reference with its grammar brought up to date."""
     page = (DOCS / "language.md").read_text(encoding="utf-8")
-    return re.sub(r"(?<=^```lark\n).*?(?=^```$)", lambda _: _grammar(), page, flags=_LINES)
+    page = re.sub(r"(?<=^```lark\n).*?(?=^```$)", lambda _: _grammar(), page, flags=_LINES)
+    return _spliced(page, "members", _table(("member", "declares", "belongs in"), _members()))
+
+
+def _members() -> Iterator[tuple[str, ...]]:
+    for kind in KINDS:
+        written = re.findall(r"`[^`]+`", kind.form)[0]
+        yield written, kind.doc, kind.places
 
 
 _LINES = re.MULTILINE | re.DOTALL
@@ -251,14 +265,14 @@ _IGNORED = re.compile(r"%ignore|(?:DOC|FILE_DOC|COMMENT|BLANK):")
 
 
 def _grammar() -> str:
-    """The grammar without remarks and blanks."""
+    """The grammar without comments and the rules for blank space."""
     lines = GRAMMAR.read_text(encoding="utf-8").splitlines()
     kept = [_REMARK.sub("", line).rstrip() for line in lines if not _IGNORED.match(line)]
     return re.sub(r"\n{3,}", "\n\n", "\n".join(kept)).strip() + "\n"
 
 
 def conformance_page() -> str:
-    """The page on conformance as it is, with the tables of routes and drivers as they are today."""
+    """The page on conformance with its tables of routes and drivers brought up to date."""
     page = (DOCS / "conformance.md").read_text(encoding="utf-8")
     page = _spliced(page, "routes", _table(("route", "text", "how"), _routes()))
     heading = ("driver", "absolute", "relative", "reason", "functions with larger errors")
@@ -285,14 +299,14 @@ def _places() -> Iterator[tuple[str, ...]]:
 
 
 def graph_page() -> str:
-    """The page on graphs as it is, with the rules of range analysis as they are today."""
+    """The page on graphs with its table of the rules of range analysis brought up to date."""
     page = (DOCS / "graph.md").read_text(encoding="utf-8")
     rows = ((f"`{name}`", words) for name, words in RULES.items())
     return _spliced(page, "rules", _table(("rule", "what it says"), rows))
 
 
 def _spliced(page: str, name: str, text: str) -> str:
-    """The page with ``text`` between its marks for ``name``."""
+    """The page with ``text`` between its marks ``<!-- name -->`` and ``<!-- end -->``."""
     marked = re.compile(f"(?<=<!-- {name} -->\n).*?(?=<!-- end -->)", re.DOTALL)
     return marked.sub(lambda _: text, page, count=1)
 

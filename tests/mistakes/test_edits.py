@@ -2,75 +2,67 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from pathlib import Path
+from contextlib import chdir
 
 import pytest
 
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
+from burnish.compiler.diagnostics.fixes import Edit, Fix
 
 from .kit import FOLDER, Case, cases, told
 
-_OFFERS = re.compile(
-    r"(?:write|read \d lanes:|read one lane, as in|say what the other lanes are:|did you mean)"
-    r" `([^`…]+)`(?! (?:and|or) `)"
-)
-"""Hints of one text that stands in place of another."""
-_DECLARES = re.compile(r" [:=] |^import ")
-"""What is written for a whole line stands in place of more than the span."""
-_OPERANDS = ("B0302", "B0305")
-"""Rules about several operands, one of which is edited."""
-_CONVERTED = re.compile(r"\w+\((.*)\)")
-_SHORTENED = re.compile(r"\.[xyzw]+$")
+Found = list[tuple[Case, tuple[Diagnostic, ...]]]
 
 
-@pytest.fixture(autouse=True)
-def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
+@pytest.fixture(scope="module", autouse=True)
+def found(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Found]:
+    """All that is said of the programs of this folder."""
+    with chdir(tmp_path_factory.mktemp("programs")):
+        paths = sorted(FOLDER.glob("*.txt"))
+        yield [(case, told(case)) for path in paths for case in cases(path)]
 
 
-def edited(case: Case, found: Diagnostic) -> str | None:
-    """The program with the edit that a message offers; None if it offers none in place."""
-    offer = _OFFERS.match(found.hint)
-    if offer is None or found.span is None or found.span.source.name != "m.burnish":
-        return None
-    if _DECLARES.search(offer[1]):
-        return None
-    text, start, end = case.program, found.span.start, found.span.end
-    old, new = text[start:end], offer[1]
-    if found.rule.code in _OPERANDS and found.hint.startswith("write"):
-        new = _with_operand(old, new)
-    return text[:start] + new + text[end:]
+def edited(text: str, edits: tuple[Edit, ...]) -> str:
+    """A text with edits made, the last one first, so that the others' places stay."""
+    for edit in sorted(edits, key=lambda edit: edit.span.start, reverse=True):
+        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    return text
 
 
-def _with_operand(written: str, edit: str) -> str:
-    """An expression with one operand edited."""
-    inside = _CONVERTED.fullmatch(edit)
-    operand = inside[1] if inside and inside[1] in written else _SHORTENED.sub("", edit)
-    before, _, behind = written.rpartition(operand)
-    return before + edit + behind
+def fixes(found: Found) -> Iterator[tuple[Case, tuple[Diagnostic, ...], Diagnostic, Fix]]:
+    """Each fix that is offered for a program, with everything else that is said of it."""
+    for case, diagnostics in found:
+        for diagnostic in diagnostics:
+            for fix in diagnostic.fixes:
+                yield case, diagnostics, diagnostic, fix
 
 
-def offers() -> Iterator[tuple[Case, Diagnostic, str]]:
-    """All edits that are offered for the programs of this folder."""
-    for path in sorted(FOLDER.glob("*.txt")):
-        for case in cases(path):
-            for found in told(case):
-                if (text := edited(case, found)) is not None:
-                    yield case, found, text
-
-
-def test_what_is_offered_works() -> None:
+def test_what_is_offered_works(found: Found) -> None:
     tried = 0
-    for case, found, text in offers():
-        assert found.span is not None
+    for case, _, diagnostic, fix in fixes(found):
+        assert diagnostic.span is not None
+        assert all(edit.span.source is diagnostic.span.source for edit in fix.edits)
         tried += 1
-        left = told(Case("edited", text, ""))
+        text = edited(case.program, fix.edits)
         same = [
-            each
-            for each in left
-            if each.rule is found.rule and each.span and each.span.start == found.span.start
-        ]
-        assert same == [], (case.title, found.hint)
+            left
+            for left in told(Case("edited", text, ""))
+            if left.rule is diagnostic.rule and left.message == diagnostic.message
+            and left.span and left.span.start == diagnostic.span.start
+        ]  # fmt: skip
+        assert same == [], (case.title, diagnostic.hint, text)
     assert tried > 100
+
+
+def test_what_a_tool_may_do_unasked_brings_no_new_errors(found: Found) -> None:
+    tried = 0
+    for case, diagnostics, diagnostic, fix in fixes(found):
+        if fix.applicability == "machine-applicable":
+            tried += 1
+            before = sorted(each.message for each in diagnostics if each is not diagnostic)
+            left = sorted(
+                each.message for each in told(Case("edited", edited(case.program, fix.edits), ""))
+            )
+            assert left == before, (case.title, diagnostic.hint)
+    assert tried > 20

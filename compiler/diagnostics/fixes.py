@@ -1,0 +1,71 @@
+"""Hints that change the text: edits that an editor, or a tool, can make by itself.
+
+Whoever reports a finding may give a ``FixIt`` in place of a sentence. The sentence is shown to
+people; the edits are part of the JSON that ``burnish check --format json`` writes.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ...frozen import frozen
+from .source import Span
+
+Applicability = Literal["machine-applicable", "maybe-incorrect"]
+"""Whether a tool may make a change without asking.
+
+``machine-applicable`` means that the change is certainly what was meant: another spelling of the
+same thing. ``maybe-incorrect`` means that the finding is gone after the change, but that a person
+has to say whether the text then means what was intended.
+"""
+
+
+@frozen
+class Edit:
+    """``text`` replaces what stands at ``span``; an empty span inserts, an empty text removes."""
+
+    span: Span
+    text: str
+
+
+@frozen
+class Fix:
+    """One way to mend a finding: edits that are made together and do not overlap."""
+
+    edits: tuple[Edit, ...]
+    applicability: Applicability = "maybe-incorrect"
+
+
+@frozen
+class FixIt:
+    """A hint that says what to write."""
+
+    text: str
+    """The sentence, in which a long edit may be abbreviated."""
+    fixes: tuple[Fix, ...]
+    """The changes it speaks of; where there are several, each one alone is enough."""
+
+
+Hint = str | FixIt
+"""How to mend one finding: only a sentence, empty for none, or a sentence with edits."""
+
+
+def fix_it(text: str, *edits: tuple[Span, str], sure: bool = False) -> FixIt:
+    """A hint whose edits belong together; ``sure`` means that a tool may make them unasked."""
+    applicability: Applicability = "machine-applicable" if sure else "maybe-incorrect"
+    return FixIt(text, (Fix(tuple(Edit(*edit) for edit in edits), applicability),))
+
+
+def write(span: Span, text: str, *, sure: bool = False) -> FixIt:
+    """``write …`` in place of what stands at ``span``."""
+    return fix_it(f"write `{text}`", (span, text), sure=sure)
+
+
+def either(text: str, span: Span, *instead: str) -> FixIt:
+    """A hint with several texts that may stand at ``span``."""
+    return FixIt(text, tuple(Fix((Edit(span, one),)) for one in instead))
+
+
+def sentence(hint: Hint) -> str:
+    """What a hint says to people."""
+    return hint if isinstance(hint, str) else hint.text

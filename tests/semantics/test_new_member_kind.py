@@ -1,0 +1,190 @@
+"""A kind of member can be added in three files, and everything else derives what it knows of it.
+
+The test changes a copy of the package as ``docs/architecture.md`` says it, and compiles with that.
+"""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import burnish
+
+ROOT = Path(burnish.__file__).parent
+
+GRAMMAR = "compiler/syntax/burnish.lark"
+TABLE = "compiler/syntax/ast/members.py"
+CONTRIBUTES = "compiler/semantics/declarations/parameters.py"
+
+CHANGES = (
+    (GRAMMAR, "_member: param |", "_member: knob | param |"),
+    (GRAMMAR, "\nsetting: name", '\nknob: "knob" name "=" expression\nsetting: name'),
+    (TABLE, "Member = Param |", "Member = Knob | Param |"),
+    (
+        TABLE,
+        "\nMember =",
+        '''
+@frozen(eq=False)
+class Knob:
+    """``knob gain = 0.5``: a number that the host sets."""
+
+    span: Span
+    doc: str
+    name: Name
+    type: TypeName | None
+    value: Expression
+
+
+def _knob(span: Span, doc: str, name: Name, value: Expression) -> Knob:
+    return Knob(span, doc, name, None, value)
+
+
+Member =''',
+    ),
+    (
+        TABLE,
+        "\nKINDS: tuple[MemberKind, ...] = (",
+        """
+KINDS: tuple[MemberKind, ...] = (
+    MemberKind(
+        word="knob",
+        node=Knob,
+        productions={"knob": _knob},
+        opening=("NAME", "="),
+        records=("material",),
+        inheritance="overridden",
+        contribution="parameter",
+        form="a knob is `knob name = 0.5`",
+        doc="a number that the host sets",
+    ),""",
+    ),
+    (
+        CONTRIBUTES,
+        "from ...syntax import ast\n",
+        "from ...syntax import ast\nfrom ...syntax.ast.members import Knob\n",
+    ),
+    (
+        CONTRIBUTES,
+        "\n_LEAVES_OF: Mapping[type, Callable[[Lowering, Definition, str], Leaves]] = {",
+        """
+def _of_knob(low: Lowering, definition: Definition, name: str) -> Leaves:
+    knob = definition.member
+    assert isinstance(knob, Knob)
+    number = ast.TypeName(knob.span, ast.Name("float", knob.name.span))
+    param = ast.Param(knob.span, knob.doc, knob.name, number, None, None, knob.value)
+    return _of_param(low, Definition(param, definition.owner, definition.level), name)
+
+
+_LEAVES_OF: Mapping[type, Callable[[Lowering, Definition, str], Leaves]] = {
+    Knob: _of_knob,""",
+    ),
+)
+
+PROGRAM = """
+material Bright {
+    /// How much
+    knob gain = 0.5
+    knob bias = 0.25
+    color = vec3(gain + bias)
+}
+material Half : Bright {
+    gain = 0.5 * inherited.gain
+    bias = 0.125
+}
+"""
+
+COMPILE = f"""
+import burnish
+for made in burnish.compile({PROGRAM!r}, targets=("wgsl",)).materials:
+    shown = [(p["name"], p["type"], p["default"], p["doc"]) for p in made.reflection["parameters"]
+             if p["name"] in ("gain", "bias")]
+    print(made.name, shown)
+"""
+
+CHECK = """
+import sys
+import burnish
+from burnish.compiler.diagnostics.render import render
+(found,) = burnish.check(sys.argv[1])
+print(render(found))
+"""
+
+
+@pytest.fixture(scope="module")
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder with a copy of the package that has knobs."""
+    folder = tmp_path_factory.mktemp("knobs")
+    copy = folder / "burnish"
+    copy.mkdir()
+    for name in ("compiler", "stdlib", "targets"):
+        ignored = shutil.ignore_patterns("__pycache__")
+        shutil.copytree(ROOT / name, copy / name, ignore=ignored)
+    for path in ROOT.glob("*.py"):
+        shutil.copy(path, copy)
+    for name, before, after in CHANGES:
+        text = (copy / name).read_text("utf-8")
+        assert before in text, (name, before)
+        (copy / name).write_text(text.replace(before, after, 1), "utf-8")
+    return folder
+
+
+def run(package: Path, script: str, *arguments: str) -> str:
+    """What a script prints that imports the changed package."""
+    command = [sys.executable, "-c", script, *arguments]
+    done = subprocess.run(
+        command, cwd=package, capture_output=True, text=True, check=False, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_three_files_are_changed() -> None:
+    assert {name for name, _, _ in CHANGES} == {GRAMMAR, TABLE, CONTRIBUTES}
+
+
+def test_it_is_a_parameter_that_can_be_overridden(package: Path) -> None:
+    assert run(package, COMPILE) == (
+        "Bright [('gain', 'float', 0.5, 'How much'), ('bias', 'float', 0.25, '')]\n"
+        "Half [('gain', 'float', 0.5, 'How much')]\n"
+    )
+
+
+def material(members: str) -> str:
+    return f"material M {{\n{members}\ncolor = #fff\n}}"
+
+
+@pytest.mark.parametrize(
+    ("text", "first", "advice"),
+    [
+        (
+            "light L { knob a = 1 to_light = vec3(0, 0, 1) }",
+            "error[B0213]: `knob` does not belong in a light",
+            "`knob` belongs in a material",
+        ),
+        (
+            f"knob a = 1\n{material('')}",
+            "error[B0101]: expected a declaration, found `knob`",
+            "`knob` belongs in a material",
+        ),
+        (
+            material("konb a = 1"),
+            "error[B0101]: expected a member, found `konb`",
+            "did you mean `knob`?",
+        ),
+        (
+            material("knob a : float"),
+            "error[B0101]: expected `=`, found `:`",
+            "a value stands behind `=`: `a = …`",
+        ),
+        (material("knob a = 1\nknob a = 2"), "error[B0202]: `a` is declared twice", ""),
+        (material("b = vec3(1 +\nknob a = 2"), "error[B0108]: this `(` is never closed", ""),
+    ],
+)
+def test_messages_know_it(package: Path, text: str, first: str, advice: str) -> None:
+    lines = run(package, CHECK, text).splitlines()
+    assert lines[0] == first
+    assert lines[-1].endswith(f"help: {advice}") or not advice
