@@ -141,8 +141,7 @@ def _target(
         return None
     name = target.name.text
     low.notes.names.setdefault(value.id, name)
-    state = RenderTarget(name, format_, blend, target.doc, target.span)
-    return Result(TARGET, FRAGMENT, value, state)
+    return Result(TARGET, FRAGMENT, value, name, target.doc, RenderTarget(format_, blend))
 
 
 def _blend(low: Lowering, drawn: Record, target: ast.Target) -> str:
