@@ -10,10 +10,12 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 
-from ..ir.leaves import Attribute, InterpolationMode
+from ..ir.leaves import Attribute
 from ..ir.node import Node
+from ..ir.operations import CROSS
 from ..ir.program import Field, Varying
 from ..ir.shader import Notes
+from ..ir.stages import InterpolationMode
 from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
 
 SLOT_LANES = 4
@@ -35,8 +37,8 @@ class _Slot:
 
 
 def crossings(nodes: Iterable[Node]) -> list[Node]:
-    """The ``interpolate`` nodes among those of a stage."""
-    return [node for node in nodes if node.op == "interpolate"]
+    """The ``cross`` nodes among those of a stage."""
+    return [node for node in nodes if node.op == "cross"]
 
 
 def pack_varyings(
@@ -58,7 +60,7 @@ def pack_varyings(
     for node in by_width:
         (value,) = node.operands
         kind = scalar_kind(value.type)
-        mode: InterpolationMode = "flat" if node.data == "flat" else "perspective"
+        mode = CROSS.data(node).mode
         assert kind is not None and isinstance(value.type, Scalar | Vector)
         slot = next((slot for slot in slots if slot.takes(value, kind, mode)), None)
         if slot is None:

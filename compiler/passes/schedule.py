@@ -317,7 +317,7 @@ def is_access(node: Node) -> bool:
     if node.op in PARTS:
         whole = node.operands[0]
         return whole.op in LEAVES or whole.op == "iterate" or is_access(whole)
-    return node.op in ("interpolate", "splat")
+    return node.op in ("cross", "splat")
 
 
 def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[tuple[int, bool]]:

@@ -7,7 +7,6 @@ from typing import ClassVar
 
 from ...compiler.ir.node import Formal, Node, Op
 from ...compiler.ir.operations import FORMAL, INPUT, MEMBER, SWIZZLE
-from ...compiler.ir.program import Function
 from ...compiler.ir.types import (
     Matrix,
     Scalar,
@@ -21,7 +20,7 @@ from ...compiler.ir.types import (
 from .context import Context
 from .leaves import Leaves
 from .literals import literal
-from .natives import Natives
+from .natives import Callee, Natives
 from .precedence import Binding, Text, choice
 
 DEEPEST = 200
@@ -35,7 +34,7 @@ class Expressions:
         self,
         context: Context,
         leaves: Leaves,
-        functions: Mapping[Node, tuple[str, Function]],
+        functions: Mapping[Node, Callee],
     ) -> None:
         self.bound: dict[int, str] = {}
         """Names of bound nodes, by id."""
@@ -115,7 +114,7 @@ class Expressions:
         return lanes[:1] if len(set(lanes)) == 1 and self._forms.splat_constant else lanes
 
     def _input(self, node: Node) -> Text:
-        text, type_ = self._leaves.input(INPUT.data(node))
+        text, type_ = self._leaves.input(INPUT.data(node).name)
         return text if type_ == node.type else Text(f"{self._types.type(node.type)}({text.text})")
 
     def _native(self, node: Node) -> Text:
@@ -155,7 +154,7 @@ class Expressions:
     def _swizzle(self, node: Node) -> Text:
         lanes = SWIZZLE.data(node)
         (source,) = node.operands
-        if source.op == "interpolate" and source.id not in self.bound:
+        if source.op == "cross" and source.id not in self.bound:
             return self._leaves.interpolated(source, lanes)
         operand = self.operand(source).within(Binding.POSTFIX)
         return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
@@ -191,8 +190,7 @@ class Expressions:
         )
 
     def _call(self, node: Node) -> Text:
-        name, _function = self._functions[node.operands[0]]
-        return Text(f"{name}({self._arguments(node.operands[1:])})")
+        return self._functions[node.operands[0]].call(map(self.text, node.operands[1:]))
 
     def _formal(self, node: Node) -> Text:
         return Text(self.formals[FORMAL.data(node)], Binding.NAME)
@@ -202,7 +200,7 @@ class Expressions:
         "parameter": _parameter,
         "resource": _resource,
         "attribute": _attribute,
-        "interpolate": _interpolated,
+        "cross": _interpolated,
         "input": _input,
         "native": _native,
         "vector": _vector,

@@ -103,7 +103,7 @@ def _shared_body(
         body = build.floating(low.graph, float(body.data))
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
     for node in changing((body,), set(formals)):
-        if node.op == "interpolate":
+        if node.op == "cross":
             where = low.notes.spans.get(node.id, function.body.span)
             low.report.add(rules.CROSSING_PER_LIGHT, where)
             return FAILURE

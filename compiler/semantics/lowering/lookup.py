@@ -362,7 +362,7 @@ def _note(low: Lowering, instance: Instance, name: str, level: int, node: Node) 
     is_inherited = level != OUTERMOST and overridden and isinstance(own.member, ast.Slot)
     shown = f"{instance.prefix}_{name}" if instance.prefix else name
     crossing = bare(node)
-    for named in (node, *crossing.operands) if crossing.op == "interpolate" else (node,):
+    for named in (node, *crossing.operands) if crossing.op == "cross" else (node,):
         if is_inherited and named.id not in low.notes.names:
             low.notes.wholes[named.id] = shown
         low.notes.names.setdefault(named.id, f"inherited_{shown}" if is_inherited else shown)

@@ -38,7 +38,7 @@ OPERATORS: Mapping[ast.FoldWord, FoldOperator] = {
 }  # fmt: skip
 _OF_NOTHING: Mapping[FoldOperator, float | bool] = {"add": 0, "mul": 1, "and": True, "or": False}
 """What a fold without terms and without a value to begin with is."""
-_VARYING = frozenset({"interpolate", "attribute", "input", "resource"})
+_VARYING = frozenset({"cross", "attribute", "input", "resource"})
 
 
 def folded(
@@ -199,7 +199,7 @@ def _combined(
     body: Node,
     initial: Node | None,
 ) -> Node | Failure:
-    crosses = any(node.op == "interpolate" for node in changing((body,), {turns.formal}))
+    crosses = any(node.op == "cross" for node in changing((body,), {turns.formal}))
     if initial is None and operator in ("min", "max"):
         if not turns.known or turns.bound == 0:
             low.report.add(rules.NO_INITIAL, e.span, word=e.operator)
@@ -363,7 +363,7 @@ def _allowed(
 ) -> bool:
     """Whether everything in a loop has a meaning there; ``waits``: pixels may stop apart."""
     inside = list(changing(bodies, formals))
-    crossing = next((node for node in inside if node.op == "interpolate"), None)
+    crossing = next((node for node in inside if node.op == "cross"), None)
     if crossing is not None and (states or not turns.known or turns.bound > CROSSING_TURNS):
         low.report.add(rules.CROSSING_IN_LOOP, low.notes.spans.get(crossing.id, span))
         return False
