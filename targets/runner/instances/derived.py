@@ -42,8 +42,7 @@ def compute(steps: Sequence[Row], inputs: Inputs) -> Named:
 
 
 def compute_elements(steps: Sequence[Row], inputs: Inputs, count: int) -> tuple[Named, ...]:
-    """The value of the last step for each element of an array; its number is the only free
-    variable.
+    """The last step's value for each element of an array; its number is the only free variable.
 
     Elements that are not in use are computed as well; no function raises, whatever they contain.
     """

@@ -1,5 +1,4 @@
-"""Makes parameters attributes: ``instance.torch.axis``, ``instance.lamps[2].place``,
-``rig.torch``."""
+"""Parameters as attributes: ``instance.torch.axis``, ``instance.lamps[2].place``, ``rig.torch``."""
 
 from __future__ import annotations
 

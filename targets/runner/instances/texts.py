@@ -1,5 +1,4 @@
-"""Parses values that are written as text on a command line: ``32``, ``0,-1,0``, ``true``,
-``#ff8800``.
+"""Parses values that are written as text on a command line, such as ``0,-1,0`` or ``#ff8800``.
 
 The numbers of a matrix are written column after column, those of an array element after element. A
 word that has no meaning is returned unchanged, so that the check of the value reports it.

@@ -1,5 +1,4 @@
-"""Converts what a host passes into lanes as the GPU will see them, and checks shape, type and
-range.
+"""Converts what a host passes into lanes as the GPU will see them, and checks that they fit.
 
 The checks are strict: a declared range, the length of a direction and the bounds of an array are
 promises because of which the compiler has left out guards.

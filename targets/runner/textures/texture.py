@@ -100,8 +100,7 @@ class Texture:
         sample: Kind = "float",
         levels: Sequence[Any] = (),
     ) -> Texture:
-        """The texture of an array of shape (height, width), or (height, width, lanes) with 1, 3 or
-        4 lanes.
+        """The texture of an array (height, width), or (height, width, lanes) with 1, 3 or 4 lanes.
 
         If the dimension is not ``2d``, layers, slices or faces come first: (6, size, size, 4).
 
@@ -150,8 +149,7 @@ class Texture:
 
     @classmethod
     def parse(cls, text: str, *, dimension: Dimension = "2d", sample: Kind = "float") -> Texture:
-        """The texture that a command line describes: ``picture.png``, ``srgb:picture.png`` or
-        ``#b5651d``.
+        """A texture from a command line: ``picture.png``, ``srgb:picture.png`` or ``#b5651d``.
 
         If the dimension is not ``2d``, the pictures of layers, slices or faces are separated by
         commas: ``srgb:px.png,nx.png,py.png,ny.png,pz.png,nz.png``. Raises ``PictureError``.
@@ -185,8 +183,7 @@ class Texture:
         return Image(self.format, self.width, self.height, self.levels, self.dimension, self.depth)
 
     def linear(self) -> list[NDArray[np.float64] | NDArray[np.int64]]:
-        """Each level exactly as a shader reads it: (height, width, 4), or (height, width, 1) for
-        depths.
+        """Each level as a shader reads it: (height, width, 4), or (height, width, 1) for depths.
 
         If the dimension is not ``2d``, the layers come first.
         """
