@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from ..layout import stored_type
 from .domains import Domains, MixedDomainsError
 from .node import Binder, Formal, Node, Op, binders, bodies_of, reachable
 from .operations import BOUND, FORMAL, OPERATIONS, PARAMETER, Form, Operation
+from .storage import stored_type
 from .types import Type
 
 Variables = frozenset[tuple[Formal | int, Type]]

@@ -12,8 +12,8 @@ from ...diagnostics.source import Span
 from ...ir.leaves import HostPlace
 from ...ir.node import Node
 from ...ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
+from ...ir.storage import alignment, byte_size, stored_type
 from ...ir.types import Array, Scalar, Type, Vector
-from ...layout import alignment, byte_size, stored_type
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..names.modules import Module, Symbol
