@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics.nearest import suggestion
@@ -12,12 +11,10 @@ from ...diagnostics.source import Span
 from ...ir.node import Node, bare
 from ...ir.types import Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ...syntax import ast
+from ...syntax.quoting import counted, operand, spanned
+from ..names.modules import Symbol
+from ..state.scope import RigEntry, Scope
 from ..types.typenames import NAMED
-from .wording import counted, operand, spanned
-
-if TYPE_CHECKING:
-    from ..names.modules import Symbol
-    from ..state.scope import RigEntry, Scope
 
 _FEW = 8
 """As many names can be listed."""

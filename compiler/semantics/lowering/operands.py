@@ -6,7 +6,6 @@ An edit is offered where the builtin is known to take what comes of it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics import rules
@@ -26,14 +25,12 @@ from ...ir.types import (
     with_width,
 )
 from ...syntax import ast
+from ...syntax.quoting import counted, operand, spanned
 from ..hints import advice
-from ..hints.wording import counted, operand, spanned
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from ..types import overloads
 from ..types.overloads import Operand
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 _INTEGERS = frozenset(FAMILIES["I"].kinds)
 _LANES = "xyzw"
@@ -49,22 +46,22 @@ def listed(operands: Sequence[Node]) -> str:
 
 
 def no_signature(
-    low: Lowering, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
+    ctx: Context, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
 ) -> Failure:
     """Report operands that no signature of a builtin takes."""
     row = BUILTINS[name]
     if row.operator:
         types = [str(node.type) for node in operands]
-        low.report.add(
+        ctx.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
-            hint=advice.cut_quotient(operands) or _operator_hint(low, name, operands, written),
+            hint=advice.cut_quotient(operands) or _operator_hint(ctx, name, operands, written),
         )  # fmt: skip
         return FAILURE
     candidates = f"candidates: {overloads.signatures(row)}"
     if not overloads.takes(name, len(operands)):
         counts = sorted({len(s.split("->")[0].split(",")) for s in row.signatures})
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_COUNT, span, name=shown,
             expected=counted(" or ".join(map(str, counts)), "argument"), found=len(operands),
             hint=_of_another_count(name, written) or candidates,
@@ -72,7 +69,7 @@ def no_signature(
         return FAILURE
     edit = _parts(operands) or advice.cut_quotient(operands) or _edited(name, operands, written)
     hint = edit or candidates
-    low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
+    ctx.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
     return FAILURE
 
 
@@ -141,7 +138,7 @@ def _of_one_length(operands: Sequence[Node], written: Written) -> list[Edit]:
 # --- operators -----------------------------------------------------------------------------------
 
 
-def _operator_hint(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> str:
+def _operator_hint(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> str:
     """How to mend ``x * i`` between a float and an integer, and the like."""
     of_bits = all(signature.startswith("I") for signature in BUILTINS[name].signatures)
     ways: tuple[Callable[[], str], ...] = (
@@ -149,7 +146,7 @@ def _operator_hint(low: Lowering, name: str, operands: Sequence[Node], written: 
         lambda: _bits(name, operands) if of_bits else "",
         lambda: _edited(name, operands, written),
         lambda: _integers(operands, written),
-        lambda: _of_matrices(low, name, operands, written),
+        lambda: _of_matrices(ctx, name, operands, written),
         lambda: advice.joined_types(name, operands[0].type, operands[-1].type),
     )
     return next((hint for way in ways if (hint := way())), "")
@@ -177,7 +174,7 @@ def _integers(operands: Sequence[Node], written: Written) -> str:
     return f"write `{types[1]}({left})` or `{types[0]}({right})`, which keeps the bits"
 
 
-def _of_matrices(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> str:
+def _of_matrices(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> str:
     """How to mend ``matrix * vector`` of different sizes, and ``matrix / number``."""
     if len(operands) != 2 or not isinstance(operands[0].type, Matrix):
         return ""
@@ -185,7 +182,7 @@ def _of_matrices(low: Lowering, name: str, operands: Sequence[Node], written: Wr
     size, type_ = operands[0].type.size, operands[1].type
     if name == "div" and isinstance(type_, Scalar):
         return f"a matrix is multiplied: `{matrix} * (1.0 / {vector})`"
-    by = low.meanings.of(operands[0])
+    by = ctx.meanings.of(operands[0])
     if type_ == VEC3 and by is not None and by.kind == "transform":
         space = by.spaces[0]
         return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"

@@ -21,7 +21,7 @@ from ...ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
 
 
-class Stages:
+class Crossings:
     """Makes and removes crossings in one graph."""
 
     def __init__(self, graph: Graph, report: Report, notes: Notes) -> None:

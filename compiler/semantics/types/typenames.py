@@ -31,7 +31,7 @@ from ...ir.types import (
     Vector,
 )
 from ...syntax import ast
-from ..hints.wording import counted
+from ...syntax.quoting import counted
 
 SCALAR_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 SPACES = frozenset({"object", "world", "view", "clip", "tangent", "light"})
