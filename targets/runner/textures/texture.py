@@ -6,7 +6,7 @@ data, such as normals or roughness.
 
 An array of textures has layers, a 3D texture has slices, and a cube has the faces +x, -x, +y, -y,
 +z, -z. Seen from inside a cube with y upwards, the first row of a side's face is at the top. In a
-right-handed world, a face is mirrored. Direct3D, Vulkan, OpenGL, WebGPU and files of cube maps all
+right-handed world, a face is reversed. Direct3D, Vulkan, OpenGL, WebGPU and files of cube maps all
 do it this way.
 """
 

@@ -39,13 +39,13 @@ class Bindings:
             buffer.write(data)
 
     def bind_textures(self, gpu: Gpu, views: Sequence[Any]) -> None:
-        """Point the textures' descriptors to these views."""
+        """Make the textures' descriptors refer to these views."""
         for slot, sampler, view in zip(self.slots.textures, self.samplers, views, strict=True):
             info = vk.VkDescriptorImageInfo(sampler=sampler, imageView=view, imageLayout=READ)
             self._write(gpu, slot.texture, _texture_type(slot), pImageInfo=[info])
 
     def fill(self, gpu: Gpu) -> None:
-        """Point the descriptors that never change to the blocks' buffers and the samplers."""
+        """Make the descriptors that never change refer to the blocks' buffers and the samplers."""
         for block, buffer in zip(self.slots.blocks, self.blocks, strict=True):
             part = vk.VkDescriptorBufferInfo(buffer=buffer.handle, range=buffer.size)
             self._write(gpu, block.place, BLOCK, pBufferInfo=[part])
