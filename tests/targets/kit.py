@@ -59,6 +59,9 @@ def printed(program: Program, selected: Selected, options: EmitOptions | None = 
     return emit(legalise(program, selected.target, selected.profile), options)
 
 
+BY_NAME = {str(selected): selected for selected in PROFILES}
+
+
 def emitted(
     program: Program, selected: Selected, options: EmitOptions | None = None
 ) -> dict[str, str]:
