@@ -14,7 +14,7 @@ from .description import FieldRole
 from .expressions import Expressions
 from .leaves import Leaves
 from .namer import Namer
-from .natives import Callee
+from .natives import Callee, Natives
 from .origins import Marks
 from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
@@ -50,6 +50,7 @@ class StagePrinter:
             )
             for function in stage.functions
         }
+        self._natives = Natives(context, self._leaves, self._functions)
         self._marks = marks
 
     def entry(self, name: str) -> EntryView:
@@ -90,7 +91,7 @@ class StagePrinter:
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
         """Printers for one function body."""
-        expressions = Expressions(self._context, self._leaves, self._functions)
+        expressions = Expressions(self._context, self._leaves, self._natives, self._functions)
         return expressions, Statements(self._context, expressions, namer, self._marks)
 
     def _value(self, expressions: Expressions, node: Node | None) -> str:
