@@ -13,7 +13,7 @@ from .description import PipelineInput, Spellings
 from .names import Names
 from .precedence import Text
 from .spelling import TypeSpeller
-from .textures import TextureSpeller
+from .texture_declarations import TextureSpeller
 
 
 class Context:

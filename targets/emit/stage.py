@@ -19,7 +19,7 @@ from .origins import Marks
 from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
 
-_ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "target"}
+_ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "render target"}
 """What an output's field is to a language, by the kind of result."""
 
 
@@ -143,7 +143,7 @@ class StagePrinter:
         table = {
             "attribute": self._names.attributes,
             "varying": self._names.varyings,
-            "target": self._names.targets,
+            "render target": self._names.render_targets,
         }
         return table[role][field.name]
 
