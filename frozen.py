@@ -1,9 +1,10 @@
-"""Frozen records that cost next to nothing to declare.
+"""``frozen``: like ``dataclass(frozen=True, slots=True)``, but cheap to declare.
 
-``dataclasses`` writes eight methods for every class and compiles them while the module is imported:
-most of a millisecond a class, which a hundred classes make the larger part of starting Burnish.
-Here only the initialiser is written out, and not before the first record is made; the other methods
-are shared. Records are also made and unpickled faster, as nothing goes through ``__setattr__``.
+Almost every record of the compiler is declared with it. ``dataclasses`` writes and compiles eight
+methods for each class while the module is imported. This takes most of a millisecond for each
+class; for a hundred classes, it would be the larger part of the time to start Burnish. Here only
+the initialiser is generated, when the first record is made, and all other methods are shared.
+Records are also made and unpickled faster, because nothing goes through ``__setattr__``.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from typing import Any, TypeVar, dataclass_transform, overload
 T = TypeVar("T")
 
 EMPTY: Any = MappingProxyType({})
-"""The default of a field that holds a ``Mapping``."""
+"""The default of a field whose type is ``Mapping``."""
 
 
 @overload
@@ -29,12 +30,12 @@ def frozen(
 def frozen(
     cls: type[T] | None = None, /, *, eq: bool = True, kw_only: bool = False, key: bool = False
 ) -> Any:
-    """A class of slotted, unchangeable records, as ``dataclass(frozen=True, slots=True)`` makes it.
+    """Make a class of slotted, immutable records.
 
-    The annotations are the fields, in the order of the initialiser's parameters; they have to be
-    texts (``from __future__ import annotations``). With ``eq=False`` every record is equal to
-    itself alone; with ``kw_only=True`` fields are initialised by name. ``key=True`` is for what is
-    part of keys far more often than it is made: its hash is worked out when it is made.
+    Its annotations are the fields, in the order of the initialiser's parameters. They must be texts
+    (``from __future__ import annotations``). With ``eq=False`` a record is equal only to itself;
+    with ``kw_only=True`` fields are initialised by name. ``key=True`` is for records that are part
+    of keys much more often than they are made: the hash is computed when the record is made.
     """
     if cls is None:
         return lambda decorated: _frozen(decorated, eq, kw_only, key)
@@ -42,7 +43,7 @@ def frozen(
 
 
 def changed(record: T, **changes: Any) -> T:
-    """A copy of a record with some fields changed."""
+    """A copy of a record in which some fields are changed."""
     kind: Any = type(record)
     for name in kind.__match_args__:
         if name not in changes:
@@ -66,7 +67,7 @@ def _frozen(cls: type[T], eq: bool, kw_only: bool, key: bool) -> type[T]:
 
 
 def _on_first_use(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., None]:
-    """An initialiser that writes the true one when it is first called."""
+    """An initialiser that generates the real one when it is first called."""
 
     def first(self: object, *arguments: object, **named: object) -> None:
         cls.__init__ = _initialiser(cls, defaults, kw_only)
@@ -76,7 +77,7 @@ def _on_first_use(cls: Any, defaults: dict[str, object], kw_only: bool) -> Calla
 
 
 def _initialiser(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., None]:
-    """Puts each argument into its slot, past the ``__setattr__`` that refuses."""
+    """Generate an initialiser that stores each argument in its slot, without ``__setattr__``."""
     names = cls.__match_args__
     known: dict[str, Any] = {f"default_{name}": value for name, value in defaults.items()}
     known |= {f"set_{name}": getattr(cls, name).__set__ for name in names}

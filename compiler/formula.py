@@ -1,4 +1,7 @@
-"""Values as a person would write them: short formulas in Burnish's notation, for explanations."""
+"""Prints nodes as short formulas in Burnish's notation.
+
+``burnish graph`` and the proofs show them to people.
+"""
 
 from __future__ import annotations
 
@@ -12,19 +15,19 @@ from .ir.shader import Notes
 from .ir.types import Scalar
 
 DEEPEST = 5
-"""Levels of a formula that are written out; the rest is ``…``."""
+"""How many levels of a formula are printed; deeper ones are ``…``."""
 LONGEST = 60
-"""Characters of a formula, about."""
+"""The approximate number of characters of a formula."""
 
 _INDEX = "i"
-"""The variable of a body that is closed."""
+"""The variable of a closed body."""
 _WORDS = {"and": "and", "or": "or", "not": "not ", "mod": "mod"}
 _FOLDS = {"add": "sum", "mul": "product"}
 _CONVERSION = "to_"
-"""Conversions are written as their type: ``to_int`` is ``int``."""
+"""The prefix of conversions, which are printed as their type: ``to_int`` as ``int``."""
 _LANES = "xyzw"
 _IN_BITS = 1_000_000
-"""Whole numbers from here on are hardly counts, but bits."""
+"""Larger whole numbers are printed in hexadecimal, because they probably are bit patterns."""
 _TIGHTNESS = {
     "or": 1, "and": 2, "eq": 3, "ne": 3, "lt": 3, "le": 3, "gt": 3, "ge": 3,
     "bit_or": 4, "bit_xor": 5, "bit_and": 6, "shift_left": 7, "shift_right": 7,
@@ -34,17 +37,17 @@ _SIGN, _TIGHTEST = 10, 13
 
 
 class Formulas:
-    """Writes formulas, in the user's names where there are any."""
+    """Prints formulas, with the user's names for values that have one."""
 
     def __init__(self, notes: Notes) -> None:
         self._notes = notes
 
     def text(self, node: Node) -> str:
-        """A value: its name, or how it is computed."""
+        """The name of a value, or the way it is computed."""
         return self.name(node) or self.computed(node)
 
     def name(self, node: Node) -> str | None:
-        """What somebody has called a value."""
+        """The name of a value in the user's text, or ``None``."""
         match node.data:
             case Parameter(name=name) | Attribute(name=name) | Resource(name=name):
                 return name
@@ -53,12 +56,12 @@ class Formulas:
         return self._notes.names.get(node.id)
 
     def computed(self, node: Node, inner: Callable[[Node], str | None] | None = None) -> str:
-        """How a value is computed; ``inner`` may give texts for the values inside."""
+        """The way a value is computed; ``inner`` may supply texts for the values inside."""
         text = self._formula(node, DEEPEST, inner or self.name)
         return text if len(text) <= LONGEST else self._formula(node, 2, inner or self.name)
 
     def call(self, builtin: str, operands: Sequence[Node]) -> str:
-        """An operation on some values."""
+        """A builtin applied to some operands."""
         return self._call(builtin, operands, DEEPEST - 1, self.name)
 
     def _inner(

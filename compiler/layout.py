@@ -1,16 +1,18 @@
-"""One byte layout for uniform blocks that std140, D3D and WGSL all agree on.
+"""One byte layout for uniform blocks, on which std140, D3D and WGSL agree.
 
-The three rule sets differ as soon as they have a choice, so the text leaves them none:
+The pass pipeline calls ``layout_blocks`` once for each shader. The reflection and the checks of
+``extern`` blocks use the other functions. The three rule sets differ as soon as they have a choice,
+so the text leaves them none:
 
-- a gap that some rule set would not leave is filled by scalar members of its own (D3D would move a
-  ``vec2`` up into it);
+- a gap that some rule set would not leave is filled with scalar members (D3D would move a ``vec2``
+  into it);
 - arrays are ``vec4[n]`` with the elements in the lanes (std140 and D3D pad elements to 16 bytes,
   WGSL refuses element strides that are not multiples of 16);
 - matrices have columns of four rows (a ``mat2`` column takes 8 bytes in WGSL and 16 elsewhere, and
-  after a ``mat3`` D3D would move a scalar up into the last one); in arrays, the columns are the
-  elements;
-- structs start at multiples of 16 bytes and end in explicit padding at one;
-- bools are uints (no rule set gives a bool a size that all of them keep).
+  after a ``mat3`` D3D would move a scalar into the last column); in arrays of matrices, the columns
+  are the elements;
+- structs start at multiples of 16 bytes, and explicit padding makes them end at one;
+- bools are uints (there is no size of a bool on which all rule sets agree).
 
 Sources: OpenGL 4.6 specification, 7.6.2.2 "Standard Uniform Block Layout"; Microsoft, "Packing
 Rules for Constant Variables"; WGSL, "Memory Layout" and "Address Space Layout Constraints".
@@ -32,18 +34,18 @@ if TYPE_CHECKING:
     from .ir.shader import ExternInfo
 
 STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
-"""The groups that every shader has, in binding order."""
+"""The groups that exist in every shader, in the order of their bindings."""
 
 ROW = 16
-"""Bytes of a ``vec4``: what arrays, matrices, structs and blocks are counted in."""
+"""The size of a ``vec4`` in bytes, which is the unit of arrays, matrices, structs and blocks."""
 
 LANE = 4
-"""Bytes of a scalar."""
+"""The size of a scalar in bytes."""
 
 
 @frozen
 class Placed:
-    """A stored member at its offset in bytes."""
+    """A stored member with its offset in bytes."""
 
     name: str
     type: Type
@@ -57,11 +59,11 @@ def layout_blocks(
     docs: Mapping[str, str] | None = None,
     externs: Sequence[ExternInfo] = (),
 ) -> tuple[Block, ...]:
-    """One block for each group's parameters, each followed by the one of what is derived there.
+    """One block for the parameters of each group, and one for the values derived from them.
 
-    Groups that ``group_order`` does not name come last, in order of first appearance. ``docs``
-    are doc comments by parameter name. Nothing but the declarations decides the layout. The host's
-    own blocks, ``externs``, come first, as their names are not ours to change.
+    Groups that are not in ``group_order`` come last, in order of first appearance. ``docs`` are doc
+    comments by parameter name. The layout depends only on the declarations. The host's own blocks,
+    ``externs``, come first, because Burnish cannot change their names.
     """
     own = [parameter for parameter in parameters if parameter.host is None]
     groups = dict.fromkeys((*group_order, *(parameter.group for parameter in own)))
@@ -77,7 +79,7 @@ def layout_blocks(
 
 
 def _extern_block(extern: ExternInfo) -> Block:
-    """A block of the host's as it says, with every gap filled."""
+    """A block that the host owns, as it is declared, with every gap filled."""
     name = extern.place.name
     padding = _padding_names(f"{name.lower()}_pad", (member.name for member in extern.members))
     members: list[StoredMember] = []
@@ -104,7 +106,8 @@ def _extern_block(extern: ExternInfo) -> Block:
 
 
 def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
-    """What fills a gap: scalars, and whole rows at once."""
+    """The types that fill a gap, with their offsets: scalars, and as many whole rows as
+    possible."""
     while start < end:
         rows = (end - start) // ROW if start % ROW == 0 else 0
         filler: Type = Array(Vector("float", 4), rows) if rows else FLOAT
@@ -113,12 +116,12 @@ def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
 
 
 def _padding_names(stem: str, taken: Iterable[str]) -> Iterator[str]:
-    """``stem_0``, ``stem_1`` …, without those that are taken."""
+    """``stem_0``, ``stem_1`` and so on, without the names that are taken."""
     return filterfalse(frozenset(taken).__contains__, (f"{stem}_{i}" for i in count()))
 
 
 def block_name(group: str, derived: bool, taken: frozenset[str] = frozenset()) -> str:
-    """Suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
+    """The suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
     name = group[:1].upper() + group[1:] + ("Derived" if derived else "")
     while name in taken:
         name += "Group"
@@ -131,7 +134,8 @@ def _block(
     rows = [(suggested_name(p), stored_type(p.type)) for p in parameters]
     placed = place(rows, f"{name.lower()}_pad", gaps=True)
     size = _rounded(placed[-1].offset + byte_size(placed[-1].type))
-    # Every backend rounds a whole block up by itself; only gaps before a member have to be said.
+    # Every backend rounds the size of the whole block up by itself, so padding at the end is not
+    # written.
     while placed[-1].padding:
         placed = placed[:-1]
     remaining = iter(parameters)
@@ -152,9 +156,9 @@ def _block(
 
 
 def suggested_name(parameter: Parameter) -> str:
-    """``sun.direction`` as an identifier.
+    """A parameter's name as an identifier: ``sun_direction`` for ``sun.direction``.
 
-    A backend's namer keeps it apart from a ``sun_direction`` that may stand beside it.
+    If there is also a parameter ``sun_direction``, a backend's namer distinguishes the two.
     """
     return parameter.name.replace(".", "_")
 
@@ -162,10 +166,10 @@ def suggested_name(parameter: Parameter) -> str:
 def place(
     members: Iterable[tuple[str, Type]], padding: str = "pad", *, gaps: bool = False
 ) -> tuple[Placed, ...]:
-    """Stored members in order, filled up to a whole number of rows.
+    """Stored members in order, padded to a whole number of rows.
 
-    ``padding`` is what fillers are called, with a number. With ``gaps`` there are none before a
-    vector that every rule set moves to the next row by itself.
+    ``padding`` is the stem of the padding members' names. With ``gaps``, there is no padding before
+    a vector that every rule set moves to the next row by itself.
     """
     members = tuple(members)
     free = _padding_names(padding, (name for name, _ in members))
@@ -190,7 +194,7 @@ def place(
 
 @cache
 def stored_type(type_: Type) -> Type:
-    """How a value of ``type_`` lies in a block. What is stored already is left as it is."""
+    """The type by which a block stores a value of ``type_``; a stored type stays as it is."""
     match type_:
         case Scalar(kind):
             return Scalar(_stored_kind(kind))
@@ -210,7 +214,7 @@ def stored_type(type_: Type) -> Type:
 
 @cache
 def stored_struct(struct: Struct) -> Struct:
-    """A struct whose members are in stored form, with its gaps as members."""
+    """A struct with stored members, in which gaps are members too."""
     placed = place((name, stored_type(type_)) for name, type_ in struct.members)
     return Struct(struct.name, tuple((row.name, row.type) for row in placed))
 
@@ -244,7 +248,7 @@ def _stored_kind(kind: ScalarKind) -> ScalarKind:
 
 
 def byte_size(stored: Type) -> int:
-    """Bytes that a stored type occupies; gaps are members, so nothing needs rounding."""
+    """The number of bytes of a stored type. Gaps are members, so no rounding is needed."""
     match stored:
         case Scalar():
             return LANE
@@ -263,7 +267,7 @@ def byte_size(stored: Type) -> int:
 def _is_vector_in_new_row(stored: Type, end: int) -> bool:
     """Whether a vector would cross the end of a row, so that every rule set moves it to the next.
 
-    D3D for that very reason; std140 and WGSL since vectors are aligned to their size, a vec3 to 16.
+    D3D moves it for this reason; std140 and WGSL align vectors to their size, and a vec3 to 16.
     """
     return isinstance(stored, Vector) and end % ROW + byte_size(stored) > ROW
 
@@ -273,7 +277,7 @@ def _rounded(end: int) -> int:
 
 
 def alignment(stored: Type) -> int:
-    """What the offset of a stored type is a multiple of, in bytes."""
+    """The number of bytes of which the offset of a stored type must be a multiple."""
     match stored:
         case Scalar():
             return LANE
@@ -284,7 +288,7 @@ def alignment(stored: Type) -> int:
 
 
 def _structs(types: Iterable[Type]) -> tuple[Struct, ...]:
-    """The structs that ``types`` use, those inside others first, each once."""
+    """The structs that ``types`` use, each once; a struct comes after those that it contains."""
     found: dict[Struct, None] = {}
     for type_ in types:
         inner = type_.element if isinstance(type_, Array) else type_

@@ -1,4 +1,9 @@
-"""The standard library as the compiler reads it: parsed once, kept in the content-keyed cache."""
+"""Reads the standard library; its syntax trees are kept in the user's cache, keyed by their
+content.
+
+The front end calls ``parse_library`` for files that are imported from ``std``. Semantics asks for
+``conversions``, and the passes that expand builtins ask for ``expansions``.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +23,7 @@ from .syntax.parser import parse
 
 FOLDER = Path(__file__).parent.parent / "stdlib"
 _READERS = ("builder.py", "burnish.lark")
-"""The files of ``syntax`` that make trees of texts."""
+"""The files of ``syntax`` that decide, besides those of ``ast``, what a tree looks like."""
 MEANING = "meaning.burnish"
 CONVERSIONS = "spaces.burnish"
 
@@ -28,9 +33,10 @@ _MAKING = RLock()
 
 
 def once(make: Callable[[], T]) -> Callable[[], T]:
-    """What ``make`` gives, made by the first thread that asks for it, while others wait.
+    """A function that returns what ``make`` returned to the first caller; other threads wait for
+    it.
 
-    Modules and their symbols are told apart by identity, so no compile may see two of one kind.
+    Modules and their symbols are compared by identity, so no compile may see two of the same.
     """
     kept = lru_cache(maxsize=1)(make)
 
@@ -43,7 +49,8 @@ def once(make: Callable[[], T]) -> Callable[[], T]:
 
 
 def parse_library(source: Source, report: Report) -> ast.File:
-    """A library file's tree, and what is wrong with it, from the cache if it was parsed before."""
+    """A library file's tree, from the cache if it has been parsed before; ``report`` gets its
+    diagnostics."""
     file, diagnostics = _parsed(source.name, source.text)
     report.extend(diagnostics)
     return file
@@ -63,7 +70,7 @@ def _parsed(name: str, text: str) -> tuple[ast.File, tuple[Diagnostic, ...]]:
 
 @lru_cache(maxsize=1)
 def _tree_shape() -> str:
-    """The texts that decide what a tree looks like: a tree of another shape must not be read."""
+    """All texts that decide what a tree looks like: they are part of the cache's keys."""
     here = Path(__file__)
     syntax = here.parent / "syntax"
     deciding = (here, *sorted((syntax / "ast").glob("*.py")), *map(syntax.joinpath, _READERS))
@@ -72,7 +79,7 @@ def _tree_shape() -> str:
 
 @once
 def conversions() -> Module:
-    """The module of what leads from one space to another."""
+    """The module with the functions that convert values from one space to another."""
     file, path = _internal(CONVERSIONS)
     module = Module(file, path)
     for declaration in file.declarations:
@@ -84,7 +91,7 @@ def conversions() -> Module:
 
 
 def _internal(name: str) -> tuple[ast.File, Path]:
-    """A library file that no other file can import."""
+    """A library file that no other file can import, with its path."""
     path = FOLDER / name
     report = Report()
     file = parse_library(Source(name, path.read_text(encoding="utf-8")), report)
@@ -94,9 +101,9 @@ def _internal(name: str) -> tuple[ast.File, Path]:
 
 @once
 def expansions() -> tuple[Module, dict[str, tuple[Symbol, ...]]]:
-    """The module of the builtins' expansions, and its functions by the builtin they stand for.
+    """The module of the builtins' expansions, and its functions by the builtins that they define.
 
-    In that module a builtin's name means the builtin, so the functions themselves stand apart.
+    In that module a builtin's name means the builtin itself, so these functions are kept apart.
     """
     from ..stdlib.builtins import BUILTINS
 

@@ -1,8 +1,9 @@
-"""How a host writes a declared value into the bytes that ``layout`` gave it.
+"""How a host writes a value into the bytes that ``layout`` assigned to it.
 
-Everything a writer needs is arithmetic on offsets: element ``i`` of an array lies ``i * stride``
-bytes after element 0, column ``c`` of a matrix ``c * column_stride`` after column 0, and lane ``l``
-four bytes times ``l`` after lane 0. All lanes are little-endian and 32 bits wide.
+The reflection contains a ``Packing`` for each parameter, and the runtime follows it. A writer only
+needs arithmetic on offsets: element ``i`` of an array is ``i * stride`` bytes after element 0,
+column ``c`` of a matrix is ``c * column_stride`` bytes after column 0, and lane ``l`` is ``4 * l``
+bytes after lane 0. All lanes are little-endian and 32 bits wide.
 """
 
 from __future__ import annotations
@@ -14,31 +15,31 @@ from .layout import ROW, byte_size, elements_in_row, place, stored_type
 
 @frozen
 class Packing:
-    """The bytes of a value of one declared type, counted from where the value starts."""
+    """The bytes of a value of one declared type, counted from the start of the value."""
 
     type: Type
-    """As declared, in representation."""
+    """The declared type, without its meaning."""
     stored: Type
     size: int
-    """Bytes of the stored form, padding included."""
+    """The number of bytes of the stored form, including padding."""
     kind: ScalarKind | None
-    """What a lane is written as: a bool as the uint 0 or 1. ``None`` for structs."""
+    """The type that a lane is written as: a bool is the uint 0 or 1. ``None`` for structs."""
     lanes: int
-    """Lanes of a scalar or vector, or of a matrix's column; 0 for structs."""
+    """The number of lanes of a scalar, a vector or a matrix's column; 0 for structs."""
     columns: int = 1
     column_stride: int = 0
-    """Bytes from column to column of a matrix."""
+    """The distance between columns of a matrix, in bytes."""
     count: int | None = None
-    """Elements of an array, whose elements are what the other fields describe."""
+    """The number of elements of an array; the other fields then describe one element."""
     stride: int = 0
-    """Bytes from element to element of an array."""
+    """The distance between elements of an array, in bytes."""
     members: tuple[PackedMember, ...] = ()
-    """Of a struct, or of an array's elements; padding left out."""
+    """The members of a struct, or of an array's elements, without padding."""
 
 
 @frozen
 class PackedMember:
-    """A struct's member, ``offset`` bytes into the struct."""
+    """A member of a struct, ``offset`` bytes after the start of the struct."""
 
     name: str
     offset: int
@@ -46,7 +47,7 @@ class PackedMember:
 
 
 def packing(type_: Type) -> Packing:
-    """Where the lanes of a value of ``type_`` lie in its stored form."""
+    """Where the lanes of a value of ``type_`` are in its stored form."""
     stored = stored_type(type_)
     size = byte_size(stored)
     match type_:
@@ -85,9 +86,9 @@ def _array(array: Array, element: Type, count: int) -> Packing:
 
 
 def spread(table: Packing, member: PackedMember) -> Packing:
-    """One member of the structures of an array, as an array of its own with gaps between.
+    """One member of the structures of an array, as an array of its own with gaps between elements.
 
-    It starts where the member of the first structure does.
+    It starts at this member of the first structure.
     """
     one, count = member.packing, table.count
     assert count is not None and one.count is None

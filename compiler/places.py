@@ -1,4 +1,7 @@
-"""Where in Burnish text a value comes from, for every value that an emitted text computes."""
+"""Finds the place in Burnish text that each statement of an emitted text comes from.
+
+``api.py`` calls ``located`` for source maps, line directives and ``--validate``.
+"""
 
 from __future__ import annotations
 
@@ -11,14 +14,15 @@ from .ir.shader import Shader
 
 
 def located(shader: Shader, origins: Mapping[int, Node]) -> dict[int, Span]:
-    """The place of what each line computes."""
+    """The place of the value that each emitted line computes, by line number."""
     places = _Places(shader)
     found = ((line, places.of(node)) for line, node in origins.items())
     return {line: span for line, span in found if span is not None}
 
 
 class _Places:
-    """Places of nodes: their own, or of the nearest value that they are computed from."""
+    """Looks up places of nodes: their own, or that of the nearest value that they are computed
+    from."""
 
     def __init__(self, shader: Shader) -> None:
         self._shader = shader
@@ -30,7 +34,7 @@ class _Places:
         }
 
     def of(self, root: Node) -> Span | None:
-        """Passes that take values apart or join them make some that nobody wrote."""
+        """The place of a node, or of an operand if a pass has made the node."""
         seen = {root.id}
         front = [root]
         while front:
@@ -45,7 +49,8 @@ class _Places:
 
     @cached_property
     def _users(self) -> dict[int, Span]:
-        """Places of the users of values that have none, such as what the pipeline supplies."""
+        """For each value, the place of one of its users. Pipeline inputs have no place of their
+        own."""
         found: dict[int, Span] = {}
         for node in reachable(self._shader.roots):
             if (span := self._spans.get(node.id)) is not None:

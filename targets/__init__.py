@@ -1,1 +1,1 @@
-""""""
+"""Everything about target languages: emission, their compilers, their drivers, conformance."""

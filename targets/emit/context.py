@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...compiler.ir.node import Node
+from ...compiler.ir.program import StageName
 from ..legalise.legal import Legal
+from ..legalise.resource_arguments import NOTHING, Passed
 from .description import PipelineInput, Spellings
 from .names import Names
 from .spelling import TypeSpeller
@@ -44,3 +47,8 @@ class Context:
             **target.inputs, **profile.inputs, **(framebuffer.inputs if rows_up else {})
         }  # fmt: skip
         """How the pipeline's values are read under the profile."""
+        self._passed = legal.passed
+
+    def passed(self, stage: StageName, body: Node) -> Passed:
+        """What the function of a stage with this body gets of blocks and textures."""
+        return self._passed.get((stage, body), NOTHING)

@@ -13,6 +13,7 @@ from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Stage, StoredMember
 from ...compiler.ir.types import Struct
 from ..legalise.bindings import Bindings, Slot
+from ..legalise.resource_arguments import Passed
 from .comments import comment_line
 from .context import Context
 from .description import BindingKind
@@ -49,6 +50,24 @@ class Declarations:
             for view in self._textures[resource.name]
         ]
 
+    def parameters(self, passed: Passed) -> list[str]:
+        """What a function gets of a program's blocks, textures and samplers, as parameters."""
+        forms, declaration = self._context.target.forms, self._context.target.types.declaration
+        declared = [self._blocks[name].argument for name in passed.blocks]
+        declared += [
+            declaration.format(type=view.type, name=view.name)
+            for name in passed.textures
+            for view in self._textures[name]
+        ]
+        return [forms.parameter.format(typed=typed) for typed in declared]
+
+    def arguments(self, passed: Passed) -> list[str]:
+        """The same as arguments: they have the same names in every function."""
+        return [
+            *(self._blocks[name].variable for name in passed.blocks),
+            *(view.name for name in passed.textures for view in self._textures[name]),
+        ]
+
     def _blocks_of(self, stages: Iterable[Stage]) -> list[Block]:
         read = {block.name for stage in stages for block in stage.blocks}
         return [block for block in self._context.program.blocks if block.name in read]
@@ -76,7 +95,13 @@ class Declarations:
             variable=self._names.variables.get(block.name, ""),
             slot=slot,
             register=self._register("block", slot),
+            argument=self._argument(block),
             members=tuple(self._member(block, member) for member in block.members),
+        )
+
+    def _argument(self, block: Block) -> str:
+        return self._context.target.forms.block_argument.format(
+            type=self._names.blocks[block.name], name=self._names.variables.get(block.name, "")
         )
 
     def _member(self, block: Block, member: StoredMember) -> MemberView:

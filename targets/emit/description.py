@@ -23,6 +23,9 @@ FieldRole = Literal["attribute", "varying", "target"]
 BindingKind = Literal["block", "texture", "sampler"]
 """What a host binds; a texture and a sampler in one are a texture."""
 
+Numbering = Literal["set", "kind"]
+"""The bindings of a set, whatever is bound; or, where there are no sets, those of one kind."""
+
 
 @frozen
 class Spelling:
@@ -192,6 +195,8 @@ class Profile:
     """Stages are matched by the names of varyings instead of their locations."""
     explicit_bindings: bool = True
     """The text states set and binding; otherwise the host assigns them by name."""
+    numbering: Numbering = "set"
+    """Within what no two blocks, textures and samplers have the same binding."""
     sets: Mapping[str, int] = GROUP_SETS
     default_set: int = 2
     """Where a user's own groups go."""
@@ -256,6 +261,9 @@ class Target:
     registers: Mapping[BindingKind, str] = EMPTY
     """What the language calls a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
     them."""
+    resource_arguments: bool = False
+    """Blocks, textures and samplers are no global variables: an entry point gets them as arguments,
+    and hands each function those that it reads."""
     global_members: bool = True
     """Members of blocks are names of the whole file, so they must differ from all others."""
     global_fields: bool = False

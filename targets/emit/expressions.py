@@ -7,7 +7,6 @@ from typing import ClassVar
 
 from ...compiler.ir.node import Formal, Node, Op
 from ...compiler.ir.operations import FORMAL, INPUT, MEMBER, SWIZZLE
-from ...compiler.ir.program import Function
 from ...compiler.ir.types import (
     Matrix,
     Scalar,
@@ -21,7 +20,7 @@ from ...compiler.ir.types import (
 from .context import Context
 from .leaves import Leaves
 from .literals import literal
-from .natives import Natives
+from .natives import Callee, Natives
 from .precedence import Binding, Text, choice
 
 DEEPEST = 200
@@ -35,7 +34,7 @@ class Expressions:
         self,
         context: Context,
         leaves: Leaves,
-        functions: Mapping[Node, tuple[str, Function]],
+        functions: Mapping[Node, Callee],
     ) -> None:
         self.bound: dict[int, str] = {}
         """Names of bound nodes, by id."""
@@ -191,8 +190,7 @@ class Expressions:
         )
 
     def _call(self, node: Node) -> Text:
-        name, _function = self._functions[node.operands[0]]
-        return Text(f"{name}({self._arguments(node.operands[1:])})")
+        return self._functions[node.operands[0]].call(map(self.text, node.operands[1:]))
 
     def _formal(self, node: Node) -> Text:
         return Text(self.formals[FORMAL.data(node)], Binding.NAME)

@@ -69,6 +69,8 @@ class Forms:
     # Declarations.
     function: str = "{type} {name}({parameters}) {{"
     parameter: str = "{typed}"
+    block_argument: str = "{type} {name}"
+    """A uniform block as a parameter, where ``Target.resource_arguments`` makes it one."""
     member_end: str = ";"
     """Ends a member of a struct or block."""
     struct_end: str = "};"
@@ -128,6 +130,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "column": "matrix position",
             "array": "type elements",
             "member": "block name",
+            "block_argument": "type name",
             "stored": "value type",
             "texture": "texture sampler type",
             "input": "name",

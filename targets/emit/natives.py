@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import NATIVE
-from ...compiler.ir.program import Function
 from ...compiler.ir.types import (
     Matrix,
     Scalar,
@@ -49,6 +49,18 @@ def _special(row: Spelling, operands: Sequence[Type]) -> str:
     return row.integers if kind in ("int", "uint") else ""
 
 
+class Callee(NamedTuple):
+    """A function of the text, as its callers know it."""
+
+    name: str
+    passed: Sequence[str]
+    """The arguments in front of its own: blocks, textures and samplers."""
+
+    def call(self, arguments: Iterable[str]) -> Text:
+        """The function called with arguments of its own."""
+        return Text(f"{self.name}({', '.join([*self.passed, *arguments])})")
+
+
 class Natives:
     """Prints calls of builtins."""
 
@@ -57,7 +69,7 @@ class Natives:
         context: Context,
         leaves: Leaves,
         splat: Callable[[Text, Type], Text],
-        functions: Mapping[Node, tuple[str, Function]],
+        functions: Mapping[Node, Callee],
     ) -> None:
         self._definitions = context.definitions
         self._functions = functions
@@ -75,8 +87,8 @@ class Natives:
             printed = [self._leaves.texture(node.operands[0], builtin), *printed[1:]]
         types = tuple([operand.type for operand in node.operands])
         if self._definitions and (builtin, types) in self._definitions:
-            name, _function = self._functions[self._definitions[builtin, types].body]
-            return Text(f"{name}({', '.join(operand.text for operand in printed)})")
+            callee = self._functions[self._definitions[builtin, types].body]
+            return callee.call(operand.text for operand in printed)
         operands = self._widened(node, printed) if builtin in self._splats else printed
         spelled = spelling_of(builtin, types, self._table)
         if "{" in spelled:

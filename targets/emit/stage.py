@@ -14,6 +14,7 @@ from .description import FieldRole
 from .expressions import Expressions
 from .leaves import Leaves
 from .namer import Namer
+from .natives import Callee
 from .origins import Marks
 from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
@@ -43,7 +44,10 @@ class StagePrinter:
         is_first = stage.row == context.program.stages[0].row
         self._input_role: FieldRole = "attribute" if is_first else "varying"
         self._functions = {
-            function.body: (names.function(stage.name, function.body), function)
+            function.body: Callee(
+                names.function(stage.name, function.body),
+                declarations.arguments(context.passed(stage.name, function.body)),
+            )
             for function in stage.functions
         }
         self._marks = marks
@@ -102,16 +106,20 @@ class StagePrinter:
             expressions.formals[formal] = name
         types = [type_ for _formal, type_ in function.parameters]
         lines = statements.lines(function.region)
+        passed = self._declarations.parameters(
+            self._context.passed(self._stage.name, function.body)
+        )
+        own = (
+            forms.parameter.format(typed=self._types.declare(name, type_))
+            for name, type_ in zip(names, types, strict=True)
+        )
         returned = forms.return_.format(value=expressions.text(function.value))
         return FunctionView(
             comments=comment_lines(function.doc),
             head=forms.function.format(
                 type=self._types.type(function.value.type),
                 name=self._names.function(self._stage.name, function.body),
-                parameters=", ".join(
-                    forms.parameter.format(typed=self._types.declare(name, type_))
-                    for name, type_ in zip(names, types, strict=True)
-                ),
+                parameters=", ".join([*passed, *own]),
             ),
             lines=[*lines, self._marks.mark(returned, function.value)],
         )

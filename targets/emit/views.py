@@ -35,6 +35,8 @@ class BlockView(NamedTuple):
     slot: Slot
     register: str
     """The slot in the language's own words, where it has such."""
+    argument: str
+    """The block as a parameter of a function."""
     members: tuple[MemberView, ...]
 
 

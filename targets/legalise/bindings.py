@@ -1,19 +1,22 @@
 """Which set and binding every block, texture and sampler of a program has.
 
 The assignment looks at the whole program, so that its stages agree and the reflection can say what
-the text says. Within a set a number is used once only: DXC maps HLSL's ``b0``, ``t0`` and ``s0``
-all to Vulkan's binding 0.
+the text says. In most profiles a number is used once only within a set: DXC maps HLSL's ``b0``,
+``t0`` and ``s0`` all to Vulkan's binding 0. Where there are no sets, blocks, textures and samplers
+are numbered each on their own (``Profile.numbering``).
 """
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from itertools import count
+from typing import Protocol
 
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Program
 from ...frozen import frozen
-from ..emit.description import Profile
+from ..emit.description import BindingKind, Profile
 
 
 @frozen
@@ -40,28 +43,54 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     textures: dict[str, Slot] = {}
     samplers: dict[str, Slot] = {}
     hosts = {block.name: block.host for block in program.blocks if block.host is not None}
-    for name, place in hosts.items():
-        blocks[name] = Slot(place.group, place.binding)
-    taken = frozenset(blocks.values())
-    numbers = {set_: _free(set_, taken) for set_ in {*profile.sets.values(), profile.default_set}}
+    if profile.numbering == "kind":
+        slots: _Slots = _SlotsByKind()
+        blocks = {name: slots.free("block", place.group) for name, place in hosts.items()}
+    else:
+        blocks = {name: Slot(place.group, place.binding) for name, place in hosts.items()}
+        slots = _SlotsBySet(frozenset(blocks.values()))
     for group in _groups(program):
         set_ = profile.sets.get(group, profile.default_set)
         for block in _blocks_of(program, group):
-            blocks[block.name] = Slot(set_, next(numbers[set_]))
+            blocks[block.name] = slots.free("block", set_)
         for resource in program.resources:
             if resource.group == group:
-                texture = Slot(set_, next(numbers[set_]))
+                texture = slots.free("texture", set_)
                 textures[resource.name] = texture
                 if resource in program.sampled:
                     combined = profile.samplers.combined
-                    sampler = texture if combined else Slot(set_, next(numbers[set_]))
-                    samplers[resource.name] = sampler
+                    samplers[resource.name] = texture if combined else slots.free("sampler", set_)
     return Bindings(blocks, textures, samplers)
 
 
-def _free(set_: int, taken: frozenset[Slot]) -> Iterator[int]:
-    """The numbers within a set that the host's own blocks leave."""
-    return (number for number in count() if Slot(set_, number) not in taken)
+class _Slots(Protocol):
+    """Hands out places that nothing has yet."""
+
+    def free(self, kind: BindingKind, set_: int) -> Slot:
+        """The next place for something of ``kind`` in a set."""
+
+
+class _SlotsBySet:
+    """A number is used once in a set, and not where the host has bound a block of its own."""
+
+    def __init__(self, taken: frozenset[Slot]) -> None:
+        self._taken = taken
+        self._numbers: defaultdict[int, Iterator[int]] = defaultdict(count)
+
+    def free(self, _kind: BindingKind, set_: int) -> Slot:
+        slots = (Slot(set_, number) for number in self._numbers[set_])
+        return next(slot for slot in slots if slot not in self._taken)
+
+
+class _SlotsByKind:
+    """A number is used once for each kind. The host's own blocks are numbered like others, and
+    before them, since their places may be the same but for the set."""
+
+    def __init__(self) -> None:
+        self._numbers: defaultdict[BindingKind, Iterator[int]] = defaultdict(count)
+
+    def free(self, kind: BindingKind, _set: int) -> Slot:
+        return Slot(0, next(self._numbers[kind]))
 
 
 def _groups(program: Program) -> list[str]:

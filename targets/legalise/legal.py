@@ -7,6 +7,7 @@ from ...frozen import frozen
 from ..emit.description import Profile, Target
 from .bindings import Bindings
 from .definitions import Definitions
+from .resource_arguments import ResourceArguments
 
 
 @frozen
@@ -19,3 +20,5 @@ class Legal:
     definitions: Definitions
     """The function that stands for each builtin that the profile does not have as it is meant."""
     bindings: Bindings
+    passed: ResourceArguments
+    """The blocks and textures that functions get as arguments."""

@@ -15,9 +15,17 @@ from ..emit.description import Profile, Target
 from .bindings import assign_bindings
 from .definitions import with_definitions
 from .legal import Legal
+from .resource_arguments import resource_arguments
 
 
 def legalise(program: Program, target: Target, profile: Profile) -> Legal:
     """``program`` as ``profile`` prints it."""
     program, definitions = with_definitions(program, profile)
-    return Legal(program, target, profile, definitions, assign_bindings(program, profile))
+    return Legal(
+        program,
+        target,
+        profile,
+        definitions,
+        assign_bindings(program, profile),
+        resource_arguments(program, target),
+    )

@@ -8,10 +8,12 @@ from typing import Any
 import pytest
 
 import burnish
+from burnish.frozen import changed
 from burnish.targets.legalise.bindings import Slot, assign_bindings
+from tests.targets.kit import PROFILES, Selected
+from tests.targets.programs import plastic
 
-from .kit import PROFILES, Selected
-from .programs import plastic
+from .kit import staged
 
 SEPARATE = [selected for selected in PROFILES if not selected.profile.samplers.combined]
 COMBINED = [selected for selected in PROFILES if selected.profile.samplers.combined]
@@ -40,6 +42,30 @@ def test_separate_samplers(selected: Selected) -> None:
 def test_combined_samplers(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
     assert bindings.textures == bindings.samplers == {"albedo": Slot(2, 1)}
+
+
+def test_each_kind_is_numbered_on_its_own_where_there_are_no_sets() -> None:
+    profile = changed(SEPARATE[0].profile, numbering="kind")
+    bindings = assign_bindings(plastic(), profile)
+    names = ("View", "Rig", "RigDerived", "Material", "Draw")
+    assert bindings.blocks == {name: Slot(0, number) for number, name in enumerate(names)}
+    assert bindings.textures == bindings.samplers == {"albedo": Slot(0, 0)}
+
+
+def test_blocks_of_the_host_have_numbers_of_their_own_where_there_are_no_sets() -> None:
+    text = """
+    extern block Sky per frame at group 0, binding 4 { tint : vec3 at 0 }
+    extern block Sea per frame at group 1, binding 4 { depth : float at 0 }
+    material M {
+        param gain : float = 1
+        color = tint * uv.x + depth * uv.y + vec3(gain * uv.x * uv.y)
+    }
+    """
+    program = staged(text).program
+    bindings = assign_bindings(program, changed(SEPARATE[0].profile, numbering="kind"))
+    assert [bindings.blocks[name] for name in ("Sky", "Sea")] == [Slot(0, 0), Slot(0, 1)]
+    assert {slot.set for slot in bindings.blocks.values()} == {0}
+    assert len(set(bindings.blocks.values())) == len(bindings.blocks) > 2
 
 
 @pytest.mark.parametrize("selected", SEPARATE, ids=str)

@@ -1,0 +1,71 @@
+"""Which blocks and textures every function reads, for languages without global resources.
+
+In such a language (``Target.resource_arguments``) an entry point gets all that its stage reads as
+arguments. A function gets what it reads itself, or hands on to the functions that it calls.
+Samplers go with their textures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ...compiler.ir.leaves import Parameter, Resource
+from ...compiler.ir.node import Node
+from ...compiler.ir.program import Program, Stage, StageName
+from ...compiler.passes.walks import visible
+from ...frozen import frozen
+from ..emit.description import Target
+
+
+@frozen
+class Passed:
+    """The blocks and textures that a function gets, by their names in the program, in its order."""
+
+    blocks: tuple[str, ...] = ()
+    textures: tuple[str, ...] = ()
+
+
+NOTHING = Passed()
+
+ResourceArguments = Mapping[tuple[StageName, Node], Passed]
+"""By stage and the function's body; a function that reads nothing is not among them."""
+
+
+def resource_arguments(program: Program, target: Target) -> ResourceArguments:
+    """What each function of ``program`` gets, where the language has no global resources."""
+    if not target.resource_arguments:
+        return {}
+    return {
+        (stage.name, body): passed
+        for stage in program.stages
+        for body, passed in _passed(program, stage).items()
+        if passed != NOTHING
+    }
+
+
+def _passed(program: Program, stage: Stage) -> dict[Node, Passed]:
+    """What each function of a stage gets; functions stand behind those that they call."""
+    owners = {
+        member.parameter: block.name
+        for block in program.blocks
+        for member in block.members
+        if member.parameter is not None
+    }
+    found: dict[Node, Passed] = {}
+    for function in stage.functions:
+        blocks: set[str] = set()
+        textures: set[str] = set()
+        for node in visible((function.value,)):
+            if isinstance(node.data, Parameter):
+                blocks.add(owners[node.data])
+            elif isinstance(node.data, Resource):
+                textures.add(node.data.name)
+            elif node.op == "apply":
+                inner = found[node.operands[0]]
+                blocks.update(inner.blocks)
+                textures.update(inner.textures)
+        found[function.body] = Passed(
+            tuple(block.name for block in program.blocks if block.name in blocks),
+            tuple(texture.name for texture in program.resources if texture.name in textures),
+        )
+    return found
