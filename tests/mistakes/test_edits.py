@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from contextlib import chdir
 
@@ -11,6 +12,14 @@ from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.diagnostics.fixes import Edit, Fix
 
 from .kit import FOLDER, Case, cases, told
+
+_OFFERS = re.compile(r"(?:write|read \d lanes:|read one lane, as in|did you mean) `[^`…]+`")
+"""Sentences that offer one text in place of another."""
+
+_PATTERNS = {
+    "write `if condition then a else b`",
+}
+"""Offers whose parts are for the reader to fill in."""
 
 Found = list[tuple[Case, tuple[Diagnostic, ...]]]
 
@@ -69,3 +78,14 @@ def test_what_a_tool_may_do_unasked_brings_no_syntax_errors(found: Found) -> Non
             before = len(_of_syntax(diagnostics))
             assert len(_of_syntax(left)) < before, (case.title, diagnostic.hint)
     assert tried > 20
+
+
+def test_what_a_sentence_offers_is_an_edit(found: Found) -> None:
+    """A reader may not be told to write something that a tool is not told."""
+    offered = [
+        (case.title, diagnostic.hint)
+        for case, diagnostics in found
+        for diagnostic in diagnostics
+        if _OFFERS.match(diagnostic.hint) and diagnostic.span is not None and not diagnostic.fixes
+    ]
+    assert {hint for _, hint in offered} == _PATTERNS

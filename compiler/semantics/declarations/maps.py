@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ....frozen import EMPTY, frozen
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...ir.leaves import Resource
 from ...ir.shader import ResourceInfo
 from ...ir.types import Array, Texture
@@ -105,5 +105,5 @@ def _sampler_state(low: Lowering, member: ast.Map, kind: Kind, type_: str) -> di
 def unknown_word(low: Lowering, kind: str, name: ast.Name, known: Iterable[str]) -> None:
     """Report a word that is none of those which can stand in its place."""
     listed = ", ".join(f"`{word}`" for word in known)
-    hint = suggestion(name.text, known) or f"one of {listed}"
+    hint = respelling(name.text, name.span, known) or f"one of {listed}"
     low.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from ....frozen import changed
 from ....stdlib.builtins import BUILTINS
+from ....stdlib.builtins.elsewhere import Instead
 from ...diagnostics import rules
+from ...diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
+from ...diagnostics.source import Span
 from ...ir.node import Node, bare
 from ...ir.types import TEXTURES, Texture
 from ...syntax import ast
 from ...trampoline import Reply, Step
 from ..declarations import assignments
 from ..hints import advice
+from ..hints.rewriting import called_here
 from ..inheritance.records import Definition
 from ..names.duplicates import check_once
 from ..state.scope import FAILURE, Failure, Replacement, Scope, Value
@@ -48,7 +53,7 @@ def _of_value(
         if not textures.can_read(low, owner.type, method) or failed:
             return FAILURE
         return textures.read(low, owner, arguments, e, method)
-    member = yield low.part(owner, e.callee.name)
+    member = yield low.part(owner, e.callee)
     return FAILURE if failed else textures.read(low, member, arguments, e)
 
 
@@ -169,34 +174,49 @@ def _not_callable(low: Lowering, name: str, e: ast.Call, scope: Scope) -> None:
     if lookup.is_declared(scope, name):
         symbols = scope.module.find(name)
         is_slot = scope.instance is not None and scope.instance.has(name)
-        hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
-        hint = hint or f"it is a value: `{name}`, or a product, `{name} * (…)`"
+        hint: Hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
+        if not hint:
+            place = Span(span.source, span.end, span.end)
+            said = f"it is a value: `{name}`, or a product, `{name} * (…)`"
+            product, alone = Edit(place, " * "), Edit(e.span, name)
+            hint = FixIt(said, (Fix((alone,)), Fix((product,))))
         low.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
         return
     callables = {n for n in BUILTINS if n not in NOT_CALLED} | set(scope.module.visible())
     for instance in (scope.instance, scope.surface):
         if instance is not None:
             callables |= {n for n, d in instance.record.definitions.items() if _is_map(d)}
-    if hint := _elsewhere(name, e.arguments):
+    if hint := _elsewhere(name, e):
         low.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
     lookup.unknown_here(low, "function", name, span, sorted(callables), scope.module)
 
 
-def _elsewhere(name: str, arguments: tuple[ast.Expression, ...]) -> str:
+def _elsewhere(name: str, e: ast.Call) -> Hint:
     """What to write for a function or a constructor of another shading language."""
     from ....stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
 
     if name in FUNCTIONS:
-        instead, texture = FUNCTIONS[name], arguments[0] if arguments else None
-        return (
-            instead.hint_for(texture.name) if isinstance(texture, ast.Reference) else instead.hint
-        )
+        instead, texture = FUNCTIONS[name], e.arguments[0] if e.arguments else None
+        read = texture.name if isinstance(texture, ast.Reference) else ""
+        return _same_arguments(e, instead.hint_for(read) if read else instead.hint, instead)
     if name in KEYWORDS:
         return KEYWORDS[name]
     if advice.is_read(name):
         return f"it is a read of a texture, written `map.{name}(…)`"
-    return f"it is `{TYPES[name]}` here" if name in TYPES else ""
+    return called_here(name, e.callee.span, TYPES[name]) if name in TYPES else ""
+
+
+_SAME = re.compile(r"(\w+)\((\w+(?:, \w+)*)\)")
+"""A call of one function with names for its arguments."""
+
+
+def _same_arguments(e: ast.Call, said: str, instead: Instead) -> Hint:
+    """A function of another language that takes the same arguments has its name changed."""
+    found = _SAME.fullmatch(instead.written[0]) if len(instead.written) == 1 else None
+    if found is None or len(found[2].split(", ")) != len(e.arguments) or instead.reason:
+        return said
+    return fix_it(said, (e.callee.span, found[1]))
 
 
 def _unguarded(low: Lowering, arguments: tuple[Node, ...], e: ast.Call) -> Value:

@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...diagnostics.fixes import FixIt, Hint
 from ...diagnostics.source import Span
 from ...ir.meaning import Meaning
 from ...ir.node import Node
 from ...syntax import ast
 from ..declarations import transform_paths
-from ..hints.wording import tight
+from ..hints.rewriting import rewritten
 from ..state.scope import FAILURE, Failure, Scope
 from ..types.meaning_rules import Clash, chosen, gathered, side
 from ..types.meanings import combined
@@ -70,14 +71,16 @@ def _hint(
     right: Meaning,
     written: Written,
     scope: Scope | None,
-) -> str:
+) -> Hint:
     if clash.rule is rules.NOT_OF_A_POINT:
         return "subtract the point that it is seen from; `vec3(p)` is its bare coordinates"
     if clash.rule is not rules.MIXED_SPACES or not written or scope is None:
         return ""
+    ways = ((left, right.spaces[0], clash.left), (right, left.spaces[0], clash.right))
     offers = [
-        transform_paths.offered(low, left, right.spaces[0], tight(written[clash.left]), scope),
-        transform_paths.offered(low, right, left.spaces[0], tight(written[clash.right]), scope),
+        rewritten(written[operand].span, f"{{operand}} in {space}", "`{}`")
+        for meaning, space, operand in ways
+        if transform_paths.is_offered(low, meaning, space, scope)
     ]
-    known = " or ".join(offer for offer in offers if offer)
-    return f"write {known}" if known else ""
+    known = " or ".join(offer.text for offer in offers)
+    return FixIt(f"write {known}", tuple(fix for o in offers for fix in o.fixes)) if known else ""

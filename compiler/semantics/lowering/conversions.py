@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir.meaning import ARROWS, GEOMETRY, Meaning
 from ...ir.node import Node
@@ -17,7 +17,7 @@ from ...library import conversions as library
 from ...syntax import ast
 from ...trampoline import Step
 from ..declarations import transform_paths
-from ..hints.wording import tight
+from ..hints.rewriting import declared_space, rewritten
 from ..names.modules import Module
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types import meaning_rules
@@ -37,10 +37,11 @@ def convert(low: Lowering, e: ast.Conversion, scope: Scope) -> Step[Value]:
         return FAILURE
     meaning = low.meanings.of(node)
     if meaning is None or meaning.kind not in GEOMETRY:
-        text = tight(e.operand)
         low.report.add(
             rules.IN_NO_SPACE, e.operand.span, found=meaning or node.type,
-            hint=f"say what it is: `({text} as vector<object>) in {space}`",
+            hint=rewritten(
+                e.operand.span, "({text} as vector<object>)", f"say what it is: `{{}} in {space}`"
+            ),
         )  # fmt: skip
         return FAILURE
     path = transform_paths.path(low, meaning, space, scope)
@@ -59,7 +60,7 @@ def _space(low: Lowering, name: ast.Name, scope: Scope) -> str | None:
     if name.text in SPACES or (found and isinstance(found[0].declaration, ast.Space)):
         return name.text
     spaces = [*SPACES, *(s for s in scope.module.visible() if _is_space(scope.module, s))]
-    hint = suggestion(name.text, spaces) or f"declare it: `space {name.text}`"
+    hint = respelling(name.text, name.span, spaces) or declared_space(name.text, name.span)
     low.report.add(rules.UNKNOWN_NAME, name.span, kind="space", name=name.text, hint=hint)
     return None
 

@@ -7,6 +7,8 @@ from math import isinf, radians
 from typing import TYPE_CHECKING, Any
 
 from ...diagnostics import rules
+from ...diagnostics.fixes import Hint, fix_it
+from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.meaning import ANGLE, RGB, RGBA
 from ...ir.node import Node
@@ -57,7 +59,10 @@ def _number(low: Lowering, e: ast.Number, _scope: Scope) -> Value:
         limit, type_ = (2**31 - 1, INT) if e.kind == "int" else (2**32 - 1, UINT)
         whole = int(e.text, 16 if e.text[:2] in ("0x", "0X") else 10)
         if whole > limit:
-            hint = "write it as a `uint`, with `u` behind it" if whole < 2**32 else ""
+            hint: Hint = ""
+            if whole < 2**32:
+                place = Span(e.span.source, e.span.end, e.span.end)
+                hint = fix_it("write it as a `uint`, with `u` behind it", (place, "u"))
             low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=type_, hint=hint)
             return FAILURE
         return build.constant(low.graph, type_, whole)
@@ -95,11 +100,12 @@ def _reference(low: Lowering, e: ast.Reference, scope: Scope) -> Reply[Value]:
 
 def _field(low: Lowering, e: ast.Field, scope: Scope) -> Step[Value]:
     value: Value = yield low.expression(e.operand, scope)
-    result: Value = yield low.part(value, e.name)
+    result: Value = yield low.part(value, e)
     return result
 
 
-def component(low: Lowering, node: Node, name: ast.Name) -> Node | Failure:
+def component(low: Lowering, node: Node, e: ast.Field) -> Node | Failure:
+    name = e.name
     if isinstance(node.type, Struct):
         members = dict(node.type.members)
         if name.text in members:
@@ -114,7 +120,7 @@ def component(low: Lowering, node: Node, name: ast.Name) -> Node | Failure:
             return whole if is_color or whole is not node else low.meanings.ascribed(node, None)
     low.report.add(
         rules.NO_MEMBER, name.span, name=name.text, type=node.type,
-        hint=advice.missing_member(node.type, name.text),
+        hint=advice.missing_member(node.type, name.text, e.span),
     )  # fmt: skip
     return FAILURE
 
@@ -144,7 +150,8 @@ def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
     known = low.constants.known_integer(position)
     if known is not None:
         if not 0 <= known < count:
-            hint = f"counted from 0, the last one is `[{count - 1}]`"
+            highest = str(count - 1)
+            hint = fix_it(f"counted from 0, the last one is `[{highest}]`", (e.index.span, highest))
             low.report.add(
                 rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
             )

@@ -22,6 +22,7 @@ from ...trampoline import Reply, Step
 from ..declarations import assignments, contracts
 from ..declarations.written_types import declared_type
 from ..hints import advice
+from ..hints.rewriting import called_here
 from ..inheritance.records import Definition, Record
 from ..names.modules import Module, Symbol
 from ..state.scope import (
@@ -114,10 +115,11 @@ def _unknown_name(low: Lowering, name: str, span: Span, scope: Scope) -> None:
             known += instance.record.definitions
     from ....stdlib.builtins.elsewhere import KEYWORDS, VALUES
 
-    here = f"it is `{VALUES[name]}` here" if name in VALUES else ""
+    here = called_here(name, span, VALUES[name]) if name in VALUES else ""
     lit = advice.of_a_light(name, low.rig)
-    if hint := here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, ""):
-        low.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=hint)
+    elsewhere = here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, "")
+    if elsewhere:
+        low.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
         return
     if hint := advice.uncalled(name):
         low.report.add(rules.NOT_A_VALUE, span, hint=hint)
@@ -139,7 +141,7 @@ def is_declared(scope: Scope, name: str) -> bool:
 
 def unknown(low: Lowering, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
     """Report a name that nothing declares, with the nearest one that something does."""
-    hint = advice.nearest_or_all(name, known)
+    hint = advice.nearest_or_all(name, span, known)
     low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 
 
@@ -149,7 +151,7 @@ def unknown_here(
     """The same for a name that an import could bring, or should have brought."""
     if name not in module.missing:
         known = list(known)
-        hint = module.hint(name, known) or advice.undeclared(kind, name)
+        hint = module.hint(ast.Name(name, span), known) or advice.undeclared(kind, name)
         if module.incomplete and nearest(name, known) is None:
             return
         low.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...syntax import ast
 from ...trampoline import run
 from ..inheritance.records import Definition
@@ -57,6 +57,6 @@ def _check_spelling(
     if owner.module is not surface.record.symbol.module:
         return
     inherited = [n for n, ds in surface.record.definitions.items() if ds[-1].owner is root]
-    hint = suggestion(name, inherited)
+    hint = respelling(name, member.name.span, inherited)
     if hint and not surface.record.baseless:
         low.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)

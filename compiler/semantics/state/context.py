@@ -12,6 +12,7 @@ from typing import Any
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
+from ...diagnostics.fixes import Hint
 from ...diagnostics.source import Span
 from ...ir.node import Formal, Graph, Node, reachable
 from ...ir.ranges import Ranges
@@ -126,19 +127,19 @@ class Lowering:
         self.report.add(rules.NOT_A_VALUE, expression.span)
         return FAILURE
 
-    def part(self, value: Value, name: ast.Name) -> Reply[Value]:
+    def part(self, value: Value, e: ast.Field) -> Reply[Value]:
         """``value.name``."""
         match value:
             case Failure():
                 return FAILURE
             case Node():
-                return component(self, value, name)
+                return component(self, value, e)
             case LightVariable():
-                return lookup.light_slot(self, value, name)
+                return lookup.light_slot(self, value, e.name)
             case Inherited(instance, level):
-                return lookup.inherited(self, instance, level, name)
+                return lookup.inherited(self, instance, level, e.name)
             case Instance():
-                return lookup.slot_or_report(self, value, name.text, name.span)
+                return lookup.slot_or_report(self, value, e.name.text, e.name.span)
 
     def typed(
         self, expression: ast.Expression, scope: Scope, wanted: Type, declared: str
@@ -203,6 +204,6 @@ class Lowering:
         return combinations.checked(self, node, shown, span, written, scope)
 
 
-def _way_to_fit(node: Node, wanted: Type, declared: str, span: Span) -> str:
-    cut = advice.cut_quotient((node,)) if scalar_kind(wanted) == "float" else ""
+def _way_to_fit(node: Node, wanted: Type, declared: str, span: Span) -> Hint:
+    cut = advice.cut_quotient((node,), (span,)) if scalar_kind(wanted) == "float" else ""
     return cut or advice.fitting_type(node.type, wanted, declared, span)
