@@ -36,7 +36,8 @@ if TYPE_CHECKING:
     from .compiler.passes.proofs import Proof
     from .targets.runner.instances.instance import Instance, MissingValuesError
     from .targets.runner.instances.values import ParameterError
-    from .targets.runner.textures.texture import PictureError, Texture
+    from .targets.runner.textures.kinds import PictureError
+    from .targets.runner.textures.texture import Texture
 
 __all__ = [
     "CompileResult",
@@ -421,7 +422,7 @@ _RUNTIME = {
     "Instance": "instances.instance",
     "MissingValuesError": "instances.instance",
     "ParameterError": "instances.values",
-    "PictureError": "textures.texture",
+    "PictureError": "textures.kinds",
     "Texture": "textures.texture",
 }
 """Where the names of the runtime live, which most programs do without: they only compile."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .console import remark, show
@@ -14,7 +15,37 @@ if TYPE_CHECKING:
     from ..targets.runner.meshes import Mesh
     from ..targets.runner.routes import Route
     from ..targets.runner.shots import Shot
-    from .render import Request
+
+EVERYTHING = "all"
+"""Stands for every route."""
+
+Color = tuple[float, float, float, float]
+
+
+class Request(NamedTuple):
+    """The command line after parsing; the names are those of the options."""
+
+    file: Path
+    output: Path
+    on: tuple[str, ...]
+    mesh: str
+    instances: int
+    """How many instances to draw if the material distinguishes them."""
+    size: tuple[int, int]
+    values: tuple[tuple[str, str], ...]
+    background: Color
+    """In linear light."""
+    target: str | None
+    material: str | None
+    rig: str | None
+    pass_: str | None
+    search_path: tuple[Path, ...]
+    hoist: bool
+
+    @property
+    def draws_everything(self) -> bool:
+        """Whether all routes that can draw shall draw, instead of named ones."""
+        return EVERYTHING in self.on
 
 
 class Subject(NamedTuple):

@@ -97,7 +97,7 @@ class Formulas:
             case "select":
                 condition, then, otherwise = map(part, operands)
                 return f"if {condition} then {then} else {otherwise}"
-            case "interpolate":
+            case "cross":
                 return f"@vertex {part(operands[0], _TIGHTEST)}"
             case "fold":
                 data = FOLD.data(node)

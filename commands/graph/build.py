@@ -9,7 +9,7 @@ from ...compiler.diagnostics.source import Span
 from ...compiler.formula import Formulas
 from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Formal, Node, formals_of
-from ...compiler.ir.operations import ITERATE, LOOPS, OUTSIDE
+from ...compiler.ir.operations import CROSS, ITERATE, LOOPS, OUTSIDE
 from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region, Stage
 from ...compiler.ir.shader import Notes, Shader
 from ...compiler.ir.stages import VARYING
@@ -77,7 +77,7 @@ class _Building:
         boxed = set(keys)
         for before, stage in pairwise(self._staged.program.stages):
             for node in visible(stage.roots):
-                if node.op == "interpolate" and (key := self._key(stage.name, node)) in boxed:
+                if node.op == "cross" and (key := self._key(stage.name, node)) in boxed:
                     yield self._key(before.name, node.operands[0]), key
 
     # --- clusters --------------------------------------------------------------------------------
@@ -151,7 +151,7 @@ class _Building:
             if part.is_outer(node):
                 name = part.names.get(node.id) or self._shown_name(node)
                 box = self._value(part.prefix, node, name or self._formulas.computed(node))
-                if node.op not in LEAVES and node.op != "interpolate":
+                if node.op not in LEAVES and node.op != "cross":
                     box.kind, box.note = "argument", "computed before the loop"
                 cluster.boxes.append(box)
             elif node.id in results or self._has_box(part, node):
@@ -163,7 +163,7 @@ class _Building:
                     box.kind = "crossing" if crosses else "result"
                     box.note = "varying" if crosses else KINDS["result"]
                 cluster.boxes.append(box)
-                if node.op not in LEAVES and node.op != "interpolate":
+                if node.op not in LEAVES and node.op != "cross":
                     self._inside(part, node, box, edges, results)
         cluster.edges = list(edges)
         return cluster
@@ -181,7 +181,7 @@ class _Building:
 
     def _shown_name(self, node: Node) -> str | None:
         """What a value that gets a box is called; ``None`` for what is part of its user."""
-        if node.op == "interpolate":
+        if node.op == "cross":
             return self._crossing(node.operands[0])
         if node.op in LEAVES:
             return self._formulas.name(node) or str(node.data)
@@ -195,9 +195,10 @@ class _Building:
     def _value(self, prefix: str, node: Node, name: str) -> Box:
         if node.op in LEAVES:
             return self._leaf(prefix, node)
-        if node.op == "interpolate":
+        if node.op == "cross":
             box = self._box(self._key(prefix, node), "crossing", name, node)
-            box.note = "varying, flat" if node.data == "flat" else "varying, interpolated"
+            flat = CROSS.data(node).mode == "flat"
+            box.note = "varying, flat" if flat else "varying, interpolated"
             return box
         kinds: dict[str, Kind] = {"fold": "loop", "iterate": "loop", "apply": "call"}
         return self._box(self._key(prefix, node), kinds.get(node.op, "value"), name, node)
@@ -232,7 +233,7 @@ class _Building:
         def name(node: Node) -> str | None:
             if root.op == "fold" and node is root.operands[2]:
                 return ADDED
-            if node.op == "interpolate":
+            if node.op == "cross":
                 return self._shown_name(node)
             return None if node is root else names.get(node.id) or self._formulas.name(node)
 
@@ -328,7 +329,7 @@ def _crossings(stage: Stage, notes: Notes) -> Iterator[tuple[int, str]]:
         within = notes.names.get(node.id) or users.get(node.id)
         if within is None:
             continue
-        if node.op == "interpolate":
+        if node.op == "cross":
             own = notes.names.get(node.id)
             yield node.operands[0].id, own or f"{within}_crossing"
         for operand in node.operands:

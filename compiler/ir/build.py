@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from .node import Applying, Formals, Graph, Iterating, Node, Op
+from .stages import Crossing
 from .types import (
     FLOAT,
     INT,
@@ -181,3 +182,8 @@ def state(graph: Graph, loop: Node, position: int) -> Node:
     data = loop.data
     assert isinstance(data, Iterating)
     return loop if data.states == 1 else member(graph, loop, str(position))
+
+
+def cross(graph: Graph, value: Node, crossing: Crossing) -> Node:
+    """A value of one stage as the next one sees it."""
+    return graph.node("cross", value.type, (value,), crossing)

@@ -9,8 +9,6 @@ from ...stdlib.builtins.facts import UNKNOWN, Fact
 from .meaning import Meaning
 from .types import Type
 
-InterpolationMode = Literal["perspective", "flat"]
-
 Step = Literal["vertex", "instance"]
 """How often a vertex input goes on to its next value."""
 
@@ -63,4 +61,5 @@ class Attribute:
     name: str
     type: Type
     step: Step = "vertex"
+    """Which is the domain that it varies over."""
     meaning: Meaning | None = None

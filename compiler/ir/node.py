@@ -20,7 +20,7 @@ Op = Literal[
     "call", "native",
     "vector", "splat", "matrix", "struct", "array",
     "swizzle", "index", "member",
-    "select", "interpolate",
+    "select", "cross",
     "fold", "iterate", "apply",
     "as", "called",
 ]  # fmt: skip

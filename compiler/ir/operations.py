@@ -19,9 +19,10 @@ from typing import Any, Generic, Literal, TypeVar, get_args
 
 from ...frozen import frozen
 from . import result_types
-from .leaves import Attribute, InterpolationMode, Parameter, Resource
+from .leaves import Attribute, Parameter, Resource
 from .meaning import Meaning
 from .node import Applying, Folding, Formal, Iterating, Node, Op
+from .stages import Crossing, SystemInput
 from .types import Type
 
 Form = Literal["semantics", "opened", "flat", "guarded", "stored"]
@@ -123,8 +124,8 @@ nothing else is made of it."""
 ATTRIBUTE = Operation("attribute", "outside", Attribute, result_types.declared, rate="varying")
 """A vertex input."""
 
-INPUT = Operation("input", "outside", str, result_types.own, rate="varying")
-"""A value that the pipeline supplies, such as ``front_facing``; the data is its name."""
+INPUT = Operation("input", "outside", SystemInput, result_types.declared, rate="varying")
+"""A value that the pipeline supplies to a stage, such as ``front_facing``."""
 
 BOUND = Operation(
     "bound", "variable", int, result_types.own, until="semantics", rate="varying"
@@ -187,11 +188,10 @@ SELECT = Operation[BranchMode | None](
 """Of (condition, then, otherwise): one of two values. Both may be computed, unless the data is
 ``BRANCH``: then what only one side needs is computed only if that is chosen."""
 
-INTERPOLATE = Operation[InterpolationMode](
-    "interpolate", "crossing", (str,), result_types.interpolate, arity=1, rate="varying"
-)
-"""What a value computed for each vertex is for a pixel: a weighted mean, or (``flat``) that of one
-vertex. All that is under it belongs to the vertex stage; crossings do not nest."""
+CROSS = Operation("cross", "crossing", Crossing, result_types.cross, arity=1, rate="varying")
+"""What a value of one stage is in the next: a weighted mean of those at several vertices, or
+(``flat``) that of one of them. The data names the domains of both stages; all that is under the
+node belongs to the earlier one."""
 
 FOLD = Operation(
     "fold", "loop", Folding, result_types.fold, arity=3, cost=LOOP, noun="total"
@@ -231,7 +231,7 @@ def _rows() -> Iterator[Operation[Any]]:
     yield from (CALL, NATIVE)
     yield from (VECTOR, SPLAT, MATRIX, STRUCT, ARRAY)
     yield from (SWIZZLE, INDEX, MEMBER)
-    yield from (SELECT, INTERPOLATE, FOLD, ITERATE, APPLY, ASCRIBE, CALLED)
+    yield from (SELECT, CROSS, FOLD, ITERATE, APPLY, ASCRIBE, CALLED)
 
 
 OPERATIONS: Mapping[Op, Operation[Any]] = {row.name: row for row in _rows()}

@@ -11,9 +11,9 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
-from .leaves import HostPlace, InterpolationMode, Parameter, Resource, Step
+from .leaves import HostPlace, Parameter, Resource, Step
 from .node import FoldOperator, Formal, Node
-from .stages import StageRow
+from .stages import Domain, InterpolationMode, StageRow
 from .types import Struct, Type
 
 StageName = str
@@ -80,9 +80,9 @@ class Varying:
 class Interface:
     """What one stage hands on to the next."""
 
-    origin: str
+    origin: Domain
     """The domain in which the values are computed."""
-    destination: str
+    destination: Domain
     """The domain in which they are read."""
     varyings: tuple[Varying, ...]
 

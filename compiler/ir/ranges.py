@@ -21,9 +21,9 @@ from .operations import (
     ASCRIBE,
     CALL,
     CONSTANT,
+    CROSS,
     FOLD,
     FORMAL,
-    INTERPOLATE,
     ITERATE,
     MEMBER,
     PARAMETER,
@@ -310,13 +310,13 @@ def _select(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     return sides[0].union(sides[1])
 
 
-def _interpolate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
+def _cross(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
     """A mean of three vertices' values stays between them, but is no longer of unit length.
 
     Rounding may take it a little past either end.
     """
     (at_vertex,) = known
-    if INTERPOLATE.data(node) == "flat":
+    if CROSS.data(node).mode == "flat":
         return at_vertex
     slack = 1e-5 * max(abs(at_vertex.lo), abs(at_vertex.hi))
     if slack == float("inf"):
@@ -395,7 +395,7 @@ _RULES: Mapping[str, _Rule] = {
     "index": _named(rulebook.ELEMENT, _index),
     "member": _Rule(_member_name, _member),
     "select": _named(rulebook.EITHER, _select),
-    "interpolate": _named(rulebook.INTERPOLATED, _interpolate),
+    "cross": _named(rulebook.INTERPOLATED, _cross),
     "fold": _Rule(_fold_name, _fold),
     "iterate": _named(rulebook.STATE, _iterate),
     "array": _named(rulebook.ELEMENTS, _elements),

@@ -12,6 +12,7 @@ from . import signatures
 from .build import parts_of, states_type
 from .leaves import Attribute, Parameter, Resource
 from .node import Applying, Folding, Iterating, Node
+from .stages import Crossing, SystemInput
 from .types import (
     BOOL,
     INT,
@@ -30,12 +31,13 @@ from .types import (
     with_width,
 )
 
+_DECLARED = (Attribute, Parameter, Resource, SystemInput)
 _LANES: Mapping[ScalarKind, type] = {"float": float, "int": int, "uint": int, "bool": bool}
 
 
 def declared(node: Node) -> Type | None:
     """Leaves that are declared with their type."""
-    return node.data.type if isinstance(node.data, Attribute | Parameter | Resource) else None
+    return node.data.type if isinstance(node.data, _DECLARED) else None
 
 
 def own(node: Node) -> Type | None:
@@ -159,12 +161,13 @@ def select(node: Node) -> Type | None:
     return then if fits else None
 
 
-def interpolate(node: Node) -> Type | None:
+def cross(node: Node) -> Type | None:
     """That of the operand; only floats have a mean."""
     (inner,) = node.operands
+    assert isinstance(node.data, Crossing)
     modes = ("perspective", "flat") if scalar_kind(inner.type) == "float" else ("flat",)
     numeric = _is_numeric(inner) and scalar_kind(inner.type) != "bool"
-    return inner.type if numeric and node.data in modes else None
+    return inner.type if numeric and node.data.mode in modes else None
 
 
 def fold(node: Node) -> Type | None:

@@ -12,9 +12,17 @@ To add a stage is to add a row; ``docs/architecture.md`` lists what else it need
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Literal
 
 from ...frozen import frozen
 from .types import BOOL, UINT, VEC4, Type
+
+Domain = str
+"""What a value varies over: one of these names, or that of another stage's row."""
+VERTICES: Domain = "vertex"
+FRAGMENTS: Domain = "fragment"
+INSTANCES: Domain = "instance"
+"""No stage is run for each instance; but what an instance has, each of its vertices has."""
 
 CLIP_POSITION = "clip_position"
 """The kind of the result that places a vertex: a vec4 in clip space."""
@@ -26,15 +34,42 @@ VARYING = "varying"
 """The kind of what a stage delivers to the next one; packing makes these results."""
 
 
-@frozen
+InterpolationMode = Literal["perspective", "flat"]
+
+
+@frozen(key=True)
+class Crossing:
+    """The data of a ``cross`` node: how a value gets from the domain of one stage to the next."""
+
+    origin: Domain
+    """What its operand varies over."""
+    destination: Domain
+    """What the node varies over."""
+    mode: InterpolationMode
+    """A weighted mean of several values, or (``flat``) one of them."""
+
+    def __str__(self) -> str:
+        return f"{self.origin} to {self.destination}, {self.mode}"
+
+
+SMOOTH = Crossing(VERTICES, FRAGMENTS, "perspective")
+"""Interpolated over a triangle."""
+FLAT = Crossing(VERTICES, FRAGMENTS, "flat")
+"""As the first of a triangle's vertices has it."""
+
+
+@frozen(key=True)
 class SystemInput:
     """A value that the pipeline itself supplies to a stage."""
 
     name: str
     type: Type
     """The type that Burnish gives it; what a language has may differ."""
-    per_instance: bool = False
-    """Whether it is the same at all vertices of an instance."""
+    domain: Domain
+    """That of the stage that reads it, or ``INSTANCES``."""
+
+    def __str__(self) -> str:
+        return self.name
 
 
 @frozen(key=True)
@@ -42,7 +77,7 @@ class StageRow:
     """What has to be known of a stage."""
 
     name: str
-    domain: str
+    domain: Domain
     """What it is run for, and so what the values vary over that it computes."""
     suffix: str
     """The file ending before that of the language, which is also what tools call the stage."""
@@ -58,21 +93,21 @@ class StageRow:
 
 
 VERTEX = StageRow(
-    "vertex", "vertex", "vert", "vs_main",
+    "vertex", VERTICES, "vert", "vs_main",
     inputs=(
-        SystemInput("vertex_index", UINT),
-        SystemInput("instance_index", UINT, per_instance=True),
+        SystemInput("vertex_index", UINT, VERTICES),
+        SystemInput("instance_index", UINT, INSTANCES),
     ),
     delivers=(CLIP_POSITION,),
 )  # fmt: skip
 
 FRAGMENT = StageRow(
-    "fragment", "fragment", "frag", "fs_main",
+    "fragment", FRAGMENTS, "frag", "fs_main",
     inputs=(
         # Pixel centres lie at .5, y points down, and w is 1 / clip w.
-        SystemInput("frag_coord", VEC4),
+        SystemInput("frag_coord", VEC4, FRAGMENTS),
         # Whether the counter-clockwise side is seen.
-        SystemInput("front_facing", BOOL),
+        SystemInput("front_facing", BOOL, FRAGMENTS),
     ),
     delivers=(TARGET, DISCARD),
     has_derivatives=True,

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from ..layout import stored_type
+from .domains import Domains, MixedDomainsError
 from .node import Binder, Formal, Node, Op, binders, bodies_of, reachable
 from .operations import BOUND, FORMAL, OPERATIONS, PARAMETER, Form, Operation
+from .storage import stored_type
 from .types import Type
 
 Variables = frozenset[tuple[Formal | int, Type]]
@@ -32,17 +33,17 @@ def verify(roots: Iterable[Node], *, stage: Form) -> None:
     """Raise ``InvalidGraphError`` at the first node under ``roots`` that is not well formed."""
     wanted = list(roots)
     variables: dict[int, Variables] = {}
-    crossing: set[int] = set()
+    domains = Domains()
     for node in reachable(wanted):
         row = OPERATIONS[node.op]
         _check_order(node)
         _check_form(node, row, stage)
         _check_row(node, row, stage)
         variables[node.id] = _variables(node, variables)
-        if node.op == "interpolate" and node.operands[0].id in crossing:
-            raise InvalidGraphError(node, "a crossing behind a crossing")
-        if node.op == "interpolate" or any(operand.id in crossing for operand in node.operands):
-            crossing.add(node.id)
+        try:
+            domains.of(node)
+        except MixedDomainsError as error:
+            raise InvalidGraphError(error.node, str(error)) from error
     for root in wanted:
         for variable, _type in variables[root.id]:
             raise InvalidGraphError(root, f"{variable} is used outside its binder")

@@ -8,7 +8,7 @@ associative, and the accuracy that a backend owes is worked out on the fused gra
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Hashable, Iterable, Sequence
 
 from ..ir import build
 from ..ir.binding import substitute
@@ -71,16 +71,19 @@ class _Fusing:
         if sum(term.op in SUMMED for term in terms) < 2:
             return root
         groups: list[Node] = []
-        # Where in `groups` the folds and applies are: nothing else can be fused.
-        summed: list[int] = []
+        meeting: dict[Hashable, dict[int, None]] = {}
+        """The groups, by what a term has to have in common with them to be fused."""
         for term in terms:
-            position = next((i for i in summed if self._fusable(groups[i], term)), None)
-            if position is not None:
+            common = self._common(term)
+            near = {position for key in common for position in meeting.get(key, ())}
+            position = next((i for i in sorted(near) if self._fusable(groups[i], term)), None)
+            if position is None:
+                position = len(groups)
+                groups.append(term)
+            else:
                 groups[position] = self._fused(groups[position], term)
-                continue
-            if term.op in SUMMED:
-                summed.append(len(groups))
-            groups.append(term)
+            for key in common:
+                meeting.setdefault(key, {})[position] = None
         total = groups[0]
         for group in groups[1:]:
             total = self._simplifier.call("add", root.type, total, group)
@@ -98,17 +101,23 @@ class _Fusing:
                 terms.append(node)
         return terms
 
-    def _fusable(self, left: Node, right: Node) -> bool:
-        if left.op != right.op or left.type != right.type:
-            return False
-        if left.op == "fold":
-            return _same_turns(left, right)
-        if left.op != "apply" or left.operands[0] is right.operands[0]:
-            return False
-        if any(side.operands[0].id not in self._notes.terms for side in (left, right)):
-            return False
-        varying = {arg for arg in left.operands[1:] if arg.op != "constant"}
-        return any(argument in varying for argument in right.operands[1:])
+    def _common(self, term: Node) -> Sequence[Hashable]:
+        """What two terms have to have in common, one of these at least, to be fused.
+
+        Sums turn equally often, from the same start. What lights add shares an argument.
+        """
+        if term.op == "fold":
+            data = FOLD.data(term)
+            summed = data.operator == "add"
+            return ((term.type, data.bound, *term.operands[:2]),) if summed else ()
+        if term.op != "apply" or term.operands[0].id not in self._notes.terms:
+            return ()
+        return [argument for argument in term.operands[1:] if argument.op != "constant"]
+
+    def _fusable(self, group: Node, term: Node) -> bool:
+        """Whether a group fuses with a term with which it has something in common."""
+        same = term.op == "apply" and group.operands[0] is term.operands[0]
+        return group.op == term.op and group.type == term.type and not same
 
     def _fused(self, left: Node, right: Node) -> Node:
         return self._folds(left, right) if left.op == "fold" else self._applies(left, right)
@@ -153,12 +162,3 @@ class _Fusing:
         self._notes.functions.setdefault(body.id, name)
         self._notes.terms.setdefault(body.id, name)
         return body, formals
-
-
-def _same_turns(left: Node, right: Node) -> bool:
-    one, other = FOLD.data(left), FOLD.data(right)
-    return (
-        one.operator == other.operator == "add"
-        and one.bound == other.bound
-        and left.operands[:2] == right.operands[:2]
-    )

@@ -29,7 +29,7 @@ from .naming import Naming
 COMMON_GROUP = "frame"
 """Every other group is updated at least as often, so it may go with any of them."""
 
-_NOT_HOISTED = BINDING | {"interpolate", "struct", "array"}
+_NOT_HOISTED = BINDING | {"cross", "struct", "array"}
 """Loops stay in the shader, and so do arrays that are put together."""
 
 ROW = 16

@@ -23,7 +23,7 @@ TRIVIAL = 4
 WORTHWHILE = 0.5
 """A call that computes no more than this share of its body for its own arguments is written out."""
 
-NOT_UNIFORM = BINDING | {"interpolate"}
+NOT_UNIFORM = BINDING | {"cross"}
 """What may differ between pixels, or never leaves the shader."""
 
 

@@ -1,7 +1,7 @@
 """Moves affine work to the vertex stage, where the picture provably stays the same.
 
-Interpolation with weights that sum to one commutes with affine maps: ``interpolate(e) * a + b``
-with ``a`` and ``b`` constant over the draw is ``interpolate(e * a + b)``. The move is made only
+Interpolation with weights that sum to one commutes with affine maps: ``cross(e) * a + b``
+with ``a`` and ``b`` constant over the draw is ``cross(e * a + b)``. The move is made only
 where it adds no varying: all uses of one crossing go through one affine value that is no wider.
 """
 
@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ..ir import build
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
-from ..ir.operations import BINDING, SWIZZLE, builtin_of
+from ..ir.operations import BINDING, CROSS, SWIZZLE, builtin_of
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Scalar, Vector, width
@@ -38,7 +39,7 @@ class _Moving:
                 self._users[operand.id] = self._users.get(operand.id, 0) + 1
             self._constant[node.id] = node.op in ("constant", "parameter") or (
                 bool(node.operands)
-                and node.op != "interpolate"
+                and node.op != "cross"
                 and node.op not in BINDING
                 and all(self._constant[operand.id] for operand in node.operands)
             )
@@ -52,7 +53,7 @@ class _Moving:
         self._name_after(node, crossing)
         inner = tuple(crossing.operands[0] if o is crossing else o for o in operands)
         moved = graph.node(node.op, node.type, inner, node.data)
-        return graph.node("interpolate", node.type, (moved,), crossing.data)
+        return build.cross(graph, moved, CROSS.data(crossing))
 
     def _moved_operand(self, node: Node, operands: tuple[Node, ...]) -> int | None:
         """Which operand is a crossing that nothing else needs, if ``node`` is affine in it."""
@@ -63,7 +64,7 @@ class _Moving:
             return None
         (position,) = varying
         crossing, old = operands[position], node.operands[position]
-        if crossing.op != "interpolate" or crossing.data != "perspective":
+        if crossing.op != "cross" or CROSS.data(crossing).mode != "perspective":
             return None
         # A value used twice crosses anyway, and a wider result would need another varying.
         fits = width(node.type) <= width(crossing.type)

@@ -8,12 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from heapq import heappop, heappush
 from itertools import count
+from operator import itemgetter
 
-from ..ir.leaves import Attribute, InterpolationMode
+from ..ir.leaves import Attribute
 from ..ir.node import Node
+from ..ir.operations import CROSS
 from ..ir.program import Field, Varying
 from ..ir.shader import Notes
+from ..ir.stages import InterpolationMode
 from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_width
 
 SLOT_LANES = 4
@@ -29,14 +33,33 @@ class _Slot:
     def lanes(self) -> int:
         return sum(width(value.type) for value in self.values)
 
-    def takes(self, value: Node, kind: ScalarKind, mode: InterpolationMode) -> bool:
-        fits = self.lanes + width(value.type) <= SLOT_LANES
-        return fits and (self.kind, self.mode) == (kind, mode)
+
+class _Slots:
+    """All slots by location, and which of them still have room."""
+
+    def __init__(self) -> None:
+        self.all: list[_Slot] = []
+        self._free: dict[tuple[ScalarKind, InterpolationMode, int], list[int]] = {}
+        """Heaps of the locations where just so many lanes are free."""
+
+    def add(self, value: Node, kind: ScalarKind, mode: InterpolationMode) -> None:
+        """Put a value into the first slot that has room for it, or into a new one."""
+        needed = width(value.type)
+        heaps = [self._free.get((kind, mode, free)) for free in range(needed, SLOT_LANES)]
+        heap = min(filter(None, heaps), key=itemgetter(0), default=None)
+        if heap is None:
+            location = len(self.all)
+            self.all.append(_Slot(kind, mode, []))
+        else:
+            location = heappop(heap)
+        slot = self.all[location]
+        slot.values.append(value)
+        heappush(self._free.setdefault((kind, mode, SLOT_LANES - slot.lanes), []), location)
 
 
 def crossings(nodes: Iterable[Node]) -> list[Node]:
-    """The ``interpolate`` nodes among those of a stage."""
-    return [node for node in nodes if node.op == "interpolate"]
+    """The ``cross`` nodes among those of a stage."""
+    return [node for node in nodes if node.op == "cross"]
 
 
 def pack_varyings(
@@ -54,22 +77,20 @@ def pack_varyings(
             for operand in node.operands:
                 users.setdefault(operand.id, within)
     by_width = sorted(unique, key=lambda node: (-width(node.type), node.id))
-    slots: list[_Slot] = []
+    slots = _Slots()
     for node in by_width:
         (value,) = node.operands
         kind = scalar_kind(value.type)
-        mode: InterpolationMode = "flat" if node.data == "flat" else "perspective"
+        mode = CROSS.data(node).mode
         assert kind is not None and isinstance(value.type, Scalar | Vector)
-        slot = next((slot for slot in slots if slot.takes(value, kind, mode)), None)
-        if slot is None:
-            slots.append(_Slot(kind, mode, [value]))
-        else:
-            slot.values.append(value)
+        slots.add(value, kind, mode)
     names = {node.operands[0].id: _name(node, notes, users) for node in unique}
     varyings: dict[str, Varying] = {}
-    for location, slot in enumerate(slots):
+    names_taken = set(taken)
+    for location, slot in enumerate(slots.all):
         shown = "_".join(dict.fromkeys(names[value.id] for value in slot.values))
-        name = _apart(shown, {*taken, *varyings})
+        name = _apart(shown, names_taken)
+        names_taken.add(name)
         varyings[name] = _varying(name, location, slot)
     return tuple(varyings.values())
 

@@ -128,7 +128,7 @@ class PathConditions:
                 depth = 0 if here is None else here.depth + 1
                 if depth < DEEPEST:
                     sides[1:] = [Path(here, node, holds, depth) for holds in (True, False)]
-            elif node.op == "interpolate" or node.id in together:
+            elif node.op == "cross" or node.id in together:
                 sides = [None] * len(node.operands)
             for operand, path in zip(node.operands, sides, strict=True):
                 known = operand.id in self._of

@@ -219,7 +219,9 @@ def _stage(
         functions=functions,
         region=Scheduler(roots, shader.notes, naming).schedule(),
         results=outputs,
-        builtin_inputs=tuple(sorted({INPUT.data(n) for n in visible(roots) if n.op == "input"})),
+        builtin_inputs=tuple(
+            sorted({INPUT.data(n).name for n in visible(roots) if n.op == "input"})
+        ),
         reads=texture_reads(nodes),
     )
 

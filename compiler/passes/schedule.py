@@ -7,7 +7,8 @@ become a ``Let``; everything else is printed in place.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ..ir.node import Formal, Node, bodies_of, formals_of, reachable
@@ -163,32 +164,27 @@ class Scheduler:
 
     def _branching(self) -> set[int]:
         """Selects with a side that is worth skipping, and used by nothing else."""
-        users: dict[int, set[tuple[int, int]]] = {}
-        for node in self._order:
-            for position, operand in enumerate(operands_of(node)):
-                users.setdefault(operand.id, set()).add((node.id, position))
-        return {
-            node.id
-            for node in self._order
-            if node.op == "select" and (_has_to_branch(node) or self._dear_side(node, users))
-        }
+        choices = [node for node in self._order if node.op == "select"]
+        if not choices:
+            return set()
+        uses = Counter(operand for node in self._order for operand in operands_of(node))
+        return {node.id for node in choices if _has_to_branch(node) or self._dear_side(node, uses)}
 
-    def _dear_side(self, select: Node, users: dict[int, set[tuple[int, int]]]) -> bool:
-        return any(self._exclusive_cost(select, side, users) >= BRANCH_COST for side in (1, 2))
+    def _dear_side(self, select: Node, uses: Mapping[Node, int]) -> bool:
+        return any(self._exclusive_cost(side, uses) >= BRANCH_COST for side in select.operands[1:])
 
-    def _exclusive_cost(
-        self, select: Node, side: int, users: dict[int, set[tuple[int, int]]]
-    ) -> int:
-        """The cost of what only one side of a select needs; bounded, as more does not matter."""
-        total, inside, pending = 0, set(), [select.operands[side]]
+    def _exclusive_cost(self, side: Node, uses: Mapping[Node, int]) -> int:
+        """The cost of what only one side of a select needs; bounded, as more does not matter.
+
+        A value is needed there only if each of its uses is: they are counted off on the way down.
+        """
+        total, pending = 0, [side]
+        counted: dict[Node, int] = {}
         while pending and total < BRANCH_COST:
             node = pending.pop()
-            outside = {u for u in users[node.id] if u[0] not in inside and u != (select.id, side)}
-            if outside or node.id in inside:
+            counted[node] = found = counted.get(node, 0) + 1
+            if found < uses[node] or node.id in self._together:
                 continue
-            if node.id in self._together:
-                continue
-            inside.add(node.id)
             total += cost_of(node)
             pending.extend(operands_of(node))
         return total
@@ -317,7 +313,7 @@ def is_access(node: Node) -> bool:
     if node.op in PARTS:
         whole = node.operands[0]
         return whole.op in LEAVES or whole.op == "iterate" or is_access(whole)
-    return node.op in ("interpolate", "splat")
+    return node.op in ("cross", "splat")
 
 
 def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[tuple[int, bool]]:

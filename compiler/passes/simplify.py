@@ -240,9 +240,7 @@ def _is_comparison(node: Node) -> bool:
     return builtin_of(node) in OPPOSITES
 
 
-def _interpolate(
-    _s: Simplifier, _type: Type, operands: tuple[Node, ...], _data: Hashable
-) -> Node | None:
+def _cross(_s: Simplifier, _type: Type, operands: tuple[Node, ...], _data: Hashable) -> Node | None:
     return operands[0] if operands[0].op == "constant" else None
 
 
@@ -367,7 +365,7 @@ _RULES: Mapping[str, OpRule] = {
     "splat": _splat,
     "index": _index,
     "select": _select,
-    "interpolate": _interpolate,
+    "cross": _cross,
     "member": _member,
     "fold": _fold,
     "iterate": _iterate,

@@ -12,7 +12,7 @@ def operands_of(node: Node) -> tuple[Node, ...]:
     crossing, which the vertex stage computed."""
     if node.op == "apply":
         return node.operands[1:]
-    return () if node.op == "interpolate" else node.operands
+    return () if node.op == "cross" else node.operands
 
 
 def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:

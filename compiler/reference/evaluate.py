@@ -26,14 +26,14 @@ Leaves = Callable[[Node], Lanes | None]
 """Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
 ``texture_reads.Reader``.
 
-It is also called for crossings (``interpolate``); one without a value has that of its operand.
+It is also called for crossings (``cross``); one without a value has that of its operand.
 """
 
 Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 """Called for every operation that is computed, with the values of its operands and its own value.
 Evaluation continues with the value that it returns."""
 
-_ASKED = OUTSIDE | {"interpolate"}
+_ASKED = OUTSIDE | {"cross"}
 """What ``Leaves`` may have a value for."""
 
 

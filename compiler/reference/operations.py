@@ -112,7 +112,7 @@ def _select(_node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
     return selected
 
 
-def _interpolate(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
+def _cross(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:
     """The value of a crossing without a value of its own: the same at all vertices."""
     return operands[0]
 
@@ -135,7 +135,7 @@ _STEPS: Mapping[Op, Callable[[Node, list[Lanes], Namespace], Lanes]] = {
     "index": _index,
     "member": _member,
     "select": _select,
-    "interpolate": _interpolate,
+    "cross": _cross,
     "as": _marked,
     "called": _marked,
 }

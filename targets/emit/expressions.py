@@ -114,7 +114,7 @@ class Expressions:
         return lanes[:1] if len(set(lanes)) == 1 and self._forms.splat_constant else lanes
 
     def _input(self, node: Node) -> Text:
-        text, type_ = self._leaves.input(INPUT.data(node))
+        text, type_ = self._leaves.input(INPUT.data(node).name)
         return text if type_ == node.type else Text(f"{self._types.type(node.type)}({text.text})")
 
     def _native(self, node: Node) -> Text:
@@ -154,7 +154,7 @@ class Expressions:
     def _swizzle(self, node: Node) -> Text:
         lanes = SWIZZLE.data(node)
         (source,) = node.operands
-        if source.op == "interpolate" and source.id not in self.bound:
+        if source.op == "cross" and source.id not in self.bound:
             return self._leaves.interpolated(source, lanes)
         operand = self.operand(source).within(Binding.POSTFIX)
         return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
@@ -200,7 +200,7 @@ class Expressions:
         "parameter": _parameter,
         "resource": _resource,
         "attribute": _attribute,
-        "interpolate": _interpolated,
+        "cross": _interpolated,
         "input": _input,
         "native": _native,
         "vector": _vector,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.operations import ATTRIBUTE, PARAMETER, RESOURCE
+from ...compiler.ir.operations import ATTRIBUTE, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.types import Type, width
 from ...stdlib.builtins import BUILTINS
@@ -77,7 +77,7 @@ class Leaves:
 
     def interpolated(self, node: Node, wanted: tuple[int, ...] | None = None) -> Text:
         """A varying, or those of its lanes that hold the value (or the ``wanted`` ones of it)."""
-        slot, first, total = self._crossings[node.operands[0].id, node.data]
+        slot, first, total = self._crossings[node.operands[0].id, CROSS.data(node).mode]
         text = self._read(self._names.varyings[slot])
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:

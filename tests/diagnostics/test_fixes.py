@@ -8,7 +8,7 @@ import burnish
 from burnish.compiler.diagnostics.fixes import Edit, fix_it, write
 from burnish.compiler.diagnostics.nearest import respelling
 from burnish.compiler.diagnostics.source import Source, Span
-from burnish.compiler.semantics.hints.rewriting import inserted_on_top, rewritten
+from burnish.compiler.syntax.rewriting import inserted_on_top, rewritten
 
 SOURCE = Source("m.burnish", "color = lenght(a + b)")
 NAME = Span(SOURCE, 8, 14)

@@ -16,6 +16,7 @@ from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.ir.operations import builtin_of
 from burnish.compiler.ir.shader import Shader
+from burnish.compiler.ir.storage import elements_in_row, place, stored_type
 from burnish.compiler.ir.types import (
     Array,
     Matrix,
@@ -27,7 +28,6 @@ from burnish.compiler.ir.types import (
     scalar_kind,
     width,
 )
-from burnish.compiler.layout import elements_in_row, place, stored_type
 from burnish.compiler.passes import pipeline
 from burnish.compiler.passes.checkpoint import passed
 from burnish.compiler.passes.hoist import Derived

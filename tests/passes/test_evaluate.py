@@ -11,6 +11,7 @@ import pytest
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
+from burnish.compiler.ir.stages import SMOOTH
 from burnish.compiler.ir.types import FLOAT, INT, VEC2, Array, Struct, Type
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.evaluate import Evaluator, Leaves, NotConstantError, evaluate
@@ -85,7 +86,7 @@ def test_elements_and_members_are_found_at_one_place_or_many() -> None:
 def test_a_crossing_has_the_value_it_is_given_or_that_of_the_vertex() -> None:
     graph = Graph()
     at_vertex = graph.node("attribute", FLOAT, (), Attribute("a", FLOAT))
-    crossing = graph.node("interpolate", FLOAT, (at_vertex,), "perspective")
+    crossing = build.cross(graph, at_vertex, SMOOTH)
     assert evaluate(crossing, named(a=(1.0,))) == (1.0,)
     assert evaluate(crossing, lambda node: (5.0,) if node is crossing else None) == (5.0,)
 

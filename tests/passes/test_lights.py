@@ -71,7 +71,7 @@ def test_functions_are_closed_but_for_uniforms() -> None:
     function = past.staged.program.stage("fragment").functions[-1]
     formals = {formal for formal, _ in function.parameters}
     assert {node.data for node in ops([function.value], "formal")} <= formals
-    assert not ops([function.value], "interpolate")
+    assert not ops([function.value], "cross")
 
 
 def test_a_counted_rig_is_one_loop_with_its_bound() -> None:

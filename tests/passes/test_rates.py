@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from burnish.compiler.ir.operations import CROSS
 from burnish.compiler.ir.program import Varying
 
 from .kit import calls, history, ops, shader
@@ -14,26 +15,26 @@ def varyings(text: str) -> tuple[Varying, ...]:
 def test_an_affine_value_of_one_crossing_is_computed_at_the_vertices() -> None:
     past = history(shader("material M { param s : vec2  color = (uv * s + vec2(1, 2)).xyx }"))
     assert calls(past.roots["guard"], "add")
-    for crossing in ops(past.roots["move_to_vertices"], "interpolate"):
+    for crossing in ops(past.roots["move_to_vertices"], "cross"):
         assert calls([crossing.operands[0]], "add")
-    assert len(ops(past.roots["move_to_vertices"], "interpolate")) == 1
+    assert len(ops(past.roots["move_to_vertices"], "cross")) == 1
 
 
 def test_a_crossing_with_other_uses_stays() -> None:
     past = history(shader("material M { param s : vec2  color = (uv * s).xyx + sin(uv.xyx) }"))
-    (crossing,) = ops(past.roots["move_to_vertices"], "interpolate")
+    (crossing,) = ops(past.roots["move_to_vertices"], "cross")
     assert crossing.operands[0].op == "attribute"
 
 
 def test_what_would_widen_a_varying_stays() -> None:
     past = history(shader("material M { param s : vec3  color = s * uv.x + sin(s * uv.x) }"))
-    for crossing in ops(past.roots["move_to_vertices"], "interpolate"):
+    for crossing in ops(past.roots["move_to_vertices"], "cross"):
         assert str(crossing.type) in ("float", "vec2")
 
 
 def test_what_is_not_affine_stays() -> None:
     past = history(shader("material M { color = sin(uv.xyx) }"))
-    (crossing,) = ops(past.roots["move_to_vertices"], "interpolate")
+    (crossing,) = ops(past.roots["move_to_vertices"], "cross")
     assert crossing.operands[0].op == "attribute"
 
 
@@ -41,15 +42,15 @@ def test_flat_values_never_move() -> None:
     past = history(
         shader("material M { color = vec3(float(@vertex int(vertex_uv.x)) * 2.0 + 1.0) }")
     )
-    (crossing,) = ops(past.roots["move_to_vertices"], "interpolate")
-    assert crossing.data == "flat" and str(crossing.type) == "int"
+    (crossing,) = ops(past.roots["move_to_vertices"], "cross")
+    assert CROSS.data(crossing).mode == "flat" and str(crossing.type) == "int"
 
 
 def test_moving_never_adds_a_varying() -> None:
     text = "param s : vec2  a = uv * s  color = vec3(a.x + sin(uv.y), a.y * a.y, 1)"
     past = history(shader(f"material M {{ {text} }}"))
-    before = len(ops(past.roots["guard"], "interpolate"))
-    assert len(ops(past.roots["move_to_vertices"], "interpolate")) <= before
+    before = len(ops(past.roots["guard"], "cross"))
+    assert len(ops(past.roots["move_to_vertices"], "cross")) <= before
 
 
 def test_two_pairs_share_a_slot() -> None:

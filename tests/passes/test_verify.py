@@ -10,6 +10,7 @@ from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node
 from burnish.compiler.ir.operations import Form
+from burnish.compiler.ir.stages import FLAT, SMOOTH
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, VEC4, Matrix, TallMatrix
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes import checkpoint
@@ -24,7 +25,7 @@ def attribute(graph: Graph) -> Node:
 
 
 def crossing(graph: Graph) -> Node:
-    return graph.node("interpolate", VEC3, (attribute(graph),), "perspective")
+    return build.cross(graph, attribute(graph), SMOOTH)
 
 
 def loop(graph: Graph, body: Node, index: Formal | None = None) -> Node:
@@ -67,8 +68,12 @@ WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
     ("guarded", lambda g: g.node("call", FLOAT, (one(g),), "sqrt"), "has not been guarded"),
     ("stored", flag, "instead of uint"),
     ("stored", lambda g: turned(g, 2), "does not take"),
-    ("semantics", lambda g: g.node("interpolate", VEC3, (crossing(g),), "flat"), "behind a"),
-    ("semantics", lambda g: g.node("interpolate", BOOL, (flag(g),), "flat"), "does not take"),
+    (
+        "semantics",
+        lambda g: build.cross(g, crossing(g), FLAT),
+        "crosses from another domain than vertex",
+    ),
+    ("semantics", lambda g: build.cross(g, flag(g), FLAT), "does not take"),
 ]
 
 

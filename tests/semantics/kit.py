@@ -11,6 +11,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
 from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.operations import CROSS
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.evaluate import Leaves, evaluate
@@ -82,11 +83,15 @@ def amid(whole: Shader, root: Node, corners: Sequence[Given]) -> Lanes:
     plain = leaves(whole, corners[0])
 
     def crossing(node: Node) -> Lanes | None:
-        if node.op != "interpolate":
+        if node.op != "cross":
             return plain(node)
         values = [at(whole, node.operands[0], corner) for corner in corners]
         lanes = zip(*values, strict=True)
-        return values[0] if node.data == "flat" else tuple(sum(ls) / len(values) for ls in lanes)
+        return (
+            values[0]
+            if CROSS.data(node).mode == "flat"
+            else tuple(sum(ls) / len(values) for ls in lanes)
+        )
 
     return evaluate(root, crossing)
 

@@ -8,6 +8,7 @@ import pytest
 
 import burnish
 from burnish.compiler.ir.node import reachable
+from burnish.compiler.ir.operations import CROSS
 from burnish.compiler.ir.stages import DISCARD, TARGET
 
 from .kit import Given, amid, color, shader
@@ -143,9 +144,9 @@ def test_what_each_instance_has_is_not_interpolated() -> None:
     """
     whole = shader(text)
     modes = {
-        getattr(node.operands[0].data, "name", node.operands[0].data): node.data
+        getattr(node.operands[0].data, "name", node.operands[0].data): CROSS.data(node).mode
         for node in reachable([whole.results_of(TARGET)[0].value])
-        if node.op == "interpolate"
+        if node.op == "cross"
     }
     assert modes == {
         "place": "flat",

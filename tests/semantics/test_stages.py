@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.operations import CROSS
 from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
@@ -50,7 +51,7 @@ def test_crossing(expression: str, expected: float) -> None:
 
 
 def crossings(root: Node) -> list[Node]:
-    return [node for node in reachable((root,)) if node.op == "interpolate"]
+    return [node for node in reachable((root,)) if node.op == "cross"]
 
 
 def test_what_does_not_vary_does_not_cross() -> None:
@@ -79,5 +80,5 @@ def test_the_default_clip_position_is_that_of_the_camera() -> None:
 def test_booleans_and_integers_cross_without_interpolation() -> None:
     text = "material M { attribute n : ivec2  color = if @vertex (n.x > 0) then 0 else vec3(n.y) }"
     whole = shader(text.replace("vec3(n.y)", "vec3(float(n.y))"))
-    modes = {node.data for node in crossings(whole.results_of(TARGET)[0].value)}
+    modes = {CROSS.data(node).mode for node in crossings(whole.results_of(TARGET)[0].value)}
     assert modes == {"flat"}

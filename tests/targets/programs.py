@@ -25,9 +25,14 @@ from burnish.compiler.ir.stages import (
     CLIP_POSITION,
     DISCARD,
     FRAGMENT,
+    FRAGMENTS,
+    SYSTEM_INPUTS,
     TARGET,
     VARYING,
     VERTEX,
+    VERTICES,
+    Crossing,
+    InterpolationMode,
     StageRow,
 )
 from burnish.compiler.ir.types import (
@@ -68,11 +73,11 @@ class Maker:
     def attribute(self, name: str, type_: Type) -> Node:
         return self.graph.node("attribute", type_, (), Attribute(name, type_))
 
-    def crossing(self, value: Node, mode: str = "perspective") -> Node:
-        return self.graph.node("interpolate", value.type, (value,), mode)
+    def crossing(self, value: Node, mode: InterpolationMode = "perspective") -> Node:
+        return build.cross(self.graph, value, Crossing(VERTICES, FRAGMENTS, mode))
 
     def input(self, name: str, type_: Type) -> Node:
-        return self.graph.node("input", type_, (), name)
+        return self.graph.node("input", type_, (), SYSTEM_INPUTS[name])
 
     def formal(self, formal: Formal, type_: Type) -> Node:
         return self.graph.node("formal", type_, (), formal)

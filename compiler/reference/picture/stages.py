@@ -12,7 +12,7 @@ import numpy as np
 from ....stdlib.builtins import BUILTINS, texture
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
-from ...ir.operations import BUILTIN_OPS, CALL, INPUT, LOOPS, builtin_of
+from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, LOOPS, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, TARGET
 from ...ir.types import scalar_kind, width
@@ -43,7 +43,7 @@ class Vertices:
     positions: Floats
     """(vertices, 4) in clip space."""
     crossings: Mapping[int, Lanes]
-    """By the id of the ``interpolate`` node: lanes of length (vertices,), or single numbers."""
+    """By the id of the ``cross`` node: lanes of length (vertices,), or single numbers."""
     off: Mapping[int, Lanes]
     """Likewise, by how much rounding may move them; empty where operations are exact."""
     undecided: Bools
@@ -80,7 +80,7 @@ class Stages:
         self._functions = dict(rules.functions)
         self._relative = 0.0 if rules.rounding_bits is None else 2.0**-rules.rounding_bits
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
-        self._crossings = [node for node in nodes if node.op == "interpolate"]
+        self._crossings = [node for node in nodes if node.op == "cross"]
         neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
         self.side = 2 if _called(nodes) & neighbours else 1
         everywhere = (*nodes, *reachable((self._position,)))
@@ -101,7 +101,7 @@ class Stages:
                 return _attribute(geometry, node.data)
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
-            return (inputs[INPUT.data(node)],) if node.op == "input" else self._parameter(node)
+            return (inputs[INPUT.data(node).name],) if node.op == "input" else self._parameter(node)
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)
@@ -127,7 +127,7 @@ class Stages:
         if not _rounds(node, value):
             return value
         relative = (-1.0) ** node.id * self._relative
-        absolute = self._functions.get(INPUT.data(node), 0.0)
+        absolute = self._functions.get(str(node.data), 0.0)
         return tuple(
             lane + (np.abs(lane) * relative + absolute) if np.ndim(lane) else lane for lane in value
         )
@@ -146,21 +146,21 @@ class Stages:
         }
 
         def leaves(node: Node) -> Lanes | None:
-            if node.op == "interpolate":
+            if node.op == "cross":
                 values = vertices.crossings[node.id]
-                if node.data == "flat":
+                if CROSS.data(node).mode == "flat":
                     return place.flat(values)
                 number = self._crossings.index(node)
                 return place.perspective(values, vertices.off.get(node.id), self.ways, number)
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
-            return inputs[INPUT.data(node)] if node.op == "input" else self._parameter(node)
+            return inputs[INPUT.data(node).name] if node.op == "input" else self._parameter(node)
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)
             if node.data in ("ddx", "ddy"):
                 margins.spread()
-                return _differences(value, self.ways, INPUT.data(node))
+                return _differences(value, self.ways, CALL.data(node))
             return self._rounded(node, value, margins, turns)
 
         evaluator = Evaluator(leaves, np, observer)
@@ -245,7 +245,7 @@ def _ways(
     return variants(
         rules.subtexel_bits if smooth else None,
         rules.mip_bits if mipped or called & {"ddx", "ddy"} else None,
-        rules.varying_bits if any(node.data != "flat" for node in crossings) else None,
+        rules.varying_bits if any(CROSS.data(node).mode != "flat" for node in crossings) else None,
         rules.rounding_bits,
         any(name in called for name, _ in rules.functions),
         mixing_bits=rules.mixing_bits if steps else None,

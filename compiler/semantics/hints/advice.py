@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics.fixes import Hint, either, fix_it, write
@@ -14,13 +13,11 @@ from ...diagnostics.source import Span
 from ...ir.node import Node, bare
 from ...ir.types import Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ...syntax import ast
+from ...syntax.quoting import LONGEST, counted, spanned
+from ...syntax.rewriting import rewritten
+from ..names.modules import Symbol
+from ..state.scope import RigEntry, Scope
 from ..types.typenames import NAMED
-from .rewriting import rewritten
-from .wording import LONGEST, counted, spanned
-
-if TYPE_CHECKING:
-    from ..names.modules import Symbol
-    from ..state.scope import RigEntry, Scope
 
 _FEW = 8
 """As many names can be listed."""

@@ -6,7 +6,6 @@ An edit is offered where the builtin is known to take what comes of it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics import rules
@@ -27,15 +26,13 @@ from ...ir.types import (
     with_width,
 )
 from ...syntax import ast
+from ...syntax.quoting import closed, counted, operand, spanned
+from ...syntax.rewriting import rewritten, together
 from ..hints import advice
-from ..hints.rewriting import rewritten, together
-from ..hints.wording import closed, counted, operand, spanned
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from ..types import overloads
 from ..types.overloads import Operand
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 _INTEGERS = frozenset(FAMILIES["I"].kinds)
 _LANES = "xyzw"
@@ -51,23 +48,23 @@ def listed(operands: Sequence[Node]) -> str:
 
 
 def no_signature(
-    low: Lowering, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
+    ctx: Context, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
 ) -> Failure:
     """Report operands that no signature of a builtin takes."""
     row, places = BUILTINS[name], [each.span for each in written]
     if row.operator:
         types = [str(node.type) for node in operands]
-        low.report.add(
+        ctx.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
             hint=advice.cut_quotient(operands, places)
-            or _operator_hint(low, name, operands, written),
+            or _operator_hint(ctx, name, operands, written),
         )  # fmt: skip
         return FAILURE
     candidates = f"candidates: {overloads.signatures(row)}"
     if not overloads.takes(name, len(operands)):
         counts = sorted({len(s.split("->")[0].split(",")) for s in row.signatures})
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_COUNT, span, name=shown,
             expected=counted(" or ".join(map(str, counts)), "argument"), found=len(operands),
             hint=_of_another_count(name, span, written) or candidates,
@@ -75,7 +72,7 @@ def no_signature(
         return FAILURE
     cut = advice.cut_quotient(operands, places)
     hint = _parts(operands) or cut or _edited(name, operands, written) or candidates
-    low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
+    ctx.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
     return FAILURE
 
 
@@ -149,7 +146,7 @@ def _of_one_length(operands: Sequence[Node], written: Written) -> list[Edited]:
 # --- operators -----------------------------------------------------------------------------------
 
 
-def _operator_hint(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> Hint:
+def _operator_hint(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> Hint:
     """How to mend ``x * i`` between a float and an integer, and the like."""
     of_bits = all(signature.startswith("I") for signature in BUILTINS[name].signatures)
     ways: tuple[Callable[[], Hint], ...] = (
@@ -157,7 +154,7 @@ def _operator_hint(low: Lowering, name: str, operands: Sequence[Node], written: 
         lambda: _bits(name, operands) if of_bits else "",
         lambda: _edited(name, operands, written),
         lambda: _integers(operands, written),
-        lambda: _of_matrices(low, name, operands, written),
+        lambda: _of_matrices(ctx, name, operands, written),
         lambda: advice.joined_types(name, operands[0].type, operands[-1].type),
     )
     return next((hint for way in ways if (hint := way())), "")
@@ -187,7 +184,7 @@ def _integers(operands: Sequence[Node], written: Written) -> Hint:
     return FixIt(said, (*left.fixes, *right.fixes))
 
 
-def _of_matrices(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> Hint:
+def _of_matrices(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> Hint:
     """How to mend ``matrix * vector`` of different sizes, and ``matrix / number``."""
     if len(operands) != 2 or not isinstance(operands[0].type, Matrix):
         return ""
@@ -198,7 +195,7 @@ def _of_matrices(low: Lowering, name: str, operands: Sequence[Node], written: Wr
         whole = [written[0].span.to(each.span) for each in written[1:]]
         exact = " * (1.0 / ".join(closed(each.span.text) for each in written) + ")"
         return fix_it(said, (whole[0], exact)) if whole else said
-    by = low.meanings.of(operands[0])
+    by = ctx.meanings.of(operands[0])
     if type_ == VEC3 and by is not None and by.kind == "transform":
         space = by.spaces[0]
         return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"

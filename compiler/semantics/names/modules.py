@@ -20,7 +20,7 @@ from ...diagnostics.fixes import Hint, fix_it
 from ...diagnostics.nearest import nearest, respelling
 from ...diagnostics.source import Source, Span
 from ...syntax import ast
-from ..hints.rewriting import inserted_on_top
+from ...syntax.rewriting import inserted_on_top
 from ..types.generics import FAMILIES, unfounded, untold
 from ..types.typenames import described
 from .duplicates import check_once

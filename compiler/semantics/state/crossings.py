@@ -1,6 +1,6 @@
 """Crossing from the vertex to the fragment stage, as a node.
 
-``interpolate(mode, e)`` is a value in the fragment domain; ``e`` lives in the vertex domain. Where
+A ``cross`` node of ``e`` is a value in the fragment domain; ``e`` lives in the vertex domain. Where
 a value that contains crossings is itself wanted in the vertex domain (it feeds ``clip_position`` or
 stands under ``@vertex``), the crossings in it are taken out: there is nothing to cross.
 """
@@ -12,15 +12,16 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.source import Span
 from ...ir import build
-from ...ir.leaves import Attribute, InterpolationMode
+from ...ir.domains import Domains
 from ...ir.node import Graph, Node, reachable
+from ...ir.operations import INPUT
 from ...ir.shader import Notes
-from ...ir.stages import SYSTEM_INPUTS, VERTEX, SystemInput
+from ...ir.stages import FLAT, SMOOTH, VERTEX, VERTICES, SystemInput
 from ...ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
 
 
-class Stages:
+class Crossings:
     """Makes and removes crossings in one graph."""
 
     def __init__(self, graph: Graph, report: Report, notes: Notes) -> None:
@@ -28,8 +29,7 @@ class Stages:
         self._report = report
         self._notes = notes
         self._vertex: dict[int, Node] = {}
-        self._varies: dict[int, bool] = {}
-        self._varies_within: dict[int, bool] = {}
+        self._domains = Domains()
 
     def attribute(self, leaf: Node) -> Node:
         """A vertex input as the fragment stage sees it; a matrix crosses column by column."""
@@ -40,7 +40,7 @@ class Stages:
 
     def supplied(self, row: SystemInput) -> Node:
         """A value of the pipeline's own as the fragment stage sees it."""
-        leaf = self._graph.node("input", row.type, (), row.name)
+        leaf = self._graph.node("input", row.type, (), row)
         return self._crossing(leaf) if row in VERTEX.inputs else leaf
 
     def interpolated(self, node: Node, span: Span) -> Node | Failure:
@@ -48,7 +48,7 @@ class Stages:
         inner = self.checked_at_vertex(node, span)
         if isinstance(inner, Failure):
             return FAILURE
-        if not self._varying(inner):
+        if self._domains.of(inner) is None:
             return node
         if not isinstance(inner.type, Scalar | Vector):
             self._report.add(rules.CANNOT_CROSS, span, type=inner.type)
@@ -74,7 +74,7 @@ class Stages:
             if node.id in self._vertex:
                 continue
             operands = tuple(self._vertex[operand.id] for operand in node.operands)
-            if node.op == "interpolate":
+            if node.op == "cross":
                 self._vertex[node.id] = operands[0]
             elif operands == node.operands:
                 self._vertex[node.id] = node
@@ -88,9 +88,8 @@ class Stages:
         kind = scalar_kind(inner.type)
         if kind == "bool":
             return self._bool_crossing(inner)
-        smooth = kind == "float" and self._varying(inner, within_instance=True)
-        mode: InterpolationMode = "perspective" if smooth else "flat"
-        return self._graph.node("interpolate", inner.type, (inner,), mode)
+        smooth = kind == "float" and self._domains.of(inner) == VERTICES
+        return build.cross(self._graph, inner, SMOOTH if smooth else FLAT)
 
     def _bool_crossing(self, inner: Node) -> Node:
         """Booleans cross as 0 and 1, which is all that a stage interface can carry."""
@@ -99,31 +98,13 @@ class Stages:
             one, zero = (build.constant(self._graph, UINT, n) for n in (1, 0))
             flag = build.swizzle(self._graph, inner, (lane,)) if width(inner.type) > 1 else inner
             number = self._graph.node("select", UINT, (flag, one, zero))
-            crossed = self._graph.node("interpolate", UINT, (number,), "flat")
+            crossed = build.cross(self._graph, number, FLAT)
             lanes.append(self._graph.node("call", with_width("bool", 1), (crossed, zero), "ne"))
         return build.vector(self._graph, tuple(lanes))
-
-    def _varying(self, root: Node, *, within_instance: bool = False) -> bool:
-        """Whether a vertex-domain value depends on the vertex, or just on the instance."""
-        known = self._varies_within if within_instance else self._varies
-        for node in reachable((root,)):
-            if node.id not in known:
-                own = node.op in ("attribute", "input")
-                if own and within_instance:
-                    own = not _of_instance(node)
-                known[node.id] = own or any(known[operand.id] for operand in node.operands)
-        return known[root.id]
-
-
-def _of_instance(leaf: Node) -> bool:
-    """Whether an input is the same at all vertices of an instance."""
-    if isinstance(leaf.data, Attribute):
-        return leaf.data.step == "instance"
-    return SYSTEM_INPUTS[str(leaf.data)].per_instance
 
 
 def _fragment_only(node: Node) -> bool:
     """Whether a value exists in the fragment stage alone."""
     if node.op == "call":
         return BUILTINS[str(node.data)].uniform_control_flow
-    return node.op == "input" and SYSTEM_INPUTS[str(node.data)] not in VERTEX.inputs
+    return node.op == "input" and INPUT.data(node) not in VERTEX.inputs

@@ -13,6 +13,7 @@ from ...ir.binding import Moved
 from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ARROWS, COLORS, GEOMETRY, RGB, Meaning
 from ...ir.node import Folding, Graph, Node
+from ...ir.operations import CROSS
 from ...ir.rewrite import rewrite
 from ...ir.types import Array, Matrix, Struct
 from .meaning_rules import RULES, Found, chosen, gathered, side, weakened
@@ -128,8 +129,8 @@ def _member(node: Node, operands: Operands) -> Found:
     return None if operands[0] is None else operands[0].member(str(node.data))
 
 
-def _interpolate(node: Node, operands: Operands) -> Found:
-    return operands[0] if node.data == "flat" else weakened(operands[0])
+def _cross(node: Node, operands: Operands) -> Found:
+    return operands[0] if CROSS.data(node).mode == "flat" else weakened(operands[0])
 
 
 def _fold(node: Node, operands: Operands) -> Found:
@@ -160,7 +161,7 @@ _RULES: Mapping[str, Callable[[Node, Operands], Found]] = {
     "swizzle": _swizzle,
     "index": _index,
     "member": _member,
-    "interpolate": _interpolate,
+    "cross": _cross,
     "fold": _fold,
     "apply": _value,
     "called": _value,

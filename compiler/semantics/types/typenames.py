@@ -32,8 +32,8 @@ from ...ir.types import (
     Vector,
 )
 from ...syntax import ast
-from ..hints.rewriting import called_here, declared_space
-from ..hints.wording import counted
+from ...syntax.quoting import counted
+from ...syntax.rewriting import called_here, declared_space
 
 SCALAR_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 SPACES = frozenset({"object", "world", "view", "clip", "tangent", "light"})
@@ -96,6 +96,9 @@ class Declared:
 
 Variable = Declared | str | int
 """What a type parameter stands for: a type, a space (empty where none is known), or a number."""
+_RENAMED: Mapping[str, str] = {"frame": "basis"}
+"""Types that had another name in an earlier version of the language."""
+
 Variables = Mapping[str, Variable]
 
 
@@ -104,10 +107,6 @@ def described(name: ast.TypeName, count: int | None = None) -> str:
     spaces = ", ".join(argument.text for argument in name.arguments)
     text = f"{name.name.text}<{spaces}>" if spaces else name.name.text
     return f"{text}[{count}]" if count is not None else text
-
-
-_RENAMED: Mapping[str, str] = {"frame": "basis"}
-"""Types that had another name in an earlier version of the language."""
 
 
 class TypeResolver:

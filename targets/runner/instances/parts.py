@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from ....compiler.diagnostics.nearest import suggestion
 from .values import ParameterError
 
-if TYPE_CHECKING:
-    from .instance import Instance
+
+class Owner(Protocol):
+    """The instance that parts are of: it holds all values, by their full names."""
+
+    def get(self, name: str, /) -> Any:
+        """The value of a parameter."""
+
+    def set(self, name: str, value: object, /) -> None:
+        """Set a parameter. Raises ``ParameterError``."""
+
+    def _attribute(self, name: str, /) -> Any:
+        """The value of a parameter, or the part that goes by a name."""
 
 
 class Part:
@@ -17,7 +27,7 @@ class Part:
 
     __slots__ = ("_count", "_instance", "_name")
 
-    def __init__(self, instance: Instance, name: str, count: int | None = None) -> None:
+    def __init__(self, instance: Owner, name: str, count: int | None = None) -> None:
         object.__setattr__(self, "_instance", instance)
         object.__setattr__(self, "_name", name)
         object.__setattr__(self, "_count", count)
@@ -61,7 +71,7 @@ class Rig:
 
     __slots__ = ("_instance", "_names")
 
-    def __init__(self, instance: Instance, names: frozenset[str]) -> None:
+    def __init__(self, instance: Owner, names: frozenset[str]) -> None:
         object.__setattr__(self, "_instance", instance)
         object.__setattr__(self, "_names", names)
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drivers.draw import Dimension, TextureFormat
+from .kinds import FACES, Kind, PictureError
 from .mipmaps import Texels
-from .texture import FACES, Kind, PictureError
 
 MAX_SIDE = 8192
 """Texels; the largest texture that WebGPU promises."""

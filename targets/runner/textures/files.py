@@ -13,7 +13,7 @@ from PIL import Image, ImageOps, UnidentifiedImageError
 
 from ..drivers.draw import Dimension
 from .arrays import MAX_SIDE, check_sides
-from .texture import FACES, Kind, PictureError
+from .kinds import FACES, Kind, PictureError
 
 
 def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> NDArray[Any]:

@@ -15,21 +15,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 from ....arguments import expect, expect_all
 from ..drivers.draw import TEXELS, Dimension, Image, TextureFormat
 from ..instances.literals import color_channels
+from .kinds import FACES, Kind, PictureError
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-Kind = Literal["float", "depth", "int", "uint"]
-"""What a texture holds, in the reflection's words (``sample``)."""
-
 SRGB_PREFIX = "srgb:"
-FACES = ("+x", "-x", "+y", "-y", "+z", "-z")
 
 _COLORS: dict[str, Sequence[int]] = {
     "white": (255, 255, 255, 255),
@@ -39,10 +36,6 @@ _COLORS: dict[str, Sequence[int]] = {
     "flat_normal": (128, 128, 255, 255),
 }
 _DEPTHS = {"far": 1.0, "near": 0.0}
-
-
-class PictureError(ValueError):
-    """A picture that cannot be made a texture of; the text says why, for people."""
 
 
 @dataclass(frozen=True, slots=True)

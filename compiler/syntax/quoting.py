@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...diagnostics.source import Span
-from ...syntax import ast
+from ..diagnostics.source import Span
+from . import ast
 
 LONGEST = 60
 

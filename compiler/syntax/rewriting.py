@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from ...diagnostics.fixes import Fix, FixIt, Hint, fix_it
-from ...diagnostics.source import Source, Span
-from .wording import closed, operand, spanned
+from ..diagnostics.fixes import Fix, FixIt, Hint, fix_it
+from ..diagnostics.source import Source, Span
+from .quoting import closed, operand, spanned
 
 _HEAD = re.compile(
     r"""

@@ -1,0 +1,71 @@
+"""Over which domain each value varies: what the draw has once, an instance, a vertex, a fragment.
+
+Semantics asks this to know what has to cross between stages, and the verifier to make sure that no
+operation mixes values of two stages. A node's domain follows from its operands', so it is worked
+out once for each node.
+"""
+
+from __future__ import annotations
+
+from .leaves import Attribute
+from .node import AGE, Node
+from .stages import INSTANCES, VERTICES, Crossing, Domain, SystemInput
+
+
+class MixedDomainsError(Exception):
+    """An operation of values that no stage has side by side."""
+
+    def __init__(self, node: Node, reason: str) -> None:
+        super().__init__(reason)
+        self.node = node
+
+
+class Domains:
+    """The domains of the nodes of one graph, each worked out when it is first asked for."""
+
+    def __init__(self) -> None:
+        self._found: dict[int, Domain | None] = {}
+
+    def of(self, root: Node) -> Domain | None:
+        """What a value varies over; ``None`` where it is the same all over the draw.
+
+        A variable counts as what is the same everywhere: it is as its arguments are. Raises
+        ``MixedDomainsError`` where the value is made of values of different stages.
+        """
+        if root.id not in self._found:
+            missing = {root}
+            pending = [root]
+            for node in pending:  # It grows on the way.
+                new = {o for o in node.operands if o.id not in self._found} - missing
+                missing |= new
+                pending += new
+            for node in sorted(missing, key=AGE):
+                self._found[node.id] = self._domain(node)
+        return self._found[root.id]
+
+    def _domain(self, node: Node) -> Domain | None:
+        match node.data:
+            case Attribute(step=step):
+                return step
+            case SystemInput(domain=domain):
+                return domain
+            case Crossing(origin=origin, destination=destination):
+                (operand,) = node.operands
+                if not _exists(self._found[operand.id], origin):
+                    raise MixedDomainsError(node, f"crosses from another domain than {origin}")
+                return destination
+        found: Domain | None = None
+        for operand in node.operands:
+            other = self._found[operand.id]
+            if _exists(found, other):
+                found = other
+            elif not _exists(other, found):
+                raise MixedDomainsError(node, f"made of values per {found} and per {other}")
+        return found
+
+
+def _exists(domain: Domain | None, other: Domain | None) -> bool:
+    """Whether what varies over ``domain`` has a value at each place of ``other``, too."""
+    if domain is None or domain == other:
+        return True
+    return (domain, other) == (INSTANCES, VERTICES)

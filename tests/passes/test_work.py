@@ -1,0 +1,116 @@
+"""Passes look at each value a fixed number of times: twice the program is twice the work.
+
+Work is counted in executed lines of Python (each turn of a comprehension is one), not in time. What
+every program costs makes the ratio a little less than two; work that is squared, more.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from types import FrameType
+from typing import Any
+from unittest.mock import patch
+
+import pytest
+
+from burnish.compiler.passes import checkpoint
+from burnish.compiler.passes.pipeline import Options, stage
+
+from .kit import shader
+from .test_scale import SHAPES, chain, long_sum, nested
+
+
+def work(program: str) -> int:
+    """How many lines of Python the passes run for a program."""
+    given = shader(program)
+    lines = 0
+
+    def trace(_frame: FrameType, event: str, _argument: object) -> Any:
+        nonlocal lines
+        lines += event == "line"
+        return trace
+
+    with patch.dict("os.environ", {checkpoint.VARIABLE: "0"}):
+        before = sys.gettrace()
+        sys.settrace(trace)
+        try:
+            stage(given, Options())
+        finally:
+            sys.settrace(before)
+    return lines
+
+
+def material(equations: str, color: str) -> str:
+    return f"material M {{\n{equations}\ncolor = vec3({color})\n}}"
+
+
+def lines(count: int, line: Callable[[int], str]) -> str:
+    return "\n".join(map(line, range(1, count)))
+
+
+def total(count: int) -> str:
+    return " + ".join(f"s{i}" for i in range(1, count))
+
+
+def choices(count: int) -> str:
+    """Choices inside of choices, with one value that all conditions need."""
+    links = lines(count, lambda i: f"s{i} = if uv.y > {i}.5 then s{i - 1} else sin(uv.x * {i}.0)")
+    return material(f"s0 = uv.x\n{links}", f"s{count - 1}")
+
+
+def guarded_choices(count: int) -> str:
+    """Divisions that are safe behind their conditions."""
+    links = lines(count, lambda i: f"s{i} = if s{i - 1} > {i}.0 then 1 / s{i - 1} else s{i - 1}")
+    return material(f"s0 = uv.x\n{links}", f"s{count - 1}")
+
+
+def functions(count: int) -> str:
+    """A sum of calls of as many functions."""
+    bodies = lines(
+        count, lambda i: f"fn f{i}(x : float) -> float = sin(x * {i}.0) + cos(x) * sin(x + {i}.0)"
+    )
+    calls = lines(count, lambda i: f"s{i} = f{i}(uv.x) + f{i}(uv.y)")
+    return f"{bodies}\n{material(calls, total(count))}"
+
+
+def varyings(count: int) -> str:
+    """Values that cross, each by itself."""
+    values = lines(count, lambda i: f"s{i} = @vertex sin(uv.x * {i}.0)")
+    return material(values, " + ".join(f"s{i} * uv.y" for i in range(1, count)))
+
+
+def elements(count: int) -> str:
+    """An array whose elements are computed, and read one after the other."""
+    values = ", ".join(f"sin(uv.x * {i}.0)" for i in range(count))
+    return material(f"a = [{values}]", f"sum i in 0..{count} : a[i]")
+
+
+def parameters(count: int) -> str:
+    """Work for the host from as many parameters."""
+    declared = lines(count, lambda i: f"param p{i} : float = 0.5")
+    return material(declared, " + ".join(f"sin(p{i}) * uv.x" for i in range(1, count)))
+
+
+def conditions(count: int) -> str:
+    """One condition with many parts."""
+    parts = " and ".join(f"uv.x > {i}.0" for i in range(count))
+    return material("", f"if {parts} then sin(uv.x) else 1.0")
+
+
+ALL = {
+    **SHAPES,
+    **{
+        each.__name__: each
+        for each in (
+            chain, long_sum, nested, choices, guarded_choices, functions, varyings, elements,
+            parameters, conditions,
+        )
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_work_grows_with_the_program(name: str) -> None:
+    small, large = (work(ALL[name](count)) for count in (100, 200))
+    assert large < 2.05 * small
