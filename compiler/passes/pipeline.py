@@ -170,12 +170,12 @@ def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
 
 
 def _outputs(results: Iterable[Result]) -> Iterator[Output]:
-    """The shader's results of one stage; those that a host names get a location each."""
+    """The shader's results of one stage; those that a host knows by name get a location each."""
     locations = count()
     for result in results:
         field = None
-        if (target := result.target) is not None:
-            field = Field(target.name, result.value.type, next(locations), doc=target.doc)
+        if result.name:
+            field = Field(result.name, result.value.type, next(locations), doc=result.doc)
         yield Output(result.kind, result.value, field)
 
 

@@ -11,10 +11,11 @@ from ...diagnostics import rules
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
-from ...ir.leaves import Attribute, Parameter, Step
+from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ANGLE, Meaning
 from ...ir.node import Node
 from ...ir.shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
+from ...ir.stages import INSTANCES, VERTICES
 from ...ir.types import FLOAT, INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
 from ...layout import STANDARD_GROUPS
 from ...syntax import ast
@@ -33,7 +34,7 @@ from .written_types import declared_type, named_struct
 DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pass": "frame"}
 """The group of a parameter that names none, by what declares it."""
 
-STEPS = ("vertex", "instance")
+STEPS = (VERTICES, INSTANCES)
 """What an attribute can be declared ``per``; the first is the default."""
 
 
@@ -246,7 +247,7 @@ def _attribute(ctx: Context, definition: Definition, name: str) -> list[Attribut
     type_, doc, span = declared.type, member.doc, member.name.span
     if member.rate is not None and member.rate.text not in STEPS:
         unknown_word(ctx, "step", member.rate, STEPS)
-    step: Step = "instance" if member.rate and member.rate.text == "instance" else "vertex"
+    step = INSTANCES if member.rate and member.rate.text == INSTANCES else VERTICES
     if isinstance(type_, Matrix):
         column = Vector("float", type_.size)
         return [
