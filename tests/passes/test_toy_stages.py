@@ -7,7 +7,7 @@ captures what its vertices come to and has no fragments.
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import pytest
 
@@ -38,7 +38,7 @@ from burnish.compiler.ir.stages import (
     StageRow,
     SystemInput,
 )
-from burnish.compiler.ir.types import FLOAT, INT, UINT, VEC2, VEC3, Type
+from burnish.compiler.ir.types import FLOAT, INT, UINT, VEC2, VEC3, VEC4, Type
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reflection import reflect
@@ -268,6 +268,38 @@ def test_nothing_may_skip_a_stage() -> None:
     with pytest.raises(InvalidGraphError, match="made of values per vertex and per emitted"):
         crossed = build.cross(toy.graph, uv, INTO_GEOMETRY)
         verify([toy.call("add", VEC2, uv, crossed)], stage="semantics")
+
+
+MISFITS = {
+    "made of what another stage has": (
+        lambda toy: Result(TARGET, FRAGMENT, toy.attribute("c", VEC4), "c"),
+        "no value per fragment",
+    ),
+    "of a kind that the stage does not deliver": (
+        lambda toy: Result(TARGET, VERTEX, toy.attribute("c", VEC4), "c"),
+        "a vertex stage does not deliver a target",
+    ),
+    "of a stage that is not there": (
+        lambda toy: Result(TARGET, GEOMETRY, toy.attribute("c", VEC4), "c"),
+        "no geometry stage in the chain",
+    ),
+    "crossing into a stage that is not there": (
+        lambda toy: Result(
+            TARGET,
+            FRAGMENT,
+            build.cross(toy.graph, toy.attribute("c", VEC4), INTO_GEOMETRY),
+            "c",
+        ),
+        "no two stages that follow each other are joined so",
+    ),
+}
+
+
+@pytest.mark.parametrize(("result", "problem"), MISFITS.values(), ids=MISFITS)
+def test_a_result_fits_the_chain(result: Callable[[Toy], Result], problem: str) -> None:
+    toy = Toy()
+    with pytest.raises(InvalidGraphError, match=problem):
+        stage(toy.shader([result(toy)], VERTEX, FRAGMENT), Options())
 
 
 def test_there_may_be_no_fragments() -> None:

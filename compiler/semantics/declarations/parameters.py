@@ -8,7 +8,8 @@ from math import hypot
 from ....frozen import EMPTY, changed, frozen
 from ....stdlib.builtins.facts import UNKNOWN, Fact
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.fixes import fix_it
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ANGLE, Meaning
@@ -95,7 +96,9 @@ def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:
         declaration = definition.owner.declaration
         assert isinstance(declaration, ast.Record | ast.Mixin)
         return DEFAULT_GROUPS[declaration.kind]
-    if named.text not in STANDARD_GROUPS and (hint := suggestion(named.text, STANDARD_GROUPS)):
+    if named.text not in STANDARD_GROUPS and (
+        hint := respelling(named.text, named.span, STANDARD_GROUPS)
+    ):
         ctx.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
     return named.text
 
@@ -111,7 +114,10 @@ def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterIn
     if isinstance(declared.type, Texture):
         ctx.report.add(
             rules.WRONG_TYPE, member.type.span, expected="a value", found=declared.text,
-            hint=f"declare a texture with `map {member.name.text} : {declared.text}`",
+            hint=fix_it(
+                f"declare a texture with `map {member.name.text} : {declared.text}`",
+                (Span(member.span.source, member.span.start, member.name.span.start), "map "),
+            ),
         )  # fmt: skip
         return None
     limits = _range(ctx, member, definition, declared)
