@@ -16,7 +16,7 @@ from .declarations import Declarations
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
-from .textures import helpers, opening_lines
+from .texture_declarations import helpers, opening_lines
 from .views import EntryView, FileView
 from .wrapping import wrapped
 
@@ -94,7 +94,7 @@ class _Emitter:
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
         names = {stage.name: self._entry_point(stage, single) for stage in stages}
-        marks = Marks()
+        marks = Marks(self._target.forms)
         entries = [
             StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
             for stage in stages
