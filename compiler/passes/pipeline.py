@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import count
 
 from ...frozen import changed, frozen
@@ -19,6 +20,7 @@ from ..ir.program import (
     Program,
     Stage,
     Varying,
+    native_uses,
     texture_reads,
 )
 from ..ir.ranges import Ranges
@@ -68,6 +70,17 @@ class Evidence:
 
 
 @frozen
+class Undecided:
+    """What a program was made of that has calls which each profile decides about: there it is made
+    once more, without them (``targets/legalise``)."""
+
+    shader: Shader
+    """Its results are those of the program."""
+    derived: tuple[Derived, ...]
+    ranges: Ranges
+
+
+@frozen
 class Staged:
     """A program with what else is to be told about it."""
 
@@ -75,6 +88,8 @@ class Staged:
     derived: tuple[Derived, ...]
     guards: tuple[Guard, ...]
     evidence: Evidence
+    undecided: Undecided | None = None
+    """Where the program has such calls."""
 
 
 def stage(shader: Shader, options: Options) -> Staged:
@@ -100,10 +115,16 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("lift_lambdas", "guarded", lift_lambdas(graph, roots, notes))
     roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     roots = passed("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
+    passed_on = with_results(shader, roots)
+    program = program_of(passed_on, derived)
+    undecided = Undecided(passed_on, derived, ranges) if guarding.undecided else None
+    return Staged(program, derived, tuple(guarding.kept.values()), evidence, undecided)
+
+
+def with_results(shader: Shader, roots: Iterable[Node]) -> Shader:
+    """A shader with other nodes for its results."""
     results = tuple(changed(r, value=v) for r, v in zip(shader.results, roots, strict=True))
-    program = _program(shader, results, derived)
-    guards = tuple(guarding.kept.values())
-    return Staged(program, derived, guards, evidence)
+    return replace(shader, results=results)
 
 
 def _simplified(
@@ -128,13 +149,16 @@ def _guarded(
 # --- the program ---------------------------------------------------------------------------------
 
 
-def _program(shader: Shader, results: tuple[Result, ...], derived: tuple[Derived, ...]) -> Program:
-    """The stages that the results need, from the last one back to the first."""
+def program_of(shader: Shader, derived: tuple[Derived, ...]) -> Program:
+    """The stages that the results of a shader need, from the last one back to the first.
+
+    ``stage`` calls it after all passes, and ``targets/legalise`` for results that it has changed.
+    """
     blocks = _blocks(shader, derived)
     stages: list[Stage] = []
     interfaces: list[Interface] = []
     for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
-        own = [result for result in results if result.stage == row]
+        own = [result for result in shader.results if result.stage == row]
         leaving = tuple(v for f in interfaces if f.origin == row.domain for v in f.varyings)
         outputs = (*_outputs(own), *_crossing_outputs(shader.graph, leaving))
         if not outputs:
@@ -223,6 +247,7 @@ def _stage(
             sorted({INPUT.data(n).name for n in visible(roots) if n.op == "input"})
         ),
         reads=texture_reads(nodes),
+        natives=native_uses(nodes),
     )
 
 
