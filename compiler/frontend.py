@@ -12,7 +12,7 @@ from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
 from .ir.shader import Shader
 from .library import FOLDER, parse_library
-from .semantics.inheritance.records import Records, records_of
+from .semantics.inheritance.flattening import Records, records_of
 from .semantics.names.modules import Loader, Module, Symbol
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
@@ -92,7 +92,7 @@ class Frontend:
         settings = [set_up(part, self._report.apart(), self._records) for part in parts]
         found = [elaborate(setting, reached) for setting in settings]
         for setting in settings:
-            self._report.extend(setting.low.report.since(0))
+            self._report.extend(setting.ctx.report.since(0))
         rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
         drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
         self._check_unused(module, drawn, settings, reached)

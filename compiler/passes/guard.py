@@ -148,7 +148,7 @@ class Guarding(Expanding):
         the draw, so is its guard, which leaves the shader and costs no language anything.
         """
         open_ = self._domains is None and row.by_profile(facts)
-        return open_ and self._varies(node.operands[-1])
+        return open_ and node.operands[-1] not in self._constant
 
     def _keep(self, node: Node, row: Builtin, by_profile: bool) -> None:
         """Remember that a guard stays, and what was known of the operands."""

@@ -99,7 +99,7 @@ class _Emitter:
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
         names = {stage.name: self._entry_point(stage, single) for stage in stages}
-        marks = Marks()
+        marks = Marks(self._target.forms)
         entries = [
             StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
             for stage in stages

@@ -138,7 +138,9 @@ class Expressions:
     def _splatted(self, operand: Text, type_: Type) -> Text:
         return Text(
             self._forms.splat.format(
-                type=self._types.type(type_), value=operand, lanes="x" * width(type_)
+                type=self._types.type(type_),
+                value=operand,
+                lanes=self._forms.lanes[0] * width(type_),
             )
         )
 
@@ -157,7 +159,7 @@ class Expressions:
         if source.op == "cross" and source.id not in self.bound:
             return self._leaves.interpolated(source, lanes)
         operand = self.operand(source).within(Binding.POSTFIX)
-        return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
+        return Text(f"{operand}.{''.join(self._forms.lanes[lane] for lane in lanes)}")
 
     def _index(self, node: Node) -> Text:
         aggregate, position = node.operands

@@ -82,7 +82,7 @@ class Leaves:
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:
             return text
-        return Text(f"{text.text}.{''.join('xyzw'[first + lane] for lane in lanes)}")
+        return Text(f"{text.text}.{''.join(self._forms.lanes[first + lane] for lane in lanes)}")
 
     def _read(self, name: str) -> Text:
         return Text(self._forms.input.format(name=name), Binding.NAME)

@@ -21,7 +21,9 @@ from ...compiler.passes.checkpoint import passed
 from ...compiler.passes.guard import Guard, Guarding
 from ...compiler.passes.inline import inline
 from ...compiler.passes.path_conditions import PathConditions
-from ...compiler.passes.pipeline import Undecided, program_of, with_results
+from ...compiler.passes.pipeline import Undecided
+from ...compiler.passes.split_stages import split_stages
+from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import Domain
 from ..emit.description import Profile
@@ -32,10 +34,13 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     # Each profile adds nodes of its own, whose ids do not depend on other profiles.
     graph, notes = undecided.shader.graph.copy(), undecided.shader.notes.copy()
     shader = replace(undecided.shader, graph=graph, notes=notes)
+    given = [result.value for result in undecided.results]
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
-    roots = rewrite(graph, shader.roots, deciding.decided, notes.follow, ("call",))
+    roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
     roots = passed("guards of a profile", "stored", inline(graph, roots, notes, deciding))
-    return program_of(with_results(shader, roots), undecided.derived), notes
+    made = zip(undecided.results, roots, strict=True)
+    results = tuple(changed(result, value=value) for result, value in made)
+    return split_stages(shader, results, undecided.derived), notes
 
 
 def keeps(profile: Profile, guard: Guard) -> bool:

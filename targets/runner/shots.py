@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.stages import INSTANCES, VERTICES
 from ...compiler.reference.picture import Geometry, instanced
 from .drivers.draw import Draw
 from .instances.instance import Instance
@@ -37,7 +38,7 @@ class Shot:
 
     def geometry(self) -> Geometry:
         """The shot's triangles, of all instances, as the reference takes them."""
-        per_vertex, per_instance = self._stepping("vertex"), self._stepping("instance")
+        per_vertex, per_instance = self._stepping(VERTICES), self._stepping(INSTANCES)
         return instanced(per_vertex, per_instance, self.triangles, self.instance_count)
 
     def _stepping(self, step: str) -> dict[str, NDArray[Any]]:
@@ -51,7 +52,7 @@ class Shot:
         return Draw(
             width=self.width,
             height=self.height,
-            vertex_count=Geometry(self._stepping("vertex"), self.triangles).vertex_count,
+            vertex_count=Geometry(self._stepping(VERTICES), self.triangles).vertex_count,
             vertices=tuple(
                 _bytes(row["representation"], self.attributes[row["name"]])
                 for row in reflection["vertex_inputs"]

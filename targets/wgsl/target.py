@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
@@ -164,7 +165,7 @@ TARGET = Target(
     reserved=partial(read_reserved, FOLDER / "reserved.txt", "__", "_$"),
     global_members=False,
     fixed_names=(
-        "main", "vs_main", "fs_main", "input", "output", "clip_position",
+        "main", *ENTRY_POINTS, "input", "output", "clip_position",
         "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
     ),
 )  # fmt: skip

@@ -1,7 +1,7 @@
-"""Hardware at its worst: a native operation outside its domain gives garbage.
+"""Simulates the worst hardware: a native operation outside of its domain gives garbage.
 
-The evaluator gives natives the builtins' meaning everywhere, which would hide a guard that was
-removed where it is needed.
+The evaluator gives native operations the builtins' meaning everywhere. This would hide that a guard
+was removed that is needed.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT_SLACK, Fact
 from burnish.stdlib.builtins.row import Domain
 
 GARBAGE = 0x5EED
-"""What an integer operation gives outside its domain; a float one gives NaN."""
+"""The result of an integer operation outside of its domain; that of a float operation is NaN."""
 
 
 def hardware(domains: Mapping[str, Domain] = EMPTY) -> AbstractContextManager[Any]:
-    """While this lasts, graphs are evaluated as by such hardware.
+    """A context in which graphs are evaluated as such hardware would.
 
     ``domains`` are those of natives for which the hardware promises something else than the row.
     """
@@ -57,7 +57,7 @@ def _native(
 
 
 def fact(type_: Type, value: Lanes) -> Fact | None:
-    """All there is to know of a value; ``None`` for what rows do not look at, and for garbage."""
+    """The most precise fact about a value; ``None`` for types that rows ignore, and for garbage."""
     if not isinstance(type_, Scalar | Vector | Matrix):
         return None
     lanes = list(flat(value))
