@@ -47,7 +47,7 @@ def expected(
 
 
 def _whole(geometry: Geometry, shader: Shader) -> Geometry:
-    """The geometry with random numbers for inputs that the compiler has proven unnecessary.
+    """The geometry with arbitrary numbers for inputs that the compiler has proven unnecessary.
 
     Nothing binds these inputs. If the compiler were wrong, the picture would show it.
     """

@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 
 from ...compiler.reference.picture import RasterRules
 from ..toolchain import Toolchain
+from .binding import pipeline
 from .codes import compile_one
 from .drivers.draw import Job
 from .drivers.readback import arrays
-from .pipeline import pipeline
 from .reference import Progress, expected
 from .routes import Route
 from .runner import Runner

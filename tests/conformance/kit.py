@@ -12,10 +12,10 @@ import burnish
 from burnish.api import CompiledMaterial
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.closing import Closing
+from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Request, compile_all, compile_one
 from burnish.targets.runner.drivers.draw import Cull, Job
 from burnish.targets.runner.drivers.readback import arrays
-from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner

@@ -25,10 +25,10 @@ from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.compare import compare
 from burnish.targets.conformance.plan import rules_of
 from burnish.targets.conformance.tolerances import DRIVERS
+from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.draw import BlockSlot, Job, Pipeline, Place, Target, VertexInput
 from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
-from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.scene import Scene

@@ -9,11 +9,11 @@ import numpy.typing as npt
 import pytest
 
 import burnish
+from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.draw import Job
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh
-from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up

@@ -12,11 +12,11 @@ import pytest
 
 import burnish
 from burnish.targets.runner import meshes
+from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.draw import Job
 from burnish.targets.runner.drivers.vulkan.blocks import block_sizes
 from burnish.targets.runner.instances.instance import Instance
-from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
