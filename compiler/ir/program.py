@@ -11,9 +11,9 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
-from .leaves import HostPlace, Parameter, Resource, Step
+from .leaves import HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
-from .stages import Domain, InterpolationMode, StageRow
+from .stages import VERTICES, Domain, InterpolationMode, StageRow
 from .types import Struct, Type
 
 StageName = str
@@ -63,8 +63,8 @@ class Field:
     location: int
     mode: InterpolationMode = "perspective"
     doc: str = ""
-    step: Step = "vertex"
-    """Of a vertex input."""
+    step: Domain = VERTICES
+    """Of a vertex input, what it varies over."""
 
 
 @frozen

@@ -7,12 +7,15 @@ the compiler (``operations.Form``). In tests every pass's result is verified; el
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
-from .domains import Domains, MixedDomainsError
+from .domains import Domains, MixedDomainsError, exists
 from .node import Binder, Formal, Node, Op, binders, bodies_of, reachable
-from .operations import BOUND, FORMAL, OPERATIONS, PARAMETER, Form, Operation
+from .operations import BOUND, CROSS, FORMAL, OPERATIONS, PARAMETER, Form, Operation
+from .shader import Result
+from .stages import Chain
 from .storage import stored_type
 from .types import Type
 
@@ -47,6 +50,25 @@ def verify(roots: Iterable[Node], *, stage: Form) -> None:
     for root in wanted:
         for variable, _type in variables[root.id]:
             raise InvalidGraphError(root, f"{variable} is used outside its binder")
+
+
+def verify_results(results: Sequence[Result], chain: Chain) -> None:
+    """Raise ``InvalidGraphError`` where results or crossings do not fit the chain of stages."""
+    domains = Domains()
+    joined = set(pairwise(row.domain for row in chain))
+    for node in reachable([result.value for result in results]):
+        if node.op == "cross":
+            crossing = CROSS.data(node)
+            if (crossing.origin, crossing.destination) not in joined:
+                raise InvalidGraphError(node, "no two stages that follow each other are joined so")
+    for result in results:
+        if result.stage not in chain:
+            raise InvalidGraphError(result.value, f"no {result.stage.name} stage in the chain")
+        if result.kind not in result.stage.delivers:
+            problem = f"a {result.stage.name} stage does not deliver a {result.kind}"
+            raise InvalidGraphError(result.value, problem)
+        if not exists(domains.of(result.value), result.stage.domain):
+            raise InvalidGraphError(result.value, f"no value per {result.stage.domain}")
 
 
 def _check_order(node: Node) -> None:

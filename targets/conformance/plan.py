@@ -99,4 +99,4 @@ def rules_of(state: SceneState, device: Device, driver: Tolerance) -> RasterRule
 
 def _unblended(result: ir.Result) -> ir.Result:
     """The same result, written over what is there."""
-    return changed(result, target=result.target and changed(result.target, blend="none"))
+    return changed(result, state=result.state and changed(result.state, blend="none"))

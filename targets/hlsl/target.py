@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
@@ -200,7 +201,7 @@ TARGET = Target(
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt"),
     fixed_names=(
-        *HELPERS, "main", "vs_main", "fs_main", "input", "output", "clip_position",
+        *HELPERS, "main", *ENTRY_POINTS, "input", "output", "clip_position",
         "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
     ),
 )  # fmt: skip

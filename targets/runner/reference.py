@@ -85,7 +85,7 @@ def _graph_text(shader: Shader) -> str:
     """Everything that the reference reads of a shader, as text."""
     nodes = map(repr, reachable(shader.roots))
     results = [
-        (r.kind, r.stage.name, r.value.id, r.target and (r.target.format, r.target.blend))
+        (r.kind, r.stage.name, r.value.id, r.state and (r.state.format, r.state.blend))
         for r in shader.results
     ]
     return "\n".join([*nodes, repr(results)])

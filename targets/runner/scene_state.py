@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.stages import INSTANCES, VERTICES
 from ...compiler.reference.picture import Geometry, instanced
 from .drivers.draw import Draw
 from .instances.instance import Instance
@@ -40,7 +41,7 @@ class SceneState:
 
     def geometry(self) -> Geometry:
         """The triangles of all instances, in the form that the reference takes."""
-        per_vertex, per_instance = self._stepping("vertex"), self._stepping("instance")
+        per_vertex, per_instance = self._stepping(VERTICES), self._stepping(INSTANCES)
         return instanced(per_vertex, per_instance, self.triangles, self.instance_count)
 
     def _stepping(self, step: str) -> dict[str, NDArray[Any]]:
@@ -55,7 +56,7 @@ class SceneState:
         return Draw(
             width=self.width,
             height=self.height,
-            vertex_count=Geometry(self._stepping("vertex"), self.triangles).vertex_count,
+            vertex_count=Geometry(self._stepping(VERTICES), self.triangles).vertex_count,
             vertices=tuple(
                 _bytes(row["representation"], self.attributes[row["name"]])
                 for row in reflection["vertex_inputs"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4
 from ..emit.description import (
     Limits,
@@ -132,7 +133,7 @@ TARGET = Target(
     reserved=partial(read_reserved, FOLDER / "reserved.txt", "__", "_$"),
     global_members=False,
     fixed_names=(
-        "main", "vs_main", "fs_main", "input", "output", "clip_position",
+        "main", *ENTRY_POINTS, "input", "output", "clip_position",
         "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
     ),
 )  # fmt: skip

@@ -7,12 +7,13 @@ from typing import TypeGuard
 
 from ....stdlib.builtins.facts import UNIT
 from ...diagnostics import rules
+from ...diagnostics.fixes import Hint, either
 from ...diagnostics.source import Span
 from ...ir.meaning import ANGLE, GEOMETRY, Meaning
 from ...ir.node import Node, bare
 from ...ir.types import Vector
 from ...syntax import ast
-from ...syntax.quoting import quoted
+from ...syntax.rewriting import rewritten
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, LightVariable, Scope
 from ..types.coercion import coerce
@@ -57,7 +58,9 @@ def meant(
         )  # fmt: skip
         return FAILURE
     if declared.meaning == ANGLE and found is None and (number := _bare_number(written)):
-        ctx.report.add(rules.BARE_ANGLE, span, text=number, hint=f"`{number}deg` or `{number}rad`?")
+        angles = (f"{number}deg", f"{number}rad")
+        hint = either(f"`{angles[0]}` or `{angles[1]}`?", span, *angles)
+        ctx.report.add(rules.BARE_ANGLE, span, text=number, hint=hint)
         return FAILURE
     return contracted(ctx, node, declared, span, written)
 
@@ -81,10 +84,12 @@ def contracted(
     """``node`` with the declared meaning, provided that it keeps the declared contract."""
     if needs_unit(declared) and not is_unit(ctx, node):
         found = ctx.meanings.of(node) or node.type
-        text = "…" if written is None else quoted(written)
+        normalized = "normalize({text})"
         ctx.report.add(
             rules.NOT_UNIT, span, expected=declared.text, found=found,
-            caption=f"this is `{found}`, of any length", hint=f"write `normalize({text})`",
+            caption=f"this is `{found}`, of any length",
+            hint=f"write `{normalized.format(text='…')}`" if written is None
+            else rewritten(written.span, normalized),
         )  # fmt: skip
         return FAILURE
     return ctx.meanings.ascribed(node, declared.meaning)
@@ -135,18 +140,24 @@ def _way_out(
     declared: Declared,
     written: ast.Expression | None,
     scope: Scope | None,
-) -> str:
-    wanted, text = declared.meaning, "…" if written is None else quoted(written)
+) -> Hint:
+    wanted = declared.meaning
     assert wanted is not None
+
+    def instead(pattern: str, said: str) -> Hint:
+        shown = said.format(pattern.format(text="…", operand="…"))
+        return shown if written is None else rewritten(written.span, pattern, said)
+
     if found.kind in GEOMETRY and wanted.kind in GEOMETRY:
         places = {found.kind == "point", wanted.kind == "point"}
         if len(places) == 1 and scope is not None:
-            offer = transform_paths.offered(ctx, found, wanted.spaces[0], text, scope)
-            return f"write {offer}" if offer else f"if it is meant, write `({text} as {wanted})`"
+            if transform_paths.is_offered(ctx, found, wanted.spaces[0], scope):
+                return instead(f"{{operand}} in {wanted.spaces[0]}", "write `{}`")
+            return instead(f"({{text}} as {wanted})", "if it is meant, write `{}`")
         if len(places) == 2:
             return "a vector leads from one point to another: `b - a`"
     if found.kind in GEOMETRY or wanted.kind in GEOMETRY:
-        return f"`{declared.type}({text})` is what it is made of, as bare numbers"
+        return instead(f"{declared.type}({{text}})", "`{}` is what it is made of, as bare numbers")
     return ""
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...diagnostics.fixes import either
 from ...diagnostics.source import Span
 from ...ir.leaves import HostPlace
 from ...ir.node import Node
@@ -116,10 +117,14 @@ def _fits(ctx: Context, member: ast.ExternMember, type_: Type, offset: int) -> b
     needed = alignment(stored_type(type_))
     if offset % needed:
         before = offset - offset % needed
+        behind = before + needed
         ctx.report.add(
             rules.EXTERN_ALIGNMENT, member.offset.span,
             name=member.name.text, offset=offset, type=type_, alignment=needed,
-            hint=f"{before} and {before + needed} are such offsets",
+            hint=either(
+                f"{before} and {behind} are such offsets",
+                member.offset.span, str(before), str(behind),
+            ),
         )  # fmt: skip
         return False
     return True

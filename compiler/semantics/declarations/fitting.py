@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import rules
+from ...diagnostics.fixes import Hint
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...ir.types import Type, scalar_kind
@@ -38,6 +39,6 @@ def fit(
     return fitted
 
 
-def _way_to_fit(node: Node, wanted: Type, declared: str, span: Span) -> str:
-    cut = advice.cut_quotient((node,)) if scalar_kind(wanted) == "float" else ""
+def _way_to_fit(node: Node, wanted: Type, declared: str, span: Span) -> Hint:
+    cut = advice.cut_quotient((node,), (span,)) if scalar_kind(wanted) == "float" else ""
     return cut or advice.fitting_type(node.type, wanted, declared, span)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from ....frozen import EMPTY, frozen
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...ir.leaves import Resource
 from ...ir.shader import ResourceInfo
 from ...ir.types import Array, Texture
@@ -102,5 +102,5 @@ def _sampler_state(ctx: Context, member: ast.Map, kind: Kind, type_: str) -> dic
 def unknown_word(ctx: Context, kind: str, name: ast.Name, known: Iterable[str]) -> None:
     """Report a word that is none of those which can stand in its place."""
     listed = ", ".join(f"`{word}`" for word in known)
-    hint = suggestion(name.text, known) or f"one of {listed}"
+    hint = respelling(name.text, name.span, known) or f"one of {listed}"
     ctx.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)

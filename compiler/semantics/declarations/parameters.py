@@ -8,12 +8,14 @@ from math import hypot
 from ....frozen import EMPTY, changed, frozen
 from ....stdlib.builtins.facts import UNKNOWN, Fact
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.fixes import fix_it
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
-from ...ir.leaves import Attribute, Parameter, Step
+from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ANGLE, Meaning
 from ...ir.node import Node
 from ...ir.shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
+from ...ir.stages import INSTANCES, VERTICES
 from ...ir.types import FLOAT, INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
 from ...layout import STANDARD_GROUPS
 from ...syntax import ast
@@ -32,7 +34,7 @@ from .written_types import declared_type, named_struct
 DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pass": "frame"}
 """The group of a parameter that names none, by what declares it."""
 
-STEPS = ("vertex", "instance")
+STEPS = (VERTICES, INSTANCES)
 """What an attribute can be declared ``per``; the first is the default."""
 
 
@@ -94,7 +96,9 @@ def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:
         declaration = definition.owner.declaration
         assert isinstance(declaration, ast.Record | ast.Mixin)
         return DEFAULT_GROUPS[declaration.kind]
-    if named.text not in STANDARD_GROUPS and (hint := suggestion(named.text, STANDARD_GROUPS)):
+    if named.text not in STANDARD_GROUPS and (
+        hint := respelling(named.text, named.span, STANDARD_GROUPS)
+    ):
         ctx.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
     return named.text
 
@@ -110,7 +114,10 @@ def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterIn
     if isinstance(declared.type, Texture):
         ctx.report.add(
             rules.WRONG_TYPE, member.type.span, expected="a value", found=declared.text,
-            hint=f"declare a texture with `map {member.name.text} : {declared.text}`",
+            hint=fix_it(
+                f"declare a texture with `map {member.name.text} : {declared.text}`",
+                (Span(member.span.source, member.span.start, member.name.span.start), "map "),
+            ),
         )  # fmt: skip
         return None
     limits = _range(ctx, member, definition, declared)
@@ -240,7 +247,7 @@ def _attribute(ctx: Context, definition: Definition, name: str) -> list[Attribut
     type_, doc, span = declared.type, member.doc, member.name.span
     if member.rate is not None and member.rate.text not in STEPS:
         unknown_word(ctx, "step", member.rate, STEPS)
-    step: Step = "instance" if member.rate and member.rate.text == "instance" else "vertex"
+    step = INSTANCES if member.rate and member.rate.text == INSTANCES else VERTICES
     if isinstance(type_, Matrix):
         column = Vector("float", type_.size)
         return [

@@ -83,8 +83,6 @@ def _shortest(ways: list[Way], start: str, end: str) -> list[Way] | None:
     return reached.get(end)
 
 
-def offered(ctx: Context, meaning: Meaning, space: str, text: str, scope: Scope) -> str:
-    """How a value is brought into a space; empty where no way leads there."""
-    if meaning.kind not in GEOMETRY or path(ctx, meaning, space, scope) is None:
-        return ""
-    return f"`{text} in {space}`"
+def is_offered(ctx: Context, meaning: Meaning, space: str, scope: Scope) -> bool:
+    """Whether `value in space` brings a value with this meaning into a space."""
+    return meaning.kind in GEOMETRY and path(ctx, meaning, space, scope) is not None

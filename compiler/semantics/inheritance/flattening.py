@@ -10,6 +10,7 @@ from __future__ import annotations
 from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
+from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
 from ...syntax import ast
 from ..names.modules import Module, Symbol
@@ -247,7 +248,7 @@ class Records:
 
     def _report_unknown(self, symbol: Symbol, kind: str, name: ast.Name) -> None:
         if name.text not in symbol.module.missing:
-            hint = symbol.module.hint(name.text, symbol.module.visible())
+            hint = symbol.module.hint(name, symbol.module.visible())
             self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
 
     def _report_mixin_as_base(
@@ -255,16 +256,17 @@ class Records:
     ) -> None:
         declaration, root = symbol.declaration, root_of(symbol.module, kind)
         assert isinstance(declaration, ast.Record)
-        bases = (
+        records = (
             other.text
             for other in declaration.mixins
             if any(isinstance(s.declaration, ast.Record) for s in symbol.module.find(other.text))
         )
-        base = next(bases, "Base" if root is None else root.name)
+        base = next(records, "Base" if root is None else root.name)
+        bases = f"{base} + {name.text}"
         self._report.add(
             rules.MIXIN_AS_BASE, name.span, name=name.text, kind=kind,
             labels=[Label(mixin.name.span, "declared here")],
-            hint=f"begin with a {kind}: `: {base} + {name.text}`",
+            hint=fix_it(f"begin with a {kind}: `: {bases}`", (name.span, bases)),
         )  # fmt: skip
 
     def _implied_base(self, symbol: Symbol, declaration: ast.Record) -> Symbol | None:

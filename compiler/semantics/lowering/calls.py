@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from itertools import takewhile
 from typing import TypeGuard
 
 from ....frozen import changed
 from ....stdlib.builtins import BUILTINS
+from ....stdlib.builtins.elsewhere import Instead
 from ...diagnostics import rules
+from ...diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
+from ...diagnostics.source import Span
 from ...ir.node import Node, bare
 from ...ir.types import TEXTURES, Texture
 from ...syntax import ast
+from ...syntax.rewriting import called_here
 from ..declarations import assignments
 from ..hints import advice
 from ..inheritance.records import Definition
@@ -51,23 +56,23 @@ def call(ctx: Context, e: ast.Call, operands: Sequence[Value], scope: Scope) -> 
     if not isinstance(callee, ast.Field):
         texture = plain(ctx, owner, callee)
         return FAILURE if failed else textures.read(ctx, texture, arguments, e)
-    return _of_value(ctx, e, owner, callee.name, arguments, failed)
+    return _of_value(ctx, e, owner, callee, arguments, failed)
 
 
 def _of_value(
     ctx: Context,
     e: ast.Call,
     owner: Value,
-    name: ast.Name,
+    callee: ast.Field,
     arguments: tuple[Node, ...],
     failed: bool,
 ) -> Value:
     """``x.read(…)`` or ``x.map(…)``: only textures are called that have no name of their own."""
     if isinstance(owner, Node) and isinstance(owner.type, Texture):
-        if not textures.can_read(ctx, owner.type, name) or failed:
+        if not textures.can_read(ctx, owner.type, callee.name) or failed:
             return FAILURE
-        return textures.read(ctx, owner, arguments, e, name)
-    member = member_of(ctx, owner, name)
+        return textures.read(ctx, owner, arguments, e, callee.name)
+    member = member_of(ctx, owner, callee)
     return FAILURE if failed else textures.read(ctx, member, arguments, e)
 
 
@@ -176,34 +181,49 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
     if is_declared(scope, name):
         symbols = scope.module.find(name)
         is_slot = scope.instance is not None and scope.instance.has(name)
-        hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
-        hint = hint or f"it is a value: `{name}`, or a product, `{name} * (…)`"
+        hint: Hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
+        if not hint:
+            place = Span(span.source, span.end, span.end)
+            said = f"it is a value: `{name}`, or a product, `{name} * (…)`"
+            product, alone = Edit(place, " * "), Edit(e.span, name)
+            hint = FixIt(said, (Fix((alone,)), Fix((product,))))
         ctx.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
         return
     callables = {n for n in BUILTINS if n not in NOT_CALLED} | set(scope.module.visible())
     for instance in (scope.instance, scope.surface):
         if instance is not None:
             callables |= {n for n, d in instance.record.definitions.items() if _is_map(d)}
-    if hint := _elsewhere(name, e.arguments):
+    if hint := _elsewhere(name, e):
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
     unknown_here(ctx, "function", name, span, sorted(callables), scope.module)
 
 
-def _elsewhere(name: str, arguments: tuple[ast.Expression, ...]) -> str:
+def _elsewhere(name: str, e: ast.Call) -> Hint:
     """What to write for a function or a constructor of another shading language."""
     from ....stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
 
     if name in FUNCTIONS:
-        instead, texture = FUNCTIONS[name], arguments[0] if arguments else None
-        return (
-            instead.hint_for(texture.name) if isinstance(texture, ast.Reference) else instead.hint
-        )
+        instead, texture = FUNCTIONS[name], e.arguments[0] if e.arguments else None
+        read = texture.name if isinstance(texture, ast.Reference) else ""
+        return _same_arguments(e, instead.hint_for(read) if read else instead.hint, instead)
     if name in KEYWORDS:
         return KEYWORDS[name]
     if advice.is_read(name):
         return f"it is a read of a texture, written `map.{name}(…)`"
-    return f"it is `{TYPES[name]}` here" if name in TYPES else ""
+    return called_here(name, e.callee.span, TYPES[name]) if name in TYPES else ""
+
+
+_SAME = re.compile(r"(\w+)\((\w+(?:, \w+)*)\)")
+"""A call of one function with names for its arguments."""
+
+
+def _same_arguments(e: ast.Call, said: str, instead: Instead) -> Hint:
+    """A function of another language that takes the same arguments has its name changed."""
+    found = _SAME.fullmatch(instead.written[0]) if len(instead.written) == 1 else None
+    if found is None or len(found[2].split(", ")) != len(e.arguments) or instead.reason:
+        return said
+    return fix_it(said, (e.callee.span, found[1]))
 
 
 def _unguarded(ctx: Context, arguments: tuple[Node, ...], e: ast.Call) -> Value:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...diagnostics.fixes import FixIt, Hint
 from ...diagnostics.source import Span
 from ...ir.meaning import Meaning
 from ...ir.node import Node
 from ...syntax import ast
-from ...syntax.quoting import tight
+from ...syntax.rewriting import rewritten
 from ..declarations import transform_paths
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope
@@ -66,14 +67,16 @@ def _hint(
     right: Meaning,
     written: Written,
     scope: Scope | None,
-) -> str:
+) -> Hint:
     if clash.rule is rules.NOT_OF_A_POINT:
         return "subtract the point that it is seen from; `vec3(p)` is its bare coordinates"
     if clash.rule is not rules.MIXED_SPACES or not written or scope is None:
         return ""
+    ways = ((left, right.spaces[0], clash.left), (right, left.spaces[0], clash.right))
     offers = [
-        transform_paths.offered(ctx, left, right.spaces[0], tight(written[clash.left]), scope),
-        transform_paths.offered(ctx, right, left.spaces[0], tight(written[clash.right]), scope),
+        rewritten(written[operand].span, f"{{operand}} in {space}", "`{}`")
+        for meaning, space, operand in ways
+        if transform_paths.is_offered(ctx, meaning, space, scope)
     ]
-    known = " or ".join(offer for offer in offers if offer)
-    return f"write {known}" if known else ""
+    known = " or ".join(offer.text for offer in offers)
+    return FixIt(f"write {known}", tuple(fix for o in offers for fix in o.fixes)) if known else ""

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from ...diagnostics import rules
+from ...diagnostics.fixes import FixIt, Hint, fix_it
+from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.meaning import MAPS, Meaning
 from ...ir.node import Node
 from ...ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from ...syntax import ast
 from ...syntax.quoting import spanned
+from ...syntax.rewriting import rewritten, together
 from ..hints import advice
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure
@@ -57,16 +60,20 @@ def _meaning(ctx: Context, name: str, arguments: tuple[Node, ...]) -> Meaning | 
 
 def _hint(
     name: str, type_: Type, arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]
-) -> str:
+) -> Hint:
     sole = arguments[0].type if len(arguments) == 1 else None
-    if scalar_kind(type_) == "float" and (cut := advice.cut_quotient(arguments)):
+    if scalar_kind(type_) == "float" and (
+        cut := advice.cut_quotient(arguments, [expression.span for expression in written])
+    ):
         return cut
     match type_:
         case Vector(kind="float") if converted := _as_floats(arguments, written):
-            return f"lanes have one kind: write {converted}"
+            return together("lanes have one kind: write {}", converted)
         case Vector(kind="float", size=size) if isinstance(sole, Vector) and sole.size < size:
             filled = ", 0" * (size - sole.size)
-            return f"say what the other lanes are: `{name}({spanned(written[0].span)}{filled})`"
+            span, said = written[0].span, "say what the other lanes are: `{}`"
+            shown = said.format(f"{name}({spanned(span)}{filled})")
+            return fix_it(shown, (Span(span.source, span.end, span.end), filled))
         case Vector(kind=kind, size=size):
             return f"`{name}` takes {size} lanes in all, or one {kind} for every lane"
         case Matrix(size=size):
@@ -75,14 +82,13 @@ def _hint(
             return f"`{name}` takes one number"
 
 
-def _as_floats(arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]) -> str:
+def _as_floats(arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]) -> list[FixIt]:
     """The integers among the lanes of a vector as floats; literals are by themselves."""
-    edits = (
-        f"`{with_width('float', width(node.type))}({spanned(expression.span)})`"
+    return [
+        rewritten(expression.span, f"{with_width('float', width(node.type))}({{text}})", "`{}`")
         for node, expression in zip(arguments, written, strict=True)
         if scalar_kind(node.type) in ("int", "uint") and not is_constant(node)
-    )
-    return " and ".join(edits)
+    ]
 
 
 def _scalar(ctx: Context, type_: Scalar, argument: Node) -> Node | Failure | None:

@@ -8,14 +8,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir.meaning import ARROWS, GEOMETRY, Meaning
 from ...ir.node import Node
 from ...ir.types import VEC3, Matrix
 from ...library import conversions as library
 from ...syntax import ast
-from ...syntax.quoting import tight
+from ...syntax.rewriting import declared_space, rewritten
 from ..declarations import transform_paths
 from ..names.modules import Module
 from ..state.context import Context
@@ -37,10 +37,11 @@ def convert(ctx: Context, e: ast.Conversion, operands: Sequence[Value], scope: S
         return FAILURE
     meaning = ctx.meanings.of(node)
     if meaning is None or meaning.kind not in GEOMETRY:
-        text = tight(e.operand)
         ctx.report.add(
             rules.IN_NO_SPACE, e.operand.span, found=meaning or node.type,
-            hint=f"say what it is: `({text} as vector<object>) in {space}`",
+            hint=rewritten(
+                e.operand.span, "({text} as vector<object>)", f"say what it is: `{{}} in {space}`"
+            ),
         )  # fmt: skip
         return FAILURE
     path = transform_paths.path(ctx, meaning, space, scope)
@@ -58,7 +59,7 @@ def _space(ctx: Context, name: ast.Name, scope: Scope) -> str | None:
     if name.text in SPACES or (found and isinstance(found[0].declaration, ast.Space)):
         return name.text
     spaces = [*SPACES, *(s for s in scope.module.visible() if _is_space(scope.module, s))]
-    hint = suggestion(name.text, spaces) or f"declare it: `space {name.text}`"
+    hint = respelling(name.text, name.span, spaces) or declared_space(name.text, name.span)
     ctx.report.add(rules.UNKNOWN_NAME, name.span, kind="space", name=name.text, hint=hint)
     return None
 

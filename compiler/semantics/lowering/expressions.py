@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from math import isinf, radians
 
 from ...diagnostics import rules
+from ...diagnostics.fixes import Hint, fix_it
+from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.meaning import ANGLE, RGB, RGBA
 from ...ir.node import Node
@@ -52,7 +54,10 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Value], _scope: Sco
         limit, type_ = (2**31 - 1, INT) if e.kind == "int" else (2**32 - 1, UINT)
         whole = int(e.text, 16 if e.text[:2] in ("0x", "0X") else 10)
         if whole > limit:
-            hint = "write it as a `uint`, with `u` behind it" if whole < 2**32 else ""
+            hint: Hint = ""
+            if whole < 2**32:
+                place = Span(e.span.source, e.span.end, e.span.end)
+                hint = fix_it("write it as a `uint`, with `u` behind it", (place, "u"))
             ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=type_, hint=hint)
             return FAILURE
         return build.constant(ctx.graph, type_, whole)
@@ -89,7 +94,7 @@ def _reference(ctx: Context, e: ast.Reference, _operands: Sequence[Value], scope
 
 
 def _field(ctx: Context, e: ast.Field, operands: Sequence[Value], _scope: Scope) -> Value:
-    return member_of(ctx, operands[0], e.name)
+    return member_of(ctx, operands[0], e)
 
 
 def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], _scope: Scope) -> Value:
@@ -109,7 +114,8 @@ def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], _scope: Scope)
     known = ctx.constants.known_integer(position)
     if known is not None:
         if not 0 <= known < count:
-            hint = f"counted from 0, the last one is `[{count - 1}]`"
+            highest = str(count - 1)
+            hint = fix_it(f"counted from 0, the last one is `[{highest}]`", (e.index.span, highest))
             ctx.report.add(
                 rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
             )

@@ -21,13 +21,14 @@ SWIZZLES: Mapping[str, Mapping[str, int]] = {
 }
 
 
-def member_of(ctx: Context, value: Value, name: ast.Name) -> Value:
-    """``value.name``."""
+def member_of(ctx: Context, value: Value, e: ast.Field) -> Value:
+    """``value.name``, as it is written in ``e``."""
+    name = e.name
     match value:
         case Failure():
             return FAILURE
         case Node():
-            return _component(ctx, value, name)
+            return _component(ctx, value, e)
         case LightVariable():
             return slots.light_slot(ctx, value, name)
         case Inherited(instance, level):
@@ -36,7 +37,8 @@ def member_of(ctx: Context, value: Value, name: ast.Name) -> Value:
             return slots.slot_or_report(ctx, value, name.text, name.span)
 
 
-def _component(ctx: Context, node: Node, name: ast.Name) -> Node | Failure:
+def _component(ctx: Context, node: Node, e: ast.Field) -> Node | Failure:
+    name = e.name
     if isinstance(node.type, Struct):
         members = dict(node.type.members)
         if name.text in members:
@@ -51,7 +53,7 @@ def _component(ctx: Context, node: Node, name: ast.Name) -> Node | Failure:
             return whole if is_color or whole is not node else ctx.meanings.ascribed(node, None)
     ctx.report.add(
         rules.NO_MEMBER, name.span, name=name.text, type=node.type,
-        hint=advice.missing_member(node.type, name.text),
+        hint=advice.missing_member(node.type, name.text, e.span),
     )  # fmt: skip
     return FAILURE
 

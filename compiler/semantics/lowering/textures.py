@@ -11,7 +11,8 @@ from ....frozen import frozen
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.row import Builtin
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.fixes import fix_it
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.node import Node
@@ -54,7 +55,9 @@ def read(
     if isinstance(texture, Failure):
         return FAILURE
     if not isinstance(texture, Node) or not isinstance(texture.type, Texture):
-        hint = f"a product is written `{spanned(e.callee.span)} * (…)`"
+        place = Span(e.callee.span.source, e.callee.span.end, e.callee.span.end)
+        said = f"a product is written `{spanned(e.callee.span)} * (…)`"
+        hint = fix_it(said, (place, " * "))
         ctx.report.add(rules.NOT_CALLABLE, e.callee.span, found="this", hint=hint)
         return FAILURE
     name = "" if method is None else method.text
@@ -99,7 +102,7 @@ def _no_way(ctx: Context, type_: Texture, method: str, span: Span) -> None:
     if method and all(row.method != method for row in _READS):
         ctx.report.add(
             rules.UNKNOWN_NAME, span, kind=f"read of `{type_}`", name=method,
-            hint=_foreign(method) or suggestion(method, known) or f"it has {listed}",
+            hint=_foreign(method) or respelling(method, span, known) or f"it has {listed}",
         )  # fmt: skip
         return
     what = f"`{method}`" if method else "read by coordinate"

@@ -8,6 +8,8 @@ from ...diagnostics import rules
 from ...diagnostics.nearest import nearest
 from ...diagnostics.source import Span
 from ...ir.stages import SYSTEM_INPUTS
+from ...syntax import ast
+from ...syntax.rewriting import called_here
 from ..hints import advice
 from ..names.modules import Module
 from ..state.context import Context
@@ -29,10 +31,11 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
             known += instance.record.definitions
     from ....stdlib.builtins.elsewhere import KEYWORDS, VALUES
 
-    here = f"it is `{VALUES[name]}` here" if name in VALUES else ""
+    here = called_here(name, span, VALUES[name]) if name in VALUES else ""
     lit = advice.of_a_light(name, ctx.rig)
-    if hint := here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, ""):
-        ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=hint)
+    elsewhere = here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, "")
+    if elsewhere:
+        ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
         return
     if hint := advice.uncalled(name):
         ctx.report.add(rules.NOT_A_VALUE, span, hint=hint)
@@ -54,7 +57,7 @@ def is_declared(scope: Scope, name: str) -> bool:
 
 def unknown(ctx: Context, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
     """Report a name that nothing declares, with the nearest one that something does."""
-    hint = advice.nearest_or_all(name, known)
+    hint = advice.nearest_or_all(name, span, known)
     ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 
 
@@ -64,7 +67,7 @@ def unknown_here(
     """The same for a name that an import could bring, or should have brought."""
     if name not in module.missing:
         known = list(known)
-        hint = module.hint(name, known) or advice.undeclared(kind, name)
+        hint = module.hint(ast.Name(name, span), known) or advice.undeclared(kind, name)
         if module.incomplete and nearest(name, known) is None:
             return
         ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)

@@ -7,6 +7,7 @@ lead out of the folder they start from.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -15,9 +16,11 @@ from pathlib import Path, PurePosixPath
 from ....frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
-from ...diagnostics.nearest import nearest, suggestion
+from ...diagnostics.fixes import Hint, fix_it
+from ...diagnostics.nearest import nearest, respelling
 from ...diagnostics.source import Source, Span
 from ...syntax import ast
+from ...syntax.rewriting import inserted_on_top
 from ..types.generics import FAMILIES, unfounded, untold
 from ..types.typenames import described
 from .duplicates import check_once
@@ -74,10 +77,13 @@ class Module:
             found = self.prelude.declared.get(name)
         return found or ()
 
-    def hint(self, name: str, known: Iterable[str]) -> str:
+    def hint(self, name: ast.Name, known: Iterable[str]) -> Hint:
         """What to do about an unknown name: import it, or write the nearest known one."""
-        path = self.offered(name)
-        return f"add `import {path}.{{{name}}}`" if path else suggestion(name, known)
+        path = self.offered(name.text)
+        if not path:
+            return respelling(name.text, name.span, known)
+        declaration = f"import {path}.{{{name.text}}}"
+        return inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
 
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
@@ -183,14 +189,15 @@ class Loader:
         if function.per is not None and function.per.text != "light":
             self._report.add(
                 rules.UNKNOWN_NAME, function.per.span, kind="summation", name=function.per.text,
-                hint="terms are summed `per light`",
+                hint=fix_it("terms are summed `per light`", (function.per.span, "light")),
             )  # fmt: skip
         for parameter in unfounded(function):
             listed = ", ".join(f"`{family}`" for family in FAMILIES)
             self._report.add(
                 rules.UNKNOWN_NAME, parameter.family.span, kind="family of types",
                 name=parameter.family.text,
-                hint=suggestion(parameter.family.text, FAMILIES) or f"one of {listed}",
+                hint=respelling(parameter.family.text, parameter.family.span, FAMILIES)
+                or f"one of {listed}",
             )  # fmt: skip
         for parameter in untold(function):
             self._report.add(
@@ -221,7 +228,7 @@ class Loader:
                 module.missing.update((name.text, meant or name.text))
                 self._report.add(
                     rules.UNKNOWN_EXPORT, name.span, name=name.text, path=found.file.source.name,
-                    hint=suggestion(name.text, found.declared),
+                    hint=respelling(name.text, name.span, found.declared),
                 )  # fmt: skip
             else:
                 known = module.imported.setdefault(name.text, symbols)
@@ -285,19 +292,26 @@ class Loader:
                     return f"std.{path.stem}"
         return ""
 
-    def _suggest(self, wanted: ast.Import) -> str:
+    def _suggest(self, wanted: ast.Import) -> Hint:
         if wanted.quoted:
             path = wanted.path[0]
             whole = path.endswith(".burnish")
-            return "" if whole else f'the ending belongs to the path: `"{path}.burnish"`'
+            ending = f'"{path}.burnish"'
+            return (
+                ""
+                if whole
+                else _instead(f"the ending belongs to the path: `{ending}`", wanted, ending)
+            )
         *folder, name = wanted.path
         if folder and self._offering(name) == ".".join(folder):
-            return f"write `import {'.'.join(folder)}.{{{name}}}`"
+            declaration = f"{'.'.join(folder)}.{{{name}}}"
+            return _instead(f"write `import {declaration}`", wanted, declaration)
         if wanted.path[0] != "std":
             return ""
         stems = {path.stem for path in self._library.glob("*.burnish")} - _NOT_IMPORTED
         modules = (f"std.{stem}" for stem in stems)
-        return suggestion(".".join(wanted.path), sorted(modules))
+        near = nearest(".".join(wanted.path), sorted(modules))
+        return "" if near is None else _instead(f"did you mean `{near}`?", wanted, near)
 
     def _load(self, found: Path, path: Path, span: Span) -> Module | None:
         if path in self._modules:
@@ -321,6 +335,16 @@ class Loader:
         self._loading.pop()
         self._modules[path] = linked
         return linked
+
+
+def _instead(said: str, wanted: ast.Import, path: str) -> Hint:
+    """A hint to import ``path``; the names that are wanted of it stay."""
+    span = wanted.span
+    written = re.match(r"import\s+(\"[^\"\n]*\"|[\w.]*\w)", span.text)
+    if written is None:
+        return said
+    place = Span(span.source, span.start + written.start(1), span.start + written.end(1))
+    return fix_it(said, (place, path))
 
 
 _MEANT_OTHERWISE: Mapping[str, str] = {

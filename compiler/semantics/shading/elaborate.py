@@ -142,8 +142,7 @@ def _target(
         return None
     name = target.name.text
     ctx.notes.names.setdefault(value.id, name)
-    state = RenderTarget(name, format_, blend, target.doc, target.span)
-    return Result(TARGET, FRAGMENT, value, state)
+    return Result(TARGET, FRAGMENT, value, name, target.doc, RenderTarget(format_, blend))
 
 
 def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:

@@ -61,7 +61,7 @@ def _light(ctx: Context, rig: Symbol, name: ast.Name) -> Record | None:
             return None
         ctx.report.add(
             rules.UNKNOWN_NAME, name.span, kind="light", name=name.text,
-            hint=rig.module.hint(name.text, lights),
+            hint=rig.module.hint(name, lights),
         )  # fmt: skip
         return None
     if declaration.abstract:
@@ -120,7 +120,7 @@ def _overrides(
             ctx.report.add(
                 rules.UNKNOWN_NAME, slot.name.span,
                 kind=f"slot of light `{record.name}`", name=slot.name.text,
-                hint=nearest_or_all(slot.name.text, record.definitions),
+                hint=nearest_or_all(slot.name.text, slot.name.span, record.definitions),
             )  # fmt: skip
             continue
         given[slot.name.text] = Definition(slot, rig, OUTERMOST)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..lowering.lights import light_instance
@@ -52,6 +52,6 @@ def _check_spelling(
     if owner.module is not surface.record.symbol.module:
         return
     inherited = [n for n, ds in surface.record.definitions.items() if ds[-1].owner is root]
-    hint = suggestion(name, inherited)
+    hint = respelling(name, member.name.span, inherited)
     if hint and not surface.record.baseless:
         ctx.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)
