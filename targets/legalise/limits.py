@@ -8,7 +8,7 @@ from ...compiler.ir.program import Program, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
 from ..emit.description import Lack, Profile
-from ..emit.textures import sampler_use
+from ..emit.texture_declarations import sampler_use
 
 
 @frozen
