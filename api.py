@@ -21,8 +21,8 @@ from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
-from .compiler.places import located
 from .compiler.semantics.names.modules import Module
+from .compiler.source_map import located
 from .frozen import frozen
 from .targets import registry
 from .targets.emit.description import Profile, Target

@@ -17,7 +17,7 @@ from ...stdlib.builtins.row import Domain, SamplerUse
 from .forms import Forms
 from .reserved import Reserved
 
-FieldRole = Literal["attribute", "varying", "target"]
+FieldRole = Literal["attribute", "varying", "render target"]
 """Vertex input, value between the stages, or render target."""
 
 BindingKind = Literal["block", "texture", "sampler"]

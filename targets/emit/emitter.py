@@ -17,7 +17,7 @@ from .declarations import Declarations
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
-from .textures import helpers, opening_lines
+from .texture_declarations import helpers, opening_lines
 from .views import EntryView, FileView
 from .wrapping import wrapped
 

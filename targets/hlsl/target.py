@@ -160,7 +160,7 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     """
     if role == "varying":
         return f"TEXCOORD{location}"
-    if role == "target":
+    if role == "render target":
         return f"SV_Target{location}"
     word = name.upper().replace(".", "_COLUMN")
     return f"ATTRIBUTE_{word}" if re.match("SV_", word) else word
