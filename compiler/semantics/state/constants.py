@@ -45,7 +45,7 @@ class ConstantValues:
         self._report = report
 
     def lanes(self, node: Node, span: Span) -> Lanes | None:
-        """The lanes of a node; ``None`` after reporting that it is no constant, or too much work."""
+        """The lanes of a node, or ``None`` after reporting why they cannot be known here."""
         try:
             return evaluate(node, most_steps=MOST_STEPS)
         except NotConstantError:
