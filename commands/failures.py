@@ -34,7 +34,7 @@ def told() -> Iterator[None]:
         from ..targets.runner.instances.values import ParameterError
         from ..targets.runner.meshes import MeshError
         from ..targets.runner.routes import UnknownRouteError
-        from ..targets.runner.textures.texture import PictureError
+        from ..targets.runner.textures.kinds import PictureError
     except ModuleNotFoundError as error:
         needed(error)
     try:

@@ -7,56 +7,27 @@ import re
 from collections.abc import Sequence
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from .console import FAILED, remark
 from .failures import fail, told
 from .options import file_argument, hoist_option, pass_option, rig_option, search_option
+from .subjects import EVERYTHING, Color, Request, Subject
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
     from ..targets.runner.sheet import Panel
-    from .subjects import Subject
 
 REFERENCE = "reference"
-EVERYTHING = "all"
 LARGEST = 4096
 """The most pixels of a side. The reference needs 4 GB of memory for a square of this size."""
 LARGEST_SHEET = 2**27
 """The most pixels of all pictures on a sheet together."""
 MESHES = ("sphere", "plane", "cube", "torus")
 BACKGROUND = "#1b1d21"
-
-Color = tuple[float, float, float, float]
-
-
-class Request(NamedTuple):
-    """The command line after parsing; the names are those of the options."""
-
-    file: Path
-    output: Path
-    on: tuple[str, ...]
-    mesh: str
-    instances: int
-    """How many instances to draw if the material distinguishes them."""
-    size: tuple[int, int]
-    values: tuple[tuple[str, str], ...]
-    background: Color
-    """In linear light."""
-    target: str | None
-    material: str | None
-    rig: str | None
-    pass_: str | None
-    search_path: tuple[Path, ...]
-    hoist: bool
-
-    @property
-    def draws_everything(self) -> bool:
-        """Whether all routes that can draw shall draw, instead of named ones."""
-        return EVERYTHING in self.on
 
 
 def _names(_context: click.Context, _option: click.Parameter, given: str) -> tuple[str, ...]:

@@ -9,8 +9,8 @@ bytes after lane 0. All lanes are little-endian and 32 bits wide.
 from __future__ import annotations
 
 from ..frozen import changed, frozen
+from .ir.storage import ROW, byte_size, elements_in_row, place, stored_type
 from .ir.types import Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector, width
-from .layout import ROW, byte_size, elements_in_row, place, stored_type
 
 
 @frozen

@@ -17,6 +17,7 @@ from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node
 from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
+from ..ir.storage import elements_in_row, stored_type
 from ..ir.types import (
     BOOL,
     INT,
@@ -31,7 +32,6 @@ from ..ir.types import (
     Vector,
     width,
 )
-from ..layout import elements_in_row, stored_type
 
 _MADE = frozenset({"array", "struct", "iterate"})
 """What is put together in the shader, out of plain values; all other aggregates are stored."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from ..ir.program import Block, Program
+from ..ir.storage import byte_size
 from ..ir.types import Struct
-from ..layout import byte_size
 from ..packing import Packing
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import struct
 from typing import Any
 
+from burnish.compiler.ir.storage import byte_size
 from burnish.compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
-from burnish.compiler.layout import byte_size
 from burnish.compiler.packing import Packing
 
 Value = Any

@@ -11,8 +11,9 @@ from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Block, Field, Output, Program, Region, Stage
 from burnish.compiler.ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
 from burnish.compiler.ir.stages import CLIP_POSITION, FRAGMENT, TARGET, VERTEX
+from burnish.compiler.ir.storage import alignment, byte_size, stored_type
 from burnish.compiler.ir.types import VEC4, Type
-from burnish.compiler.layout import alignment, byte_size, layout_blocks, stored_type
+from burnish.compiler.layout import layout_blocks
 
 NOWHERE = Span(Source("host.burnish", ""), 0, 0)
 

@@ -17,6 +17,7 @@ from burnish.compiler.ir.build import member as member_of
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Block, Program
+from burnish.compiler.ir.storage import byte_size
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -33,7 +34,6 @@ from burnish.compiler.ir.types import (
     Type,
     Vector,
 )
-from burnish.compiler.layout import byte_size
 from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.targets.emit.emitter import Emission, emit
 from burnish.targets.emit.names import Names

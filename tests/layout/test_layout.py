@@ -7,6 +7,7 @@ from hypothesis import given
 
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.program import Block
+from burnish.compiler.ir.storage import byte_size, stored_type
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -22,7 +23,7 @@ from burnish.compiler.ir.types import (
     Type,
     Vector,
 )
-from burnish.compiler.layout import byte_size, layout_blocks, stored_type
+from burnish.compiler.layout import layout_blocks
 
 from .declarations import parameters, types
 from .oracles import D3D, STD140, WGSL, Rules, end_of, wgsl_uniform_violations

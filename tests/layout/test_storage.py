@@ -14,6 +14,7 @@ from burnish.compiler.ir.node import Folding, Graph, Node, reachable
 from burnish.compiler.ir.operations import PARAMETER
 from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.shader import Notes
+from burnish.compiler.ir.storage import byte_size, stored_type
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
@@ -29,7 +30,7 @@ from burnish.compiler.ir.types import (
     Type,
     Vector,
 )
-from burnish.compiler.layout import byte_size, layout_blocks, stored_type
+from burnish.compiler.layout import layout_blocks
 from burnish.compiler.packing import packing
 from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.compiler.reference.evaluate import evaluate as meaning

@@ -3,27 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from ....compiler.diagnostics.nearest import suggestion
 from .values import ParameterError
 
-if TYPE_CHECKING:
-    from .instance import Instance
+
+class Owner(Protocol):
+    """The instance that parts are of: it holds all values, by their full names."""
+
+    def get(self, name: str, /) -> Any:
+        """The value of a parameter."""
+
+    def set(self, name: str, value: object, /) -> None:
+        """Set a parameter. Raises ``ParameterError``."""
+
+    def _attribute(self, name: str, /) -> Any:
+        """The value of a parameter, or the part that goes by a name."""
 
 
 class Part:
-    """A light, a structure or an array, whose parts are read and set by their names."""
+    """A light, a structure or an array, whose parts can be read and set by their names."""
 
     __slots__ = ("_count", "_instance", "_name")
 
-    def __init__(self, instance: Instance, name: str, count: int | None = None) -> None:
+    def __init__(self, instance: Owner, name: str, count: int | None = None) -> None:
         object.__setattr__(self, "_instance", instance)
         object.__setattr__(self, "_name", name)
         object.__setattr__(self, "_count", count)
 
     def __getattr__(self, member: str) -> Any:
-        """A member, or of an array of lights the ``count``."""
+        """A member; for an array of lights, also its ``count``."""
         if member.startswith("_"):  # Copying asks for names before there are any attributes.
             raise AttributeError(member)
         return self._instance._attribute(f"{self._name}.{member}")
@@ -41,7 +51,7 @@ class Part:
         self._instance.set(f"{self._name}[{position}]", value)
 
     def __len__(self) -> int:
-        """How many elements there are, whether in use or not."""
+        """The number of elements, including those that are not in use."""
         if self._count is None:
             raise TypeError(f"`{self._name}` is no array")
         length: int = self._count
@@ -52,21 +62,21 @@ class Part:
         return (self[position] for position in range(len(self)))
 
     def __repr__(self) -> str:
-        """The name, and the value as it is."""
+        """The name and the current value."""
         return f"<{self._name}: {self._instance.get(self._name)}>"
 
 
 class Rig:
-    """The lights of an instance, and what else is set per rig."""
+    """The lights of an instance, and all other parameters that are set per rig."""
 
     __slots__ = ("_instance", "_names")
 
-    def __init__(self, instance: Instance, names: frozenset[str]) -> None:
+    def __init__(self, instance: Owner, names: frozenset[str]) -> None:
         object.__setattr__(self, "_instance", instance)
         object.__setattr__(self, "_names", names)
 
     def __getattr__(self, name: str) -> Any:
-        """A light, or a parameter's value."""
+        """A light, or the value of a parameter."""
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self._names:

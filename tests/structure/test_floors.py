@@ -1,0 +1,201 @@
+"""The floors of the tree: nobody imports upwards, and no modules import each other in a circle.
+
+Every import counts: those at the top of a module, those inside functions, which only put off when a
+module is loaded, and those for types. A circle of modules cannot be understood, tested or replaced
+one module at a time, whichever way it is closed.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from burnish.targets import registry
+
+from .modules import PACKAGE, between, circles, modules
+
+BACKENDS = registry.names()
+
+FLOORS: dict[str, str] = {
+    "frozen": "",
+    "arguments": "",
+    "stdlib": "frozen",
+    # From text to a staged program.
+    "compiler.cache": "",
+    "compiler.trampoline": "",
+    "compiler.diagnostics": "frozen",
+    "compiler.syntax": "frozen stdlib cache diagnostics",
+    "compiler.ir": "frozen stdlib diagnostics",
+    "compiler.layout": "ir",
+    "compiler.packing": "frozen ir",
+    "compiler.formula": "stdlib ir",
+    "compiler.source_map": "diagnostics ir",
+    "compiler.reference": "frozen stdlib ir trampoline",
+    "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
+    "compiler.semantics.names": "frozen diagnostics syntax types",
+    "compiler.library": "stdlib cache diagnostics syntax names",
+    "compiler.semantics.inheritance": "frozen diagnostics syntax names",
+    "compiler.semantics.state": (
+        "frozen stdlib diagnostics syntax ir reference trampoline types names inheritance"
+    ),
+    "compiler.semantics.hints": "stdlib diagnostics syntax ir types names inheritance state",
+    "compiler.semantics.declarations": (
+        "frozen stdlib diagnostics syntax ir layout trampoline types names inheritance state hints"
+    ),
+    "compiler.semantics.lowering": (
+        "frozen stdlib diagnostics syntax ir trampoline library types names inheritance state "
+        "hints declarations"
+    ),
+    "compiler.semantics.shading": (
+        "frozen stdlib diagnostics syntax ir trampoline types names inheritance state hints "
+        "declarations lowering"
+    ),
+    "compiler.frontend": "diagnostics syntax ir library names inheritance shading",
+    "compiler.passes": "frozen stdlib diagnostics ir layout formula reference trampoline library",
+    "compiler.reflection": "frozen stdlib diagnostics ir layout packing",
+    # Shaders in each language, and the programs that check, draw and compare them.
+    "targets.closing": "",
+    "targets.toolchain": "frozen closing",
+    "targets.emit": "frozen stdlib cache diagnostics ir reflection",
+    "targets.legalise": "frozen stdlib ir passes emit",
+    **{f"targets.{name}": "stdlib ir emit legalise" for name in BACKENDS},
+    "targets.registry": "emit",
+    "targets.runner": (
+        "frozen arguments cache diagnostics ir reference trampoline packing closing toolchain"
+    ),
+    "targets.conformance": "frozen ir reference runner toolchain",
+    # The door.
+    "api": (
+        "frozen arguments diagnostics ir passes source_map names reflection frontend "
+        "emit legalise registry runner"
+    ),
+    "commands": (
+        "frozen stdlib cache diagnostics ir passes reference source_map frontend reflection "
+        "formula emit registry runner conformance toolchain api"
+    ),
+    "cli": "commands",
+    "__main__": "cli",
+}
+"""What each folder or module may import of the others here, by their last names; lowest first.
+
+What is not listed is out of reach. The folder of a language stands here for as long as it is there:
+none of them imports another, and nothing imports one, as the registry finds them.
+"""
+
+OUT_OF_REACH = {
+    "targets.emit": ("compiler.ir.ranges", "compiler.ir.rewrite"),
+    "api": ("targets.runner.drivers",),
+}
+"""Modules of a floor below that a folder may not import all the same: emission prints what is legal
+and decides nothing, and only processes of their own load a driver."""
+
+KNOWN_CIRCLES = (
+    "compiler.passes.",
+    "compiler.semantics.",
+)
+"""Where there are circles still: all of their modules begin so."""
+
+KNOWN_IMPORTS = {
+    ("compiler.semantics.types", "compiler.semantics.hints"),
+    ("compiler.semantics.state", "compiler.semantics.declarations"),
+    ("compiler.semantics.state", "compiler.semantics.hints"),
+    ("compiler.semantics.state", "compiler.semantics.lowering"),
+    ("compiler.semantics.declarations", "compiler.semantics.lowering"),
+    ("compiler.passes", "compiler.syntax"),
+    ("compiler.passes", "compiler.semantics.types"),
+    ("compiler.passes", "compiler.semantics.names"),
+    ("compiler.passes", "compiler.semantics.inheritance"),
+    ("compiler.passes", "compiler.semantics.state"),
+    ("compiler.passes", "compiler.semantics.lowering"),
+    ("targets.emit", "targets.legalise"),
+    ("targets.runner", "compiler.semantics.lowering"),
+}
+"""Imports that lead up or aside still."""
+
+
+def _full(name: str) -> str:
+    (found,) = (floor for floor in FLOORS if floor.rpartition(".")[2] == name)
+    return found
+
+
+ALLOWED = {floor: [_full(name) for name in names.split()] for floor, names in FLOORS.items()}
+
+
+def _short(module: str) -> str:
+    return module.removeprefix(f"{PACKAGE}.")
+
+
+def test_each_floor_stands_on_those_before_it() -> None:
+    order = list(FLOORS)
+    for floor, others in ALLOWED.items():
+        assert all(order.index(other) < order.index(floor) for other in others), floor
+
+
+def test_each_module_lies_on_a_floor() -> None:
+    floors = tuple(f"{PACKAGE}.{floor}." for floor in FLOORS)
+    packages = {"", *(".".join(floor.split(".")[:depth]) for floor in FLOORS for depth in (1, 2))}
+    above = {f"{PACKAGE}.{package}".rstrip(".") for package in packages}
+    outside = {f"{PACKAGE}.setup", f"{PACKAGE}.tests"}
+    assert not [
+        module
+        for module in modules().keys() - above - outside
+        if not f"{module}.".startswith((*floors, f"{PACKAGE}.tests."))
+    ]
+
+
+def test_no_floor_imports_what_it_may_not() -> None:
+    found = between(modules(), [f"{PACKAGE}.{floor}" for floor in FLOORS])
+    wrong = [
+        each
+        for (start, end), imports in found.items()
+        if _short(end) not in ALLOWED[_short(start)]
+        and (_short(start), _short(end)) not in KNOWN_IMPORTS
+        for each in imports
+    ]
+    assert not wrong, "\n".join(wrong)
+
+
+@pytest.mark.parametrize(("floor", "forbidden"), OUT_OF_REACH.items())
+def test_no_floor_imports_what_is_out_of_reach(floor: str, forbidden: tuple[str, ...]) -> None:
+    assert not [
+        f"{module} imports {other}"
+        for module, others in modules().items()
+        for other in others
+        if f"{_short(module)}.".startswith(f"{floor}.")
+        and f"{_short(other)}.".startswith(tuple(f"{name}." for name in forbidden))
+    ]
+
+
+def test_the_package_itself_is_only_a_door_to_the_library() -> None:
+    assert modules()[PACKAGE] == {"burnish.api", "burnish.compiler.diagnostics.diagnostic"}
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    known = tuple(f"{PACKAGE}.{prefix}" for prefix in KNOWN_CIRCLES)
+    found = [
+        circle for circle in circles(modules()) if not all(m.startswith(known) for m in circle)
+    ]
+    assert not found, "\n".join(", ".join(circle) for circle in found)
+
+
+@pytest.mark.parametrize(
+    ("graph", "expected"),
+    [
+        ({"a": "b", "b": "c", "c": ""}, []),
+        ({"a": "b", "b": "a", "c": "a"}, [["a", "b"]]),
+        (
+            {"a": "b c", "b": "d", "c": "d", "d": "a", "e": "f", "f": "e"},
+            [["a", "b", "c", "d"], ["e", "f"]],
+        ),
+    ],
+)
+def test_circles_are_found(graph: dict[str, str], expected: list[list[str]]) -> None:
+    assert sorted(circles({k: frozenset(v.split()) for k, v in graph.items()})) == expected
+
+
+def test_imports_inside_functions_and_for_types_are_seen() -> None:
+    graph = modules()
+    assert (
+        "burnish.targets.runner.textures.files" in graph["burnish.targets.runner.textures.texture"]
+    )
+    assert "burnish.compiler.ir.shader" in graph["burnish.compiler.layout"]
+    assert "burnish.api" in graph["burnish.commands.compile"]

@@ -1,0 +1,35 @@
+"""The picture of imports shows each of them, and shows circles as such."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree
+
+from .picture import STYLES, drawn, imports_of_floors, imports_within
+from .test_floors import FLOORS
+
+
+def _lines(picture: str, style: str) -> int:
+    return picture.count(STYLES[style])
+
+
+def test_arrows_by_kind() -> None:
+    graph = {"a": "", "b": "a", "c": "a b", "d": "e", "e": "d a"}
+    picture = drawn({name: frozenset(others.split()) for name, others in graph.items()}, "title")
+    assert _lines(picture, "direct") == 3
+    assert _lines(picture, "implied") == 1
+    assert _lines(picture, "circle") == 2
+
+
+def test_the_floors() -> None:
+    graph = imports_of_floors()
+    picture = drawn(graph, "floors")
+    texts = [
+        each.text for each in ElementTree.fromstring(picture).iter() if each.tag.endswith("text")
+    ]
+    assert set(texts) == {"floors", *FLOORS}
+    assert picture.count("<path") == sum(map(len, graph.values()))
+
+
+def test_one_package() -> None:
+    graph = imports_within("compiler.diagnostics")
+    assert "source" in graph["diagnostic"]
