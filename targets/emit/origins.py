@@ -40,8 +40,8 @@ class Marks:
             for number, line in enumerate(lines, start=1)
             if _OPEN in line and (found := _MARK.search(line))
         }
-        cleaned = [_MARK.sub("", line) if _OPEN in line else line for line in lines]
-        return "\n".join(cleaned), dict(_completed(cleaned, own, self._forms))
+        cleaned = _MARK.sub("", text)
+        return cleaned, dict(_completed(cleaned.split("\n"), own, self._forms))
 
 
 def _completed(
