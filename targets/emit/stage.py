@@ -1,7 +1,7 @@
 """Prints one stage: its functions, the body of its entry point, its inputs and outputs.
 
-The emitter makes a ``StagePrinter`` for each stage of a program, and hands the ``EntryView`` that it
-returns to the skeleton.
+The emitter makes a ``StagePrinter`` for each stage of a program, and hands the ``EntryView`` that
+it returns to the skeleton.
 """
 
 from __future__ import annotations
