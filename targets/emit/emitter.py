@@ -10,6 +10,7 @@ from collections.abc import Mapping
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
+from ...compiler.ir.shader import Notes
 from ...frozen import frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
@@ -61,6 +62,8 @@ class Emission:
     bindings: Bindings
     host_uniforms: tuple[str, ...]
     """Names of plain float uniforms that the host has to set, besides the blocks."""
+    notes: Notes | None = None
+    """What is noted of the nodes in ``EmittedFile.origins``, if not by the shader (``Legal``)."""
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
@@ -81,6 +84,7 @@ class _Emitter:
         self._options = options
         self._names = name_program(legal.program, legal.target)
         self._bindings = legal.bindings
+        self._notes = legal.notes
         self._context = Context(legal, self._names, options.flip_y)
         self._declarations = Declarations(self._context, legal.bindings)
 
@@ -93,6 +97,7 @@ class _Emitter:
             self._names,
             self._bindings,
             tuple(used),
+            self._notes,
         )
 
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
