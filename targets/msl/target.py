@@ -188,7 +188,11 @@ INPUTS = {
 
 def semantic(role: FieldRole, _name: str, location: int) -> str:
     """The attribute by which a host or the next stage finds a field."""
-    words = {"attribute": "attribute({})", "varying": "user(location{})", "target": "color({})"}
+    words = {
+        "attribute": "attribute({})",
+        "varying": "user(location{})",
+        "render target": "color({})",
+    }
     return words[role].format(location)
 
 

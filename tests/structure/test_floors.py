@@ -28,7 +28,7 @@ FLOORS: dict[str, str] = {
     "compiler.layout": "ir",
     "compiler.packing": "frozen ir",
     "compiler.formula": "stdlib ir",
-    "compiler.places": "diagnostics ir",
+    "compiler.source_map": "diagnostics ir",
     "compiler.reference": "frozen stdlib ir trampoline",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
@@ -65,12 +65,12 @@ FLOORS: dict[str, str] = {
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "api": (
-        "frozen arguments diagnostics ir passes places names reflection frontend "
+        "frozen arguments diagnostics ir passes source_map names reflection frontend "
         "emit legalise registry runner"
     ),
     "commands": (
-        "frozen stdlib cache diagnostics ir passes reference places frontend reflection formula "
-        "emit registry runner conformance toolchain api"
+        "frozen stdlib cache diagnostics ir passes reference source_map frontend reflection "
+        "formula emit registry runner conformance toolchain api"
     ),
     "cli": "commands",
     "__main__": "cli",

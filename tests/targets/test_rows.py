@@ -78,4 +78,4 @@ def test_attributes_have_semantics() -> None:
     assert semantic("attribute", "texcoord1", 3) == "TEXCOORD1"
     assert semantic("attribute", "sv_position", 0) == "ATTRIBUTE_SV_POSITION"
     assert semantic("varying", "normal", 2) == "TEXCOORD2"
-    assert semantic("target", "color", 1) == "SV_Target1"
+    assert semantic("render target", "color", 1) == "SV_Target1"
