@@ -1,5 +1,4 @@
-"""Clips triangles in clip space, at near (0 <= z), at far (z <= w), and in front of the eye (0 <
-w).
+"""Clips triangles in clip space: at near (0 <= z), at far (z <= w), and at the eye (0 < w).
 
 Double precision needs no clipping at the sides of the picture, but some devices do it, and snap the
 new corners. The algorithm is that of Sutherland and Hodgman, "Reentrant polygon clipping", 1974.

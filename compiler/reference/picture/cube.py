@@ -16,7 +16,7 @@ from .scene import Bools, Floats, Ints
 _ACROSS = np.array([[0, 0, -1], [0, 0, 1], [1, 0, 0], [1, 0, 0], [1, 0, 0], [-1, 0, 0]])
 _DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0, -1, 0]])
 _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
-"""For each face, the direction in which it lies."""
+"""For each face, the directions of its columns and of its rows, and the one in which it lies."""
 
 
 @dataclass(frozen=True, slots=True)

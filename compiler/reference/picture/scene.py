@@ -59,7 +59,11 @@ def instanced(
 
 @dataclass(frozen=True, slots=True)
 class Texels:
-    """A texture with its mip levels."""
+    """Each level has linear values (height, width, 4), or (height, width, 1) for depths.
+
+    The first row is the top one. With layers, faces or slices: (layers, height, width, 4). Every
+    level halves width and height, and the depth of a 3D texture, rounded down, but not below 1.
+    """
 
     levels: tuple[Floats | Ints, ...]
     """Each level has linear values (height, width, 4), first row at the top; depths (height, width,

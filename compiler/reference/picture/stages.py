@@ -28,7 +28,7 @@ from .vertex_reads import VertexReader
 
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
-"""Builtins that use neighbours' values even if cubes are projected."""
+"""Builtins that use neighbours' values, too, if cubes are not projected."""
 _FILTERED = frozenset(row.name for row in texture.ROWS if row.sampler is not None)
 _NOT_ROUNDED = (
     EXACT | READS | _COMPARES_NEIGHBOURS | {"neg", "abs", "min", "max", "clamp", "saturate"}
