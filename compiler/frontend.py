@@ -14,7 +14,7 @@ from .diagnostics.source import Source, Span
 from .inputs import Inputs
 from .ir.shader import Shader
 from .library import FOLDER, parse_library
-from .semantics.inheritance.records import Records, records_of
+from .semantics.inheritance.flattening import Records, records_of
 from .semantics.names.modules import Loader, Module, Symbol
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
@@ -66,8 +66,27 @@ class Frontend:
     def shaders(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None
     ) -> list[Shader]:
-        """The shaders of all concrete materials, or of the one named; errors are in the report."""
-        return self._elaborate(module, self._materials(module, material), rig, pass_)
+        """The shaders of all concrete materials, or of the one named; errors are in the report.
+
+        One that is named is compiled alone: only what it uses is checked. Otherwise everything that
+        the file declares is.
+        """
+        materials = self._materials(module, material)
+        rig_symbol = self._rig(module, rig)
+        pass_symbol = self._pass(module, pass_)
+        if rig_symbol is None or pass_symbol is None:
+            return []
+        reached: set[Symbol] = set()
+        parts = [Parts(symbol, rig_symbol, pass_symbol, module) for symbol in materials]
+        settings = [set_up(part, self._report.apart(), self._records) for part in parts]
+        found = [elaborate(setting, reached) for setting in settings]
+        for setting in settings:
+            self._report.extend(setting.ctx.report.since(0))
+        if material is None:
+            rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
+            drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
+            self._check_unused(module, drawn, settings, reached)
+        return [shader for shader in found if shader is not None]
 
     def variants(self, module: Module) -> Iterator[tuple[str | None, str | None]]:
         """Names of a rig and a pass under which the module's materials can be drawn.
@@ -90,24 +109,6 @@ class Frontend:
         drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
         if drawn:
             self._check_unused(module, drawn, (), set())
-
-    def _elaborate(
-        self, module: Module, materials: list[Symbol], rig: str | None, pass_: str | None
-    ) -> list[Shader]:
-        rig_symbol = self._rig(module, rig)
-        pass_symbol = self._pass(module, pass_)
-        if rig_symbol is None or pass_symbol is None:
-            return []
-        reached: set[Symbol] = set()
-        parts = [Parts(symbol, rig_symbol, pass_symbol, module) for symbol in materials]
-        settings = [set_up(part, self._report.apart(), self._records) for part in parts]
-        found = [elaborate(setting, reached) for setting in settings]
-        for setting in settings:
-            self._report.extend(setting.low.report.since(0))
-        rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
-        drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
-        self._check_unused(module, drawn, settings, reached)
-        return [shader for shader in found if shader is not None]
 
     def _check_unused(
         self,

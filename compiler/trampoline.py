@@ -1,9 +1,9 @@
 """Recursion without the call stack.
 
-Expressions nest as deeply as a text is long and equations chain without limit, so what follows
-their structure is written as generators: ``yield sub()`` stands for a recursive call. ``run`` keeps
-the pending ones on a list, whose length nothing limits. What can be answered without a further call
-need not be a generator: ``yield answer`` is as good, and cheaper.
+Graphs are as deep as programs are long, so some functions that follow their structure are
+generators: ``yield sub()`` stands for a recursive call. ``run`` keeps the pending ones on a list,
+whose length nothing limits. What can be answered without a further call need not be a generator:
+``yield answer`` is as good, and cheaper.
 """
 
 from __future__ import annotations

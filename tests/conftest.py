@@ -1,4 +1,4 @@
-"""What holds in all tests: graphs are verified after every pass. And a machine without tools."""
+"""Fixtures for all tests. Every test has its graphs verified after each pass."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ os.environ[VARIABLE] = "1"
 
 @pytest.fixture
 def no_tools(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A machine without any tool; returns its cache folder, which is its whole file system too."""
+    """Simulates a machine without any tool; its cache folder, which is returned, is its file
+    system."""
 
     def no_package(name: str) -> Distribution:
         raise PackageNotFoundError(name)

@@ -1,4 +1,4 @@
-"""Texts in the tree that a person should see change."""
+"""Golden files: texts in the tree that tests compare with, so that people see each change."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def assert_golden(text: str, path: Path) -> None:
-    """The text is what the file holds; ``BURNISH_UPDATE_GOLDEN=1`` writes the file anew."""
+    """Fail unless the file holds this text; ``BURNISH_UPDATE_GOLDEN=1`` writes the file instead."""
     if os.environ.get("BURNISH_UPDATE_GOLDEN"):
         path.parent.mkdir(exist_ok=True)
         path.write_text(text, encoding="utf-8")

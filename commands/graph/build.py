@@ -176,7 +176,7 @@ class _Building:
     # --- boxes -----------------------------------------------------------------------------------
 
     def _crossing(self, value: Node) -> str:
-        """What a value is called that crosses to the fragments."""
+        """What a value is called that crosses to the next stage."""
         return self._formulas.name(value) or self._crossings.get(value.id, "crossing")
 
     def _shown_name(self, node: Node) -> str | None:

@@ -24,7 +24,7 @@ KINDS: dict[Kind, str] = {
     "value": "value",
     "loop": "loop over lights or turns",
     "call": "call of a function",
-    "crossing": "crosses to the fragment stage",
+    "crossing": "crosses to the next stage",
     "argument": "argument, or index of a loop",
     "result": "result of the stage",
 }

@@ -41,7 +41,9 @@ def _continues(name: str, other: str) -> bool:
 def respelling(name: str, span: Span, known: Iterable[str]) -> Hint:
     """A hint to write the nearest name for ``name``, which stands at ``span``."""
     found = nearest(name, known)
-    return fix_it(f"did you mean `{found}`?", (span, found)) if found else ""
+    if found is None or span.text != name:
+        return "" if found is None else f"did you mean `{found}`?"
+    return fix_it(f"did you mean `{found}`?", (span, found))
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

@@ -51,20 +51,20 @@ class Domains:
                 return domain
             case Crossing(origin=origin, destination=destination):
                 (operand,) = node.operands
-                if not _exists(self._found[operand.id], origin):
+                if not exists(self._found[operand.id], origin):
                     raise MixedDomainsError(node, f"crosses from another domain than {origin}")
                 return destination
         found: Domain | None = None
         for operand in node.operands:
             other = self._found[operand.id]
-            if _exists(found, other):
+            if exists(found, other):
                 found = other
-            elif not _exists(other, found):
+            elif not exists(other, found):
                 raise MixedDomainsError(node, f"made of values per {found} and per {other}")
         return found
 
 
-def _exists(domain: Domain | None, other: Domain | None) -> bool:
+def exists(domain: Domain | None, other: Domain | None) -> bool:
     """Whether what varies over ``domain`` has a value at each place of ``other``, too."""
     if domain is None or domain == other:
         return True

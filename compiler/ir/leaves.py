@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from ...frozen import frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
 from .meaning import Meaning
+from .stages import VERTICES, Domain
 from .types import Type
-
-Step = Literal["vertex", "instance"]
-"""How often a vertex input goes on to its next value."""
 
 
 @frozen
@@ -60,6 +56,6 @@ class Attribute:
 
     name: str
     type: Type
-    step: Step = "vertex"
-    """Which is the domain that it varies over."""
+    step: Domain = VERTICES
+    """What it varies over: ``VERTICES``, or ``INSTANCES``."""
     meaning: Meaning | None = None

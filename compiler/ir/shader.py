@@ -79,14 +79,11 @@ class AttributeInfo:
 
 @frozen
 class RenderTarget:
-    """The state of a render target of the pass, which a host has to set up."""
+    """The state of a render target, which a host has to set up."""
 
-    name: str
     format: str
     blend: str
-    """``none``, ``alpha``, ``add`` …; fixed-function state."""
-    doc: str
-    span: Span
+    """``none``, ``alpha``, ``add`` …: what the hardware does behind the shader."""
 
     @property
     def fixed_point(self) -> bool:
@@ -103,8 +100,11 @@ class Result:
     stage: StageRow
     """The stage that delivers it, in whose domain the value is."""
     value: Node
-    target: RenderTarget | None = None
-    """Where it is written to, for a result of the kind ``TARGET``."""
+    name: str = ""
+    """What a host knows it by. Results with a name get locations, in order."""
+    doc: str = ""
+    state: RenderTarget | None = None
+    """For a result of the kind ``TARGET``."""
 
 
 @dataclass(slots=True)

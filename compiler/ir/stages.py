@@ -116,6 +116,9 @@ FRAGMENT = StageRow(
 STAGES: Mapping[str, StageRow] = {row.name: row for row in (VERTEX, FRAGMENT)}
 """All stages by name."""
 
+ENTRY_POINTS = tuple(row.entry for row in STAGES.values())
+"""Names that a text of several stages uses for itself."""
+
 Chain = tuple[StageRow, ...]
 """The stages of a pipeline in the order in which they run; the first reads the vertex inputs."""
 

@@ -7,12 +7,17 @@ the compiler (``operations.Form``). In tests every pass's result is verified; el
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
-from .domains import Domains, MixedDomainsError
+from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.row import nowhere
+from .domains import Domains, MixedDomainsError, exists
 from .node import Binder, Formal, Node, Op, binders, bodies_of, reachable
-from .operations import BOUND, FORMAL, OPERATIONS, PARAMETER, Form, Operation
+from .operations import BOUND, CROSS, FORMAL, OPERATIONS, PARAMETER, Form, Operation
+from .shader import Result
+from .stages import Chain
 from .storage import stored_type
 from .types import Type
 
@@ -49,16 +54,41 @@ def verify(roots: Iterable[Node], *, stage: Form) -> None:
             raise InvalidGraphError(root, f"{variable} is used outside its binder")
 
 
+def verify_results(results: Sequence[Result], chain: Chain) -> None:
+    """Raise ``InvalidGraphError`` where results or crossings do not fit the chain of stages."""
+    domains = Domains()
+    joined = set(pairwise(row.domain for row in chain))
+    for node in reachable([result.value for result in results]):
+        if node.op == "cross":
+            crossing = CROSS.data(node)
+            if (crossing.origin, crossing.destination) not in joined:
+                raise InvalidGraphError(node, "no two stages that follow each other are joined so")
+    for result in results:
+        if result.stage not in chain:
+            raise InvalidGraphError(result.value, f"no {result.stage.name} stage in the chain")
+        if result.kind not in result.stage.delivers:
+            problem = f"a {result.stage.name} stage does not deliver a {result.kind}"
+            raise InvalidGraphError(result.value, problem)
+        if not exists(domains.of(result.value), result.stage.domain):
+            raise InvalidGraphError(result.value, f"no value per {result.stage.domain}")
+
+
 def _check_order(node: Node) -> None:
     if any(operand.id >= node.id for operand in node.operands):
         raise InvalidGraphError(node, "an operand is not older than its user")
 
 
 def _check_form(node: Node, row: Operation[Any], form: Form) -> None:
-    if form not in row.forms:
+    if form not in row.forms and not _is_by_profile(node):
         raise InvalidGraphError(node, _TOO_LATE.get(node.op, f"a {node.op} in a graph {form}"))
     if form != "semantics" and binders(node):
         raise InvalidGraphError(node, _TOO_LATE["bound"])
+
+
+def _is_by_profile(node: Node) -> bool:
+    """Whether a node is a call about which profiles decide, after the passes."""
+    row = BUILTINS.get(str(node.data)) if node.op == "call" else None
+    return row is not None and row.by_profile is not nowhere
 
 
 _TOO_LATE: Mapping[Op, str] = {

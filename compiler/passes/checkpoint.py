@@ -9,6 +9,7 @@ from ..ir.node import Node
 
 if TYPE_CHECKING:
     from ..ir.operations import Form
+    from ..ir.shader import Result, Shader
 
 VARIABLE = "BURNISH_VERIFY"
 """Set to ``1`` in all tests; off for users, since verifying costs as much as a pass."""
@@ -25,3 +26,12 @@ def passed(name: str, form: Form, roots: list[Node]) -> list[Node]:
             error.add_note(f"after {name}")
             raise
     return roots
+
+
+def chained(shader: Shader) -> tuple[Result, ...]:
+    """What a shader delivers; where that is wanted, it is verified to fit the shader's stages."""
+    if os.environ.get(VARIABLE) == "1":
+        from ..ir.verify import verify_results
+
+        verify_results(shader.results, shader.chain)
+    return shader.results

@@ -10,12 +10,12 @@ from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
 from ..ir import build
 from ..ir.node import Formal, Formals, Graph, Node, reachable
-from ..ir.operations import CALL, VARYING
+from ..ir.operations import CALL
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
-from .elements import is_element
+from .draw_constants import DrawConstants
 from .expansion_templates import Template, template
 from .simplify import Simplifier
 
@@ -30,7 +30,7 @@ class Expanding(Simplifier):
         super().__init__(graph, ranges, notes)
         self.expanded: dict[int, Node] = {}
         """By the id of the ``call`` that was expanded."""
-        self._varying: dict[int, bool] = {}
+        self._constant = DrawConstants(elements=True)
         self._functions: dict[tuple[Template, tuple[Type | Node, ...]], tuple[Node, Formals]] = {}
 
     def expansion(self, node: Node) -> Node:
@@ -58,7 +58,9 @@ class Expanding(Simplifier):
         Where an operand is constant over the draw, parts of the expansion are too and may leave the
         shader, so it is written out. So are functions that turn out to be called once (``inline``).
         """
-        if len(found.operations) < OUTLINED or not all(map(self._varies, operands)):
+        if len(found.operations) < OUTLINED or any(
+            operand in self._constant for operand in operands
+        ):
             return self._instantiate(found, operands)
         # Textures are no arguments everywhere, so each has a function of its own.
         named = [(Formal(n), o) for n, o in zip(found.parameters, operands, strict=True)]
@@ -77,23 +79,6 @@ class Expanding(Simplifier):
         call = build.apply(self.graph, body, tuple(o for _, o in passed), formals)
         self.notes.roles.setdefault(call.id, found.name)
         return call
-
-    def _varies(self, root: Node) -> bool:
-        """Whether a value may differ between vertices or pixels; elements of arrays do not."""
-        pending = [root]
-        while pending:
-            node = pending[-1]
-            at_host = is_element(node)
-            is_leaf = at_host or node.op in VARYING
-            missing = [] if is_leaf else [o for o in node.operands if o.id not in self._varying]
-            if node.id not in self._varying and missing:
-                pending += missing
-                continue
-            pending.pop()
-            self._varying[node.id] = not at_host and (
-                node.op in VARYING or any(self._varying[operand.id] for operand in node.operands)
-            )
-        return self._varying[root.id]
 
     def written_out(self, found: Template, operands: tuple[Node, ...]) -> Node:
         """The value of a template for these operands, lane by lane where it is one of scalars."""

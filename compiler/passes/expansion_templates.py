@@ -16,15 +16,14 @@ from ..diagnostics.source import Span
 from ..ir.node import Formal, Node, Op, reachable
 from ..ir.types import Scalar, Type, Vector
 from ..library import MEANING, expansions
-from ..semantics.inheritance.records import Records
+from ..semantics.inheritance.flattening import Records
 from ..semantics.lowering.applications import apply_body, best
+from ..semantics.lowering.expressions import RULES
 from ..semantics.names.modules import Named
-from ..semantics.state.context import Lowering
+from ..semantics.state.context import Context
 from ..semantics.state.scope import Failure
 from ..semantics.types.meanings import erased
-from ..semantics.types.typenames import TypeResolver
 from ..syntax import ast
-from ..trampoline import run
 
 
 @frozen
@@ -83,17 +82,17 @@ def _template_of(function: str, types: tuple[Type, ...]) -> Template:
 def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
     _, functions = expansions()
     report = Report()
-    low = Lowering(report, Records(report), TypeResolver(report))
+    ctx = Context(report, Records(report), RULES)
     arguments = tuple(
-        low.graph.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
+        ctx.graph.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
     )
-    symbol = best(low, list(functions[name]), arguments)
+    symbol = best(ctx, list(functions[name]), arguments)
     if symbol is None:
         return None
-    value = run(apply_body(low, symbol, arguments, Span(symbol.module.file.source, 0, 0)))
+    value = apply_body(ctx, symbol, arguments, Span(symbol.module.file.source, 0, 0))
     assert not isinstance(value, Failure), report.diagnostics
-    (value,) = erased(low.graph, (value,), low.notes.follow)
-    return _template(symbol.declaration, arguments, value, low.notes.roles)
+    (value,) = erased(ctx.graph, (value,), ctx.notes.follow)
+    return _template(symbol.declaration, arguments, value, ctx.notes.roles)
 
 
 def _template(

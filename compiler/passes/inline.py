@@ -10,10 +10,11 @@ from collections import Counter
 from collections.abc import Container, Iterable
 
 from ..ir.node import Formals, Graph, Node, formals_of, reachable
-from ..ir.operations import BINDING, VARYING
+from ..ir.operations import VARYING
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from .cost import cost, cost_of
+from .draw_constants import DrawConstants
 from .simplify import Simplifier, substitute_through
 from .walks import operands_of, visible
 
@@ -23,9 +24,6 @@ TRIVIAL = 4
 WORTHWHILE = 0.5
 """A call that computes no more than this share of its body for its own arguments is written out."""
 
-NOT_UNIFORM = BINDING | {"cross"}
-"""What may differ between pixels, or never leaves the shader."""
-
 
 def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
     """The roots with applies of bodies that are used once, or hardly used, as the bodies."""
@@ -33,7 +31,7 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
     nodes = reachable(wanted)
     if not any(node.op == "apply" for node in nodes):
         return wanted
-    prices = _Prices(simplifier, nodes)
+    prices = _Prices(simplifier)
     calls = [node for node in nodes if node.op == "apply" and prices.is_worth_calling(node)]
     bodies = {node.operands[0].id for node in nodes if node.op == "apply"}
     uses = Counter(node.operands[0].id for node in calls)
@@ -55,20 +53,12 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
 class _Prices:
     """What bodies cost, and what is left of them for the arguments of a call."""
 
-    def __init__(self, simplifier: Simplifier, nodes: Iterable[Node]) -> None:
-        """``nodes`` are all that there are, operands before users."""
+    def __init__(self, simplifier: Simplifier) -> None:
         self._simplifier = simplifier
-        self._uniform: set[int] = set()
-        """What is the same all over the draw."""
+        self._constant = DrawConstants()
         self._trivial: dict[int, bool] = {}
         self._left: dict[tuple[int, tuple[Node | None, ...]], int] = {}
         """By the body and the arguments that are put in."""
-        for node in nodes:
-            inner = bool(node.operands) and node.op not in NOT_UNIFORM
-            if node.op in ("constant", "parameter") or (
-                inner and all(operand.id in self._uniform for operand in node.operands)
-            ):
-                self._uniform.add(node.id)
 
     def is_worth_calling(self, call: Node) -> bool:
         """Whether a call is better than its body written out."""
@@ -77,7 +67,7 @@ class _Prices:
             self._trivial[body.id] = cost(body) <= TRIVIAL
         if self._trivial[body.id]:
             return False
-        fixed = tuple(a if a.id in self._uniform else None for a in arguments)
+        fixed = tuple(a if a in self._constant else None for a in arguments)
         if not any(fixed):
             return True
         formals = formals_of(call)

@@ -12,10 +12,11 @@ from collections.abc import Iterable
 from ..ir import build
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node, reachable
-from ..ir.operations import BINDING, CROSS, SWIZZLE, builtin_of
+from ..ir.operations import CROSS, SWIZZLE, builtin_of
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Scalar, Vector, width
+from .draw_constants import DrawConstants
 
 AFFINE = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
 """Operations that are affine in one operand, and what they make of it."""
@@ -32,17 +33,10 @@ class _Moving:
     def __init__(self, roots: list[Node], nodes: list[Node], notes: Notes) -> None:
         self._notes = notes
         self._users: dict[int, int] = {root.id: 1 for root in roots}
-        self._constant: dict[int, bool] = {}
-        """Which values are the same all over the draw."""
+        self._constant = DrawConstants()
         for node in nodes:
             for operand in set(node.operands):
                 self._users[operand.id] = self._users.get(operand.id, 0) + 1
-            self._constant[node.id] = node.op in ("constant", "parameter") or (
-                bool(node.operands)
-                and node.op != "cross"
-                and node.op not in BINDING
-                and all(self._constant[operand.id] for operand in node.operands)
-            )
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Compute ``node`` before the crossing that it is an affine map of."""
@@ -59,7 +53,7 @@ class _Moving:
         """Which operand is a crossing that nothing else needs, if ``node`` is affine in it."""
         if not _is_affine(node):
             return None
-        varying = [i for i, old in enumerate(node.operands) if not self._constant[old.id]]
+        varying = [i for i, old in enumerate(node.operands) if old not in self._constant]
         if len(varying) != 1:
             return None
         (position,) = varying

@@ -9,7 +9,7 @@ from ..ir.node import AGE, Node
 
 def operands_of(node: Node) -> tuple[Node, ...]:
     """The operands that a body computes itself: not a called function's body, nor what is behind a
-    crossing, which the vertex stage computed."""
+    crossing, which an earlier stage has computed."""
     if node.op == "apply":
         return node.operands[1:]
     return () if node.op == "cross" else node.operands

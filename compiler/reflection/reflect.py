@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
-from ..ir.program import Program, Varying
+from ..ir.program import Program
 from ..ir.shader import AttributeInfo, Shader
 from ..ir.stages import TARGET
 from .bytes import block_row
@@ -57,7 +57,7 @@ def reflect(
         "samplers": sampler_rows(shader.resources, program),
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
-        "varyings": [_varying_row(varying) for varying in program.varyings],
+        "varyings": list(_varying_rows(program)),
         "targets": list(_target_rows(shader, program)),
         "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
     }
@@ -80,28 +80,32 @@ def _vertex_input_rows(
         }
 
 
-def _varying_row(varying: Varying) -> dict[str, Any]:
-    field = varying.field
-    return {
-        "name": field.name,
-        "representation": str(field.type),
-        "location": field.location,
-        "mode": field.mode,
-    }
+def _varying_rows(program: Program) -> Iterator[dict[str, Any]]:
+    stages = {stage.row.domain: stage.name for stage in program.stages}
+    for interface in program.interfaces:
+        for field in interface.fields:
+            yield {
+                "name": field.name,
+                "representation": str(field.type),
+                "location": field.location,
+                "mode": field.mode,
+                "from": stages[interface.origin],
+                "to": stages[interface.destination],
+            }
 
 
 def _target_rows(shader: Shader, program: Program) -> Iterable[dict[str, Any]]:
     outputs = program.results_of(TARGET)
     for result, output in zip(shader.results_of(TARGET), outputs, strict=True):
-        target, field = result.target, output.field
-        assert target is not None and field is not None
+        state, field = result.state, output.field
+        assert state is not None and field is not None
         yield {
-            "name": target.name,
+            "name": field.name,
             "representation": str(field.type),
             "location": field.location,
-            "format": target.format,
-            "blend": target.blend,
-            "doc": target.doc,
+            "format": state.format,
+            "blend": state.blend,
+            "doc": field.doc,
         }
 
 

@@ -119,7 +119,7 @@ class Advice:
 
     def _without(self, said: str, first: int, behind: int) -> Hint:
         """A hint to remove the tokens from ``first`` up to ``behind``."""
-        return self._replace(said, first, behind - 1, "")
+        return self._replace(said, first, min(behind, len(self._tokens)) - 1, "")
 
     def _of_decimals(self, index: int) -> Hint:
         """About a decimal comma."""

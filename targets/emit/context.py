@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import StageName
 from ..legalise.legal import Legal
 from ..legalise.resource_arguments import NOTHING, Passed
 from .description import PipelineInput, Spellings
 from .names import Names
+from .precedence import Text
 from .spelling import TypeSpeller
-from .textures import TextureSpeller
+from .texture_declarations import TextureSpeller
 
 
 class Context:
@@ -35,6 +37,8 @@ class Context:
             if member.parameter is not None
         }
         """The block, the name there and the stored type of each parameter."""
+        self.read_parameters: dict[Parameter, Text] = {}
+        """How those are read of which that is known already."""
         self.types = TypeSpeller(target.types, names.structs)
         """Writes types, with the final names of structs."""
         self.textures = TextureSpeller(target.textures, program)

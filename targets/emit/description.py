@@ -17,7 +17,7 @@ from ...stdlib.builtins.row import Domain, SamplerUse
 from .forms import Forms
 from .reserved import Reserved
 
-FieldRole = Literal["attribute", "varying", "target"]
+FieldRole = Literal["attribute", "varying", "render target"]
 """Vertex input, value between the stages, or render target."""
 
 BindingKind = Literal["block", "texture", "sampler"]
@@ -209,8 +209,9 @@ class Profile:
     the builtin's ``definition``."""
     agrees: Mapping[str, Domain] = EMPTY
     """By builtin, the operands for which the dialect's own operation has Burnish's meaning, where
-    these are others than the builtin's ``domain``: fewer, if the language or a compiler of it has
-    the operation wrong, or only for some types. Elsewhere the builtin's ``definition`` is used."""
+    these are others than the builtin's ``domain``. They are more if the language defines what
+    others leave open; then it needs fewer guards. They are fewer if it has the operation for some
+    types only, or a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
     cannot: Mapping[str, Lack] = EMPTY
     """Natives that the profile has not got, nor an exact replacement for."""
     checkers: tuple[str, ...] = ()

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
+from ...compiler.ir.shader import Notes
 from ...frozen import frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
@@ -16,7 +17,7 @@ from .declarations import Declarations
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
-from .textures import helpers, opening_lines
+from .texture_declarations import helpers, opening_lines
 from .views import EntryView, FileView
 from .wrapping import wrapped
 
@@ -57,6 +58,8 @@ class Emission:
     bindings: Bindings
     host_uniforms: tuple[str, ...]
     """Loose float uniforms that the host has to set besides the blocks."""
+    notes: Notes | None = None
+    """What is noted of the nodes in ``EmittedFile.origins``, if not by the shader (``Legal``)."""
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
@@ -77,6 +80,7 @@ class _Emitter:
         self._options = options
         self._names = name_program(legal.program, legal.target)
         self._bindings = legal.bindings
+        self._notes = legal.notes
         self._context = Context(legal, self._names, options.flip_y)
         self._declarations = Declarations(self._context, legal.bindings)
 
@@ -89,12 +93,13 @@ class _Emitter:
             self._names,
             self._bindings,
             tuple(used),
+            self._notes,
         )
 
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
         names = {stage.name: self._entry_point(stage, single) for stage in stages}
-        marks = Marks()
+        marks = Marks(self._target.forms)
         entries = [
             StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
             for stage in stages

@@ -12,10 +12,8 @@ from ...compiler.ir.types import (
     Scalar,
     Struct,
     TallMatrix,
-    Type,
     Vector,
     scalar_kind,
-    width,
 )
 from .context import Context
 from .leaves import Leaves
@@ -34,6 +32,7 @@ class Expressions:
         self,
         context: Context,
         leaves: Leaves,
+        natives: Natives,
         functions: Mapping[Node, Callee],
     ) -> None:
         self.bound: dict[int, str] = {}
@@ -48,7 +47,7 @@ class Expressions:
         self._names = context.names
         self._leaves = leaves
         self._functions = functions
-        self._natives = Natives(context, leaves, self._splatted, functions)
+        self._natives = natives
         self._depth = 0
 
     def text(self, node: Node) -> str:
@@ -133,14 +132,7 @@ class Expressions:
         return Text(f"{self._types.type(node.type)}({self._arguments(node.operands)})")
 
     def _splat(self, node: Node) -> Text:
-        return self._splatted(self.operand(node.operands[0]), node.type)
-
-    def _splatted(self, operand: Text, type_: Type) -> Text:
-        return Text(
-            self._forms.splat.format(
-                type=self._types.type(type_), value=operand, lanes="x" * width(type_)
-            )
-        )
+        return self._natives.splatted(self.operand(node.operands[0]), node.type)
 
     def _matrix(self, node: Node) -> Text:
         type_ = self._types.type(node.type)
@@ -157,7 +149,7 @@ class Expressions:
         if source.op == "cross" and source.id not in self.bound:
             return self._leaves.interpolated(source, lanes)
         operand = self.operand(source).within(Binding.POSTFIX)
-        return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
+        return Text(f"{operand}.{''.join(self._forms.lanes[lane] for lane in lanes)}")
 
     def _index(self, node: Node) -> Text:
         aggregate, position = node.operands

@@ -101,6 +101,8 @@ class Forms:
     """A texture read by its sampler, called ``{sampler}``; ``{type}`` is that of both in one."""
     input: str = "{name}"
     """A stage's input: a global variable, or ``input.{name}``."""
+    lanes: str = "xyzw"
+    """The letters of the lanes."""
     lane_words: tuple[str, ...] = ()
     """What ``{lane}`` stands for, for each of the four lanes."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator
 
+from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import ATTRIBUTE, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
@@ -29,11 +30,18 @@ class Leaves:
         self._names = context.names
         self._inputs = context.inputs
         self._members = context.members
+        self._read_parameters = context.read_parameters
         self._crossings = dict(_crossings(context.program.entering(stage)))
 
     def parameter(self, node: Node) -> Text:
         """A member of a uniform block, in its stored type."""
         parameter = PARAMETER.data(node)
+        text = self._read_parameters.get(parameter)
+        if text is None:
+            text = self._read_parameters[parameter] = self._parameter(node, parameter)
+        return text
+
+    def _parameter(self, node: Node, parameter: Parameter) -> Text:
         block, member, stored = self._members[parameter]
         assert node.type == stored, f"{parameter.name} is stored as {stored}, not {node.type}"
         text = self._forms.member.format(
@@ -43,7 +51,7 @@ class Leaves:
 
     def loaded(self, member: Text, type_: Type) -> Text:
         """A block's member as a plain value, where it is stored as something else."""
-        if str(type_) not in self._stored:
+        if not self._stored or str(type_) not in self._stored:
             return member
         return Text(self._forms.stored.format(value=member, type=self._types.type(type_)))
 
@@ -82,7 +90,7 @@ class Leaves:
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:
             return text
-        return Text(f"{text.text}.{''.join('xyzw'[first + lane] for lane in lanes)}")
+        return Text(f"{text.text}.{''.join(self._forms.lanes[first + lane] for lane in lanes)}")
 
     def _read(self, name: str) -> Text:
         return Text(self._forms.input.format(name=name), Binding.NAME)

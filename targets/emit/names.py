@@ -33,7 +33,7 @@ class Names:
     """By texture, of those that are read by one."""
     attributes: Mapping[str, str]
     varyings: Mapping[str, str]
-    targets: Mapping[str, str]
+    render_targets: Mapping[str, str]
     functions: Mapping[tuple[StageName, Node], str]
     """By stage and the function's body."""
     common: frozenset[str]
@@ -91,7 +91,7 @@ class _Naming:
             samplers=samplers,
             attributes=fields.attributes,
             varyings=fields.varyings,
-            targets=fields.targets,
+            render_targets=fields.render_targets,
             functions=self._functions(fields),
             common=frozenset(self._common),
             reserved=self._reserved,
@@ -143,14 +143,14 @@ class _Naming:
         return _Fields(
             attributes=declare(program.vertex_inputs),
             varyings=declare(crossing, target.varying_prefix),
-            targets=declare(written, target.output_prefix),
+            render_targets=declare(written, target.output_prefix),
         )
 
     def _functions(self, fields: _Fields) -> dict[tuple[StageName, Node], str]:
         taken = (
             *fields.attributes.values(),
             *fields.varyings.values(),
-            *fields.targets.values(),
+            *fields.render_targets.values(),
         )
         namer = Namer(self._reserved, (*self._common, *taken))
         found: dict[tuple[StageName, Node], str] = {}
@@ -167,7 +167,7 @@ class _Fields:
 
     attributes: dict[str, str]
     varyings: dict[str, str]
-    targets: dict[str, str]
+    render_targets: dict[str, str]
 
 
 def _all_functions(program: Program) -> Iterator[tuple[Stage, Function]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ...compiler.ir.node import Node
@@ -62,22 +62,21 @@ class Callee(NamedTuple):
 
 
 class Natives:
-    """Prints calls of builtins."""
+    """Prints calls of builtins, for one stage."""
 
     def __init__(
         self,
         context: Context,
         leaves: Leaves,
-        splat: Callable[[Text, Type], Text],
         functions: Mapping[Node, Callee],
     ) -> None:
         self._definitions = context.definitions
         self._functions = functions
         self._table = context.natives
+        self._fixed: dict[str, str] = {}
+        self._forms = context.target.forms
         self._splats = context.target.splats
-        self._lane_words = context.target.forms.lane_words
         self._spell_type = context.types.type
-        self._splat = splat
         self._leaves = leaves
 
     def print(self, node: Node, printed: Sequence[Text]) -> Text:
@@ -85,15 +84,23 @@ class Natives:
         builtin = NATIVE.data(node)
         if node.operands and isinstance(node.operands[0].type, Texture):
             printed = [self._leaves.texture(node.operands[0], builtin), *printed[1:]]
-        types = tuple([operand.type for operand in node.operands])
-        if self._definitions and (builtin, types) in self._definitions:
-            callee = self._functions[self._definitions[builtin, types].body]
-            return callee.call(operand.text for operand in printed)
+        if self._definitions:
+            types = tuple([operand.type for operand in node.operands])
+            if (builtin, types) in self._definitions:
+                callee = self._functions[self._definitions[builtin, types].body]
+                return callee.call(operand.text for operand in printed)
         operands = self._widened(node, printed) if builtin in self._splats else printed
-        spelled = spelling_of(builtin, types, self._table)
+        spelled = self._fixed.get(builtin) or self._spelling(builtin, node)
         if "{" in spelled:
             return self._template(spelled, node, operands)
         return _written(spelled, operands)
+
+    def _spelling(self, builtin: str, node: Node) -> str:
+        """How the builtin is written for a node's operands; kept where these do not matter."""
+        spelled = spelling_of(builtin, [operand.type for operand in node.operands], self._table)
+        if isinstance(self._table.get(builtin, ""), str):
+            self._fixed[builtin] = spelled
+        return spelled
 
     def combined(self, name: str, type_: Type, operands: Sequence[Text]) -> Text:
         """Builtin ``name`` of operands that are all of one plain type, which is the result's."""
@@ -102,12 +109,19 @@ class Natives:
             return Text(spelled.format(*operands, type=self._spell_type(type_)))
         return _written(spelled, operands)
 
+    def splatted(self, operand: Text, type_: Type) -> Text:
+        """A scalar in every lane of a type."""
+        lanes = self._forms.lanes[0] * width(type_)
+        return Text(
+            self._forms.splat.format(type=self._spell_type(type_), value=operand, lanes=lanes)
+        )
+
     def _widened(self, node: Node, operands: Sequence[Text]) -> list[Text]:
         """The operands, scalars among them as vectors where the result is one."""
         if not isinstance(node.type, Vector):
             return list(operands)
         return [
-            self._splat(text, Vector(operand.type.kind, node.type.size))
+            self.splatted(text, Vector(operand.type.kind, node.type.size))
             if isinstance(operand.type, Scalar)
             else text
             for text, operand in zip(operands, node.operands, strict=True)
@@ -128,11 +142,11 @@ class Natives:
     def _lane(self, node: Node) -> str:
         """The language's word for the lane that a constant operand chooses."""
         constants = BUILTINS[str(node.data)].constants
-        if not constants or not self._lane_words:
+        if not constants or not self._forms.lane_words:
             return ""
         chosen = node.operands[constants[0]].data
         assert isinstance(chosen, int)
-        return self._lane_words[chosen]
+        return self._forms.lane_words[chosen]
 
 
 def _written(spelled: str, operands: Sequence[Text]) -> Text:

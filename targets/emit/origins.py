@@ -10,18 +10,18 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from ...compiler.ir.node import Node
+from .forms import Forms
 
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARK = re.compile(f"{_OPEN}([0-9]+){_CLOSE}")
-_NO_STATEMENT = re.compile(r"//.*|[{}\s]*|\} else \{")
-"""Of a line without the blanks around it, of which deep branches have thousands."""
 
 
 class Marks:
     """The values that the statements of one text compute."""
 
-    def __init__(self) -> None:
+    def __init__(self, forms: Forms) -> None:
         self._nodes: list[Node] = []
+        self._forms = forms
 
     def mark(self, text: str, node: Node) -> str:
         """``text`` with a mark that it computes ``node``."""
@@ -41,26 +41,30 @@ class Marks:
             if _OPEN in line and (found := _MARK.search(line))
         }
         cleaned = [_MARK.sub("", line) if _OPEN in line else line for line in lines]
-        return "\n".join(cleaned), dict(_completed(cleaned, own))
+        return "\n".join(cleaned), dict(_completed(cleaned, own, self._forms))
 
 
-def _completed(lines: Sequence[str], own: Mapping[int, Node]) -> Iterator[tuple[int, Node]]:
+def _completed(
+    lines: Sequence[str], own: Mapping[int, Node], forms: Forms
+) -> Iterator[tuple[int, Node]]:
     """What every statement of a function that has any mark is for."""
-    for first, last in _top_level(lines):
+    no_statements = {"", forms.end, forms.else_}
+    for first, last in _top_level(lines, forms.end):
         node = next((own[number] for number in range(first, last) if number in own), None)
         if node is None:
             continue
         for number in range(first, last):
             line = lines[number - 1]
-            if line.startswith(" ") and not _NO_STATEMENT.fullmatch(line.strip()):
+            text = line.strip()
+            if line.startswith(" ") and text not in no_statements and not text.startswith("//"):
                 node = own.get(number, node)
                 yield number, node
 
 
-def _top_level(lines: Sequence[str]) -> Iterator[tuple[int, int]]:
-    """The lines up to, but without, each brace that closes something in the first column."""
+def _top_level(lines: Sequence[str], end: str) -> Iterator[tuple[int, int]]:
+    """The lines up to, but without, each ``end`` that closes something in the first column."""
     first = 1
     for number, line in enumerate(lines, start=1):
-        if line.startswith("}"):
+        if line.startswith(end):
             yield first, number
             first = number + 1

@@ -5,6 +5,9 @@ from __future__ import annotations
 from ...compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
 from .description import TypeNames
 
+_NAME = "\0"
+"""Stands for the name in declarations that are kept; no text contains it."""
+
 
 class TypeSpeller:
     """Writes types and declarations; struct names come from the program's names."""
@@ -13,6 +16,7 @@ class TypeSpeller:
         self._names = names
         self._structs = structs
         self._written: dict[Type, str] = {}
+        self._declared: dict[tuple[Type, bool], str] = {}
 
     def type(self, type_: Type) -> str:
         """The type where it stands alone, as in a constructor or a result."""
@@ -47,9 +51,16 @@ class TypeSpeller:
         return self._declare(name, type_, stored=True)
 
     def _declare(self, name: str, type_: Type, stored: bool) -> str:
-        element = type_
+        pattern = self._declared.get((type_, stored))
+        if pattern is None:
+            pattern = self._declared[type_, stored] = self._pattern(type_, stored)
+        return pattern.replace(_NAME, name)
+
+    def _pattern(self, type_: Type, stored: bool) -> str:
+        """A declaration of something called ``_NAME``."""
+        element, name = type_, _NAME
         if isinstance(type_, Array) and not self._names.array:
-            element, name = type_.element, f"{name}[{type_.count}]"
+            element, name = type_.element, f"{_NAME}[{type_.count}]"
         text = self.type(element)
         if stored and self._names.stored:
             text = self._names.stored.get(str(element), text)

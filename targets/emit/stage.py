@@ -14,12 +14,12 @@ from .description import FieldRole
 from .expressions import Expressions
 from .leaves import Leaves
 from .namer import Namer
-from .natives import Callee
+from .natives import Callee, Natives
 from .origins import Marks
 from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
 
-_ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "target"}
+_ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "render target"}
 """What an output's field is to a language, by the kind of result."""
 
 
@@ -50,6 +50,7 @@ class StagePrinter:
             )
             for function in stage.functions
         }
+        self._natives = Natives(context, self._leaves, self._functions)
         self._marks = marks
 
     def entry(self, name: str) -> EntryView:
@@ -90,7 +91,7 @@ class StagePrinter:
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
         """Printers for one function body."""
-        expressions = Expressions(self._context, self._leaves, self._functions)
+        expressions = Expressions(self._context, self._leaves, self._natives, self._functions)
         return expressions, Statements(self._context, expressions, namer, self._marks)
 
     def _value(self, expressions: Expressions, node: Node | None) -> str:
@@ -142,7 +143,7 @@ class StagePrinter:
         table = {
             "attribute": self._names.attributes,
             "varying": self._names.varyings,
-            "target": self._names.targets,
+            "render target": self._names.render_targets,
         }
         return table[role][field.name]
 

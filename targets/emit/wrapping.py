@@ -43,14 +43,21 @@ Place = TypeVar("Place")
 
 def wrapped(text: str, places: Mapping[int, Place]) -> tuple[str, dict[int, Place]]:
     """``text`` with its long lines broken, and ``places`` by the 1-based lines that it has then."""
+    given = text.split("\n")
+    if max(map(len, given)) <= WIDTH:
+        return text, dict(places)
     lines: list[str] = []
     moved: dict[int, Place] = {}
-    for number, line in enumerate(text.split("\n"), start=1):
-        before = len(lines)
-        lines += broken(line) if len(line) > WIDTH else (line,)
-        if number in places:
-            place = places[number]
-            moved.update((after, place) for after in range(before + 1, len(lines) + 1))
+    for number, line in enumerate(given, start=1):
+        if len(line) > WIDTH:
+            before = len(lines) + 1
+            lines += broken(line)
+            if number in places:
+                moved.update(dict.fromkeys(range(before, len(lines) + 1), places[number]))
+        else:
+            lines.append(line)
+            if number in places:
+                moved[len(lines)] = places[number]
     return "\n".join(lines), moved
 
 

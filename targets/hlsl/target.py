@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
-from ...stdlib.builtins.row import Domain
+from ...stdlib.builtins.row import Domain, everywhere
 from ..emit.description import (
     FieldRole,
     Limits,
@@ -159,7 +160,7 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     """
     if role == "varying":
         return f"TEXCOORD{location}"
-    if role == "target":
+    if role == "render target":
         return f"SV_Target{location}"
     word = name.upper().replace(".", "_COLUMN")
     return f"ATTRIBUTE_{word}" if re.match("SV_", word) else word
@@ -170,8 +171,13 @@ def is_unsigned(facts: tuple[Fact, ...]) -> bool:
     return facts[0].kind == "uint"
 
 
-AGREES: Mapping[str, Domain] = {"first_leading_bit": is_unsigned}
-"""DXC takes the `int` of a `firstbithigh` for a `uint`."""
+AGREES: Mapping[str, Domain] = {
+    # DXC takes the `int` for a `uint`.
+    "first_leading_bit": is_unsigned,
+    # The lowest five bits of the amount count, be it an `int` or a `uint`.
+    "shift_left": everywhere,
+    "shift_right": everywhere,
+}
 
 SM6 = Profile(
     name="sm6",
@@ -200,7 +206,7 @@ TARGET = Target(
     profiles=(SM6,),
     reserved=partial(read_reserved, FOLDER / "reserved.txt"),
     fixed_names=(
-        *HELPERS, "main", "vs_main", "fs_main", "input", "output", "clip_position",
+        *HELPERS, "main", *ENTRY_POINTS, "input", "output", "clip_position",
         "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
     ),
 )  # fmt: skip

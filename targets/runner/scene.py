@@ -168,7 +168,7 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INST
 def is_instanced(reflection: Mapping[str, Any]) -> bool:
     """Whether a shader tells instances apart."""
     rows = reflection["vertex_inputs"]
-    return "instance_index" in reflection["pipeline_inputs"]["vertex"] or any(
+    return any("instance_index" in read for read in reflection["pipeline_inputs"].values()) or any(
         row["step"] == "instance" for row in rows
     )
 

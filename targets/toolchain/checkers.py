@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from .clang import check_against
 from .glslang import check_glsl, check_hlsl, check_vulkan_glsl
 from .job import Job, Message, Verdict
 from .messages import read_dxc, read_naga, read_tint
@@ -24,6 +25,8 @@ Check = Callable[[Sequence[Job], Toolbox], list[Verdict]]
 VULKAN_ATTRIBUTES_ARE_FINE = "-Wno-ignored-attributes"
 """The same text is compiled to SPIR-V and to DXIL, and DXIL has no use for ``[[vk::location]]``."""
 DXC_PROFILES = {"vert": "vs_6_0", "frag": "ps_6_0"}
+MSL_DECLARATIONS = Path(__file__).parents[1] / "msl"
+"""Apple's own compiler is not to be had; its language has only ever been checked by clang."""
 NAGA_NO_ENTRY = "Unable to find the entry point"
 
 
@@ -113,6 +116,7 @@ CHECKERS: dict[str, Checker] = {
         Checker("dxc-dxil", ("dxc",), _each(_dxc_dxil)),
         Checker("naga", ("naga", "spirv-tools"), _each(_naga)),
         Checker("tint", ("tint", "node"), _each(_tint)),
+        Checker("clang-msl", ("clang",), _each(check_against(MSL_DECLARATIONS))),
     )
 }
 

@@ -17,7 +17,7 @@ _GLSLANG_FATAL = "Entry point not found"
 """For HLSL, glslang only warns in this case, and then compiles nothing."""
 _GLSLANG_NOISE = re.compile(r"\d+ compilation errors\.|'' : compilation terminated")
 
-_DXC = re.compile(r"(?:(\S.*?):(\d+):(?:(\d+):)? )?(?:fatal )?(error|warning): (.*)")
+_CLANG = re.compile(r"(?:(\S.*?):(\d+):(?:(\d+):)? )?(?:fatal )?(error|warning): (.*)")
 _DXC_NOISE = re.compile(r"DXIL\.dll not found|validation errors$")
 
 _NAGA_HEAD = re.compile(r"(error|warning): (.*)")
@@ -44,11 +44,16 @@ def _glslang_messages(log: str) -> Iterator[Message]:
 
 
 def read_dxc(log: str) -> tuple[Message, ...]:
-    """Parse ``hlsl.hlsl:3:5: error: ...``, as clang prints it; the DXIL validator has no columns.
+    """Parse what DXC prints, which is made of clang; its DXIL validator has no columns.
 
     The warning that there is no DXIL.dll is left out: it means that nothing is signed, which is not
     an error of the shader. The validator itself is part of the library and runs.
     """
+    return tuple(each for each in read_clang(log) if not _DXC_NOISE.match(each.text))
+
+
+def read_clang(log: str) -> tuple[Message, ...]:
+    """Parse ``hlsl.hlsl:3:5: error: ...``, as clang prints it."""
     return tuple(
         Message(
             severity=_severity(found[4] == "error"),
@@ -58,7 +63,7 @@ def read_dxc(log: str) -> tuple[Message, ...]:
             source=found[1] or "",
         )
         for line in log.splitlines()
-        if (found := _DXC.match(line)) and not _DXC_NOISE.match(found[5])
+        if (found := _CLANG.match(line))
     )
 
 

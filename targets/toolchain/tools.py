@@ -150,6 +150,14 @@ TOOLS: tuple[Tool, ...] = (
         source=OwnInstaller("0.6.2"),
     ),
     Tool(
+        name="clang",
+        purpose="type-checks MSL, which Apple's compiler has never seen from here",
+        place=Programs(("clang",)),
+        version=says("--version", r"clang version (\d+\.\d+\.\d+)"),
+        source=Debian(("clang",)),
+        minimum=(14,),  # the oldest that was tried
+    ),
+    Tool(
         name="lavapipe",
         purpose="Mesa's Vulkan driver that draws on the CPU",
         place=SystemFiles(

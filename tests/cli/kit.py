@@ -1,4 +1,4 @@
-"""How the tests call the command line: inside this process for speed, or as a user's shell does."""
+"""Calls the command line: within this process, which is fast, or as a shell does."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ PLAIN = "material Plain { color = #ffffff }\n"
 
 
 def invoke(*arguments: object) -> Result:
-    """Run a command in this process; anything but a proper exit is raised."""
+    """Run a command in this process; an exception that is not an exit is raised."""
     words = list(map(str, arguments))
     return CliRunner().invoke(burnish, words, catch_exceptions=False, prog_name="burnish")
 
 
 def shell(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:
-    """Run a command as a process of its own."""
+    """Run a command in a process of its own."""
     return subprocess.run(
         [sys.executable, "-m", "burnish", *map(str, arguments)],
         cwd=folder, capture_output=True, encoding="utf-8", timeout=60, check=False,
@@ -28,5 +28,5 @@ def shell(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:
 
 
 def tree(folder: Path) -> set[str]:
-    """Everything below a folder, hidden or not."""
+    """The paths of everything below a folder, hidden or not."""
     return {str(path.relative_to(folder)) for path in folder.rglob("*")}

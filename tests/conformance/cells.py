@@ -1,4 +1,4 @@
-"""A picture of cells in clip space: each holds a quad or a triangle that shows one convention."""
+"""A mesh in clip space made of cells, in each of which a quad or triangle shows one convention."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ import numpy as np
 from burnish.targets.runner.meshes import Mesh
 
 CELL = 16
-"""Pixels of a cell's side."""
+"""The side of a cell, in pixels."""
 COLUMNS, ROWS = 8, 4
 WIDTH, HEIGHT = COLUMNS * CELL, ROWS * CELL
 LOW, HIGH = 2, 14
 """Where a quad begins and ends in its cell, in pixels."""
 CENTER = 8
-"""The pixel of a cell that is looked at, right of and below the middle."""
+"""The pixel of a cell that tests examine; it is right of and below the centre."""
 
 Corner = tuple[float, float]
-"""Right and down in a cell, in pixels."""
+"""A position in a cell, to the right and downwards, in pixels."""
 
 TOP_LEFT, TOP_RIGHT = (LOW, LOW), (HIGH, LOW)
 BOTTOM_LEFT, BOTTOM_RIGHT = (LOW, HIGH), (HIGH, HIGH)
@@ -29,11 +29,11 @@ TOP = (CENTER, LOW)
 
 WHOLE = (-7, 2**30, -(2**31), 2**24 - 1)
 NATURAL = (2**32 - 256, 2**31, 5)
-"""What a float32 holds exactly."""
+"""Numbers that a float32 represents exactly."""
 
 
 class Cell(IntEnum):
-    """Cells by their numbers, counted from the top left, row by row; the others are empty."""
+    """The numbers of the cells, counted from the top left, row by row; other cells are empty."""
 
     PLAIN = 0
     BEFORE_NEAR = 1
@@ -56,29 +56,30 @@ class Cell(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """Triangles in a cell."""
+    """The triangles of one cell."""
 
     cell: int
     corners: Sequence[Corner] = (TOP_LEFT, BOTTOM_LEFT, BOTTOM_RIGHT, TOP_RIGHT)
-    """A fan, counter-clockwise as seen."""
+    """The corners of a triangle fan, counter-clockwise on the screen."""
     marks: Sequence[int] = ()
-    """One for each corner; the cell's number where there are none."""
+    """The mark of each corner; if there are none, it is the cell's number."""
     depth: tuple[float, float] = (0.5, 0.5)
     """z / w at the left and at the right end."""
     w: tuple[float, float] = (1.0, 1.0)
-    """Clip w, likewise."""
+    """Clip w at the left and at the right end."""
     whole: tuple[int, int, int, int] = (0, 0, 0, 0)
     natural: tuple[int, int, int] = (0, 0, 0)
 
 
 def middle(cell: int) -> tuple[int, int]:
-    """The pixel of a cell that is looked at."""
+    """The pixel of a cell that tests examine, in the whole picture."""
     row, column = divmod(cell, COLUMNS)
     return column * CELL + CENTER, row * CELL + CENTER
 
 
 def mesh_of(shapes: Sequence[Shape]) -> Mesh:
-    """The shapes one after the other; ``slide`` counts pixels in the cell, right and up."""
+    """A mesh of shapes; the attribute ``slide`` counts pixels in the cell, to the right and
+    upwards."""
     clip: list[tuple[float, ...]] = []
     marks, slides, wholes, naturals, triangles = [], [], [], [], []
     for shape in shapes:
@@ -112,9 +113,9 @@ def _clip(shape: Shape, corner: Corner) -> tuple[float, float, float, float]:
 
 
 LEFT_END, RIGHT_END, TOP_END = (BOTTOM_LEFT, 7), (BOTTOM_RIGHT, 20), (TOP, 33)
-"""Corners of a triangle with their marks."""
+"""The corners of a triangle with their marks."""
 OVER, UNDER = 100, 200
-"""Marks of what is nearer and of what is further away."""
+"""The mark of the nearer shape, and that of the one behind it."""
 
 
 def _triangle(cell: int, *corners: tuple[Corner, int]) -> Shape:

@@ -1,4 +1,4 @@
-"""One set of workers for all tests of this folder."""
+"""The worker processes that all tests of this folder share."""
 
 from __future__ import annotations
 
@@ -11,6 +11,6 @@ from .kit import Studio
 
 @pytest.fixture(scope="session")
 def studio() -> Iterator[Studio]:
-    """Every route and the reference."""
+    """Draws with every route and with the reference."""
     with Studio() as studio:
         yield studio

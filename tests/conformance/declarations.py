@@ -1,6 +1,7 @@
-"""Types and values drawn from a seed, and the pixels in which a value is shown.
+"""Random types and values, and the pixels in which a shader shows a value.
 
-Whole numbers are such that a float32 holds them, which still reaches all of their bytes.
+``layouts.py`` makes programs of them. A float32 can represent all whole numbers among the values,
+which still use all of their bytes.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from burnish.compiler.ir.types import Array, Matrix, Scalar, ScalarKind, Struct,
 from ..layout.declarations import ELEMENTS, KINDS
 
 Value = Any
-"""As ``Instance.set`` takes it."""
+"""A value in the form that ``Instance.set`` takes."""
 Lanes = tuple[float, ...]
 
 PLAIN: Sequence[Type] = [
@@ -25,27 +26,27 @@ PLAIN: Sequence[Type] = [
     *map(Matrix, (2, 3, 4)),
 ]
 SHORTEST, LONGEST = 1, 4
-"""Elements of an array, members of a structure."""
+"""The number of elements of an array and of members of a structure."""
 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """What one pixel shows: a scalar, a vector or a column, filled up with zeros."""
+    """The contents of one pixel: a scalar, a vector or a column, padded with zeros."""
 
     name: str
-    """``p2[3].m1[0]``."""
+    """The expression that it shows, such as ``p2[3].m1[0]``."""
     lanes: Lanes
 
 
 class Declarations:
-    """Draws types, and keeps the structures among them."""
+    """Chooses random types, and collects the structures among them."""
 
     def __init__(self, chance: Random) -> None:
         self._chance = chance
         self.structs: list[Struct] = []
 
     def type(self, depth: int = 2) -> Type:
-        """A type in which arrays and structures stand in each other ``depth`` times at most."""
+        """A random type in which arrays and structures are nested at most ``depth`` deep."""
         drawn = self._chance.random()
         if not depth or drawn < 0.4:
             return self._chance.choice(PLAIN)
@@ -66,7 +67,7 @@ class Declarations:
 
 
 def value_of(chance: Random, type_: Type) -> Value:
-    """A value of a declared type."""
+    """A random value of a declared type."""
     match type_:
         case Scalar(kind):
             return _scalar(chance, kind)
@@ -83,7 +84,8 @@ def value_of(chance: Random, type_: Type) -> Value:
 
 
 def _scalar(chance: Random, kind: ScalarKind) -> Value:
-    """Floats need rounding; integers have 24 bits, and zeros behind them."""
+    """A random number. Floats need rounding; integers have 24 significant bits, followed by
+    zeros."""
     match kind:
         case "bool":
             return chance.random() < 0.5
@@ -96,7 +98,7 @@ def _scalar(chance: Random, kind: ScalarKind) -> Value:
 
 
 def units_of(name: str, type_: Type, value: Value) -> Iterator[Unit]:
-    """The pixels that show a value, in their order."""
+    """The pixels that show a value, in order."""
     match type_:
         case Scalar():
             yield Unit(name, (value,))
@@ -115,7 +117,7 @@ def units_of(name: str, type_: Type, value: Value) -> Iterator[Unit]:
 
 
 def size_of(type_: Type) -> int:
-    """How many pixels show a value."""
+    """The number of pixels that show a value of a type."""
     match type_:
         case Matrix(size):
             return size
@@ -128,11 +130,12 @@ def size_of(type_: Type) -> int:
 
 
 Naming = Callable[[str], str]
-"""Makes a short expression of a longer one that is used several times."""
+"""Gives an expression that is used several times a short name."""
 
 
 def reading(type_: Type, place: str, number: str, named: Naming) -> str:
-    """An expression for pixel ``number`` (an expression itself) of the value at ``place``."""
+    """An expression for the pixel whose number is the expression ``number``, of the value at
+    ``place``."""
     match type_:
         case Scalar(kind):
             return f"vec4({place if kind == 'float' else f'float({place})'}, 0, 0, 0)"
@@ -155,7 +158,7 @@ def reading(type_: Type, place: str, number: str, named: Naming) -> str:
 
 
 def choice(parts: Sequence[tuple[Type, str]], number: str, named: Naming) -> str:
-    """An expression for a pixel of several values, one after the other."""
+    """An expression for the pixel with this number, of several values one after the other."""
     (type_, place), *others = parts
     first = reading(type_, place, number, named)
     if not others:

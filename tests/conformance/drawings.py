@@ -1,4 +1,4 @@
-"""The programs and meshes by which the conventions are shown, each drawn once for each route."""
+"""The programs and meshes that show the conventions; each is drawn once by each route."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from burnish.api import CompiledMaterial
 from burnish.targets.runner.drivers.draw import Cull
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.scene import Scene
-from burnish.targets.runner.shots import Color, Shot, take
+from burnish.targets.runner.scene_state import Color, SceneState, set_up
 from burnish.targets.runner.textures.texture import Texture
 
 from .cells import CELLS, HEIGHT, WIDTH
@@ -21,14 +21,14 @@ from .kit import compiled
 from .matrices import VALUES
 
 BARE: Color = (-8.0, -8.0, -8.0, -8.0)
-"""What a pixel holds that nothing has been drawn to."""
+"""The colour of pixels to which nothing is drawn."""
 
 Size = tuple[int, int]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Drawing:
-    """A picture."""
+    """A program, its mesh and its scene."""
 
     file: str
     pass_: str
@@ -40,15 +40,15 @@ class Drawing:
     hoist: bool = True
 
     def material(self, *, flip_y: bool) -> CompiledMaterial:
-        """What is drawn."""
+        """The compiled program."""
         return _material(self.file, self.pass_, self.hoist, flip_y)
 
-    def shot(self, material: CompiledMaterial) -> Shot:
-        """How it is drawn."""
-        shot = take(material.instance(), self.mesh, self.scene, self.size, BARE)
+    def state(self, material: CompiledMaterial) -> SceneState:
+        """The mesh and the scene, with all values set."""
+        state = set_up(material.instance(), self.mesh, self.scene, self.size, BARE)
         for name, value in self.values.items():
-            shot.instance.set(name, value)
-        return shot
+            state.instance.set(name, value)
+        return state
 
 
 @cache
@@ -60,20 +60,21 @@ def _material(file: str, pass_: str, hoist: bool, flip_y: bool) -> CompiledMater
 
 WORLD_SIZE = (96, 48)
 IN_FRONT = Scene(eye=(0.0, 0.0, 4.0), fov=2 * math.atan(0.5))
-"""Sees 2 units up and down of the origin, so that one is 12 pixels there, 48 / (4 - z) at z."""
+"""A camera that sees 2 units up and down from the origin. There a unit is 12 pixels, and at z it is
+48 / (4 - z) pixels."""
 
 TURNED = Scene(
     eye=IN_FRONT.eye,
     fov=IN_FRONT.fov,
     object_to_world=((0, -1, 0, 0.25), (1, 0, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)),
 )
-"""Turns x to y, and then moves by a quarter to the right."""
+"""Rotates x to y, and then moves by a quarter to the right."""
 
 RIGHT, UP, FAR_LAST, NEAR_FIRST, NEAR_LAST, FAR_FIRST = range(1, 7)
 
 
 def _quad(left: float, right: float, low: float, high: float, z: float) -> list[list[float]]:
-    """Corners of an upright rectangle, counter-clockwise for who looks along -z."""
+    """The corners of an upright rectangle, counter-clockwise when seen along -z."""
     return [[left, high, z], [left, low, z], [right, low, z], [right, high, z]]
 
 
@@ -97,11 +98,12 @@ def _world() -> Mesh:
 SQUARE = np.array(
     [[[10, 20, 30, 40], [50, 60, 70, 80]], [[90, 100, 110, 120], [130, 140, 150, 160]]]
 )
-"""Two texels by two, all of whose lanes differ."""
+"""A texture of two by two texels, whose lanes are all different."""
 OBLONG = (np.arange(12) * 20 + 5).reshape(3, 4)
-"""Four texels across, three down."""
+"""A texture of four by three texels."""
 TEXELS_SIZE = (12, 9)
-"""Three times as many pixels either way, each in the middle of a texel of ``far``."""
+"""Three times as many pixels in each direction, so that a pixel's centre is that of a texel of
+``far``."""
 
 
 def _textures() -> dict[str, Texture]:

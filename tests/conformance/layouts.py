@@ -1,6 +1,7 @@
-"""Programs that show every lane of their parameters: one pixel of a row for each vector or column.
+"""Programs that show every lane of their parameters, one pixel for each vector or column.
 
-Elements are read by computed indices, so that a wrong stride shows as well as a wrong offset.
+Tests draw them to check byte layouts. Elements are read by computed indices, so that a wrong stride
+is as visible as a wrong offset.
 """
 
 from __future__ import annotations
@@ -27,29 +28,29 @@ from .declarations import (
 
 GROUPS = (*STANDARD_GROUPS, "weather")
 LARGEST = 24
-"""Pixels of all parameters: drivers take seconds to compile more."""
+"""The largest number of pixels for all parameters: drivers take seconds to compile more."""
 PASS = "Values"
 INT = Scalar("int")
 SEVERAL = 3
-"""Lights in an array; the most, where their number is only known when drawing."""
+"""The number of lights in an array; if it is counted at run time, the maximum."""
 
 Lights = Mapping[str, Sequence[Mapping[str, Value]]]
 
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """A program, the values of its parameters, and what it has to draw."""
+    """A program, the values of its parameters, and the expected picture."""
 
     text: str
     values: Mapping[str, Value]
     units: Sequence[Unit]
-    """Pixel by pixel."""
+    """The expected contents, pixel by pixel."""
 
 
 def random_layout(seed: int, largest: int = LARGEST) -> Layout:
-    """Parameters of all groups, and lights with members of their own, one alone and an array.
+    """Random parameters of all groups, and lights with members: a single one and an array.
 
-    The parameters take up to ``largest`` pixels, and those of a light some more.
+    The parameters take up to ``largest`` pixels; those of lights take some more.
     """
     chance = Random(seed)
     declarations = Declarations(chance)
@@ -60,7 +61,7 @@ def random_layout(seed: int, largest: int = LARGEST) -> Layout:
 
 
 def _types(declarations: Declarations, largest: int, depth: int) -> list[Type]:
-    """As many types as take no more than ``largest`` pixels; those that are too large are left."""
+    """Random types that together take at most ``largest`` pixels; larger ones are left out."""
     types: list[Type] = []
     for _ in range(max(largest // 3, 2)):
         drawn = declarations.type(depth)
@@ -70,17 +71,18 @@ def _types(declarations: Declarations, largest: int, depth: int) -> list[Type]:
 
 
 def every_type() -> Layout:
-    """All that is neither array nor structure, over the groups by turns."""
+    """All types but arrays and structures, distributed over the groups."""
     return _listed(PLAIN)
 
 
 def every_element() -> Layout:
-    """Arrays of everything that is stored in its own way, of one element and of several."""
+    """Arrays of all types that are stored differently, with one element and with several."""
     return _listed([Array(element, count) for element in ELEMENTS for count in (1, 3)])
 
 
 def every_neighbour() -> Layout:
-    """Every number of lanes behind every other, where gaps come from: in blocks and structures."""
+    """All pairs of vector sizes as neighbours, between which gaps arise: in blocks and in
+    structures."""
     types = [_lanes(KINDS[i % len(KINDS)], size) for i, size in enumerate(NEIGHBOURS)]
     inside = Struct("Inside", tuple((f"m{i}", type_) for i, type_ in enumerate(types)))
     parameters = [*types, Scalar("float"), Array(inside, 2)]
@@ -89,7 +91,7 @@ def every_neighbour() -> Layout:
 
 
 NEIGHBOURS = (1, 1, 2, 1, 3, 1, 4, 2, 2, 3, 2, 4, 3, 3, 4, 4, 1)
-"""Numbers of lanes, in which each pair of them occurs."""
+"""Numbers of lanes in an order in which each pair of neighbours occurs."""
 
 
 def _lanes(kind: ScalarKind, size: int) -> Type:
@@ -122,7 +124,7 @@ def _layout(
 
 
 def _lights(chance: Random, probe: Struct, counted: bool) -> Lights:
-    """Values for the lights of the rig, in its order; each has an id of its own."""
+    """Values for the lights of the rig, in its order; each light has its own id."""
     counts = {"alone": 1, "several": chance.randint(0, SEVERAL) if counted else SEVERAL}
     ids = count()
     return {
@@ -144,7 +146,7 @@ def _text(
     units: int,
     counted: bool,
 ) -> str:
-    """The program; its parameters take ``units`` pixels, the lights the next ones."""
+    """The text of a program; its parameters take ``units`` pixels, and the lights the next ones."""
     slots: list[str] = []
 
     def named(expression: str) -> str:
@@ -188,7 +190,7 @@ def _text(
 
 
 def _inline(expression: str) -> str:
-    """In a term there are no slots to name things by."""
+    """The expression unchanged: a term has no slots that could give it a name."""
     return f"({expression})"
 
 

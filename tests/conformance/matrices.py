@@ -1,4 +1,4 @@
-"""What ``matrices.burnish`` has to show, computed lane by lane."""
+"""The expected values of ``matrices.burnish``, computed lane by lane."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 Vector = Sequence[float]
 Matrix = Sequence[Vector]
-"""Columns."""
+"""A matrix as its columns."""
 
 A2, B2 = ((2, 3), (5, 7)), ((11, 13), (17, 19))
 A3, B3 = ((2, 3, 5), (7, 11, 13), (17, 19, 23)), ((29, 31, 37), (41, 43, 47), (53, 59, 61))
@@ -23,17 +23,17 @@ VALUES: Mapping[str, object] = {
 
 
 def of_vector(m: Matrix, v: Vector) -> list[float]:
-    """``m * v``: columns, each as many times as its lane of the vector says."""
+    """``m * v``: the sum of the columns, each multiplied by its lane of the vector."""
     return [sum(column[row] * v[i] for i, column in enumerate(m)) for row in range(len(m))]
 
 
 def of_matrix(m: Matrix, n: Matrix) -> list[list[float]]:
-    """``m * n``: what ``m`` makes of each column."""
+    """``m * n``: ``m`` times each column of ``n``."""
     return [of_vector(m, column) for column in n]
 
 
 def transposed(m: Matrix) -> list[list[float]]:
-    """Rows made columns."""
+    """The transposed matrix."""
     return [[column[row] for column in m] for row in range(len(m))]
 
 
@@ -46,7 +46,7 @@ def combined(m: Matrix, factor: float, n: Matrix) -> list[list[float]]:
 
 
 def cut(m: Matrix) -> list[Vector]:
-    """The upper left 3 by 3."""
+    """The upper left part of 3 by 3 lanes."""
     return [column[:3] for column in m[:3]]
 
 
@@ -91,4 +91,4 @@ PIXELS: Mapping[str, Vector] = {
     for tens in (TWOS, THREES, FOURS, ARRAYS, SUMS)
     for name, lanes in tens.items()
 }
-"""Pixel by pixel; all numbers are whole, and small enough for a float32."""
+"""The expected pixels; all numbers are whole, and small enough for a float32."""

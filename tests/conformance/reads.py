@@ -1,7 +1,7 @@
-"""Random materials that read textures: every kind, in every way, at places of every sort.
+"""Random materials that read textures of every kind, in every way, at all sorts of coordinates.
 
-Reads stand behind choices and in sums, at coordinates that are stretched, turned and displaced by
-other reads: where levels and the pixels of a quad have most to disagree about.
+Reads are placed after choices and in sums, at coordinates that are stretched, rotated and displaced
+by other reads. There the levels and the pixels of a quad have the most reasons to disagree.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from burnish.compiler.ir.types import TEXTURES, Dimension, Texture
 
 TARGETS = 2
-"""How many colours a material writes, each an expression of its own."""
+"""The number of colours that a material writes, each an expression of its own."""
 DEPTH = 2
-"""How deep expressions are nested."""
+"""The depth to which expressions are nested."""
 MAPS = 5
 
 _STRETCHES = (0.25, 0.5, 1.0, 1.5, 3.0, 8.0)
@@ -24,16 +24,17 @@ _PLACES = {
     2: ("uv", "0.97 * vec2(position.xy) + 0.013", "0.93 * vec2(normal.xz) + 0.017"),
     3: ("vec3(uv, 0.41)", "0.97 * vec3(position) + 0.013", "0.93 * vec3(normal) + 0.017"),
 }
-"""By how many lanes; what is the same all over a wall must not lie between two texels."""
+"""Coordinates by their number of lanes. One that is the same on a whole wall must not be between
+two texels."""
 
 
 @dataclass
 class Reads:
-    """Writes one material; a seed always gives the same one."""
+    """Writes one material, which depends only on the seed."""
 
     seed: int
     turn: str | None = field(default=None, init=False)
-    """The variable of the sum around, which has the same turns in all pixels."""
+    """The variable of the surrounding sum, whose iterations are the same in all pixels."""
 
     def __post_init__(self) -> None:
         self._chance = random.Random(f"reads {self.seed}")
@@ -42,7 +43,7 @@ class Reads:
         self._states = {name: _state(self._chance, kind) for name, kind in self._maps.items()}
 
     def text(self) -> str:
-        """The whole program."""
+        """The text of the whole program."""
         lines = ["burnish 1", "", "material Reads {", *self._declarations(), "}", ""]
         lines += ["pass Read {"]
         lines += [f"    target c{i} : rgba32f = {self.color(DEPTH)}" for i in range(TARGETS)]
@@ -56,14 +57,14 @@ class Reads:
     # --- what is read -----------------------------------------------------------------------------
 
     def color(self, depth: int) -> str:
-        """A ``vec4``."""
+        """A random expression of type ``vec4``."""
         if depth <= 0:
             return self.read(0)
         ways = [self.read, self.read, self._chosen, self._chosen, self._sum, self._mixed]
         return self._chance.choice(ways)(depth - 1)
 
     def read(self, depth: int) -> str:
-        """One read of one of the maps, as a ``vec4``."""
+        """A read of one of the textures, as a ``vec4``."""
         name, kind = self._chance.choice(list(self._maps.items()))
         if kind.sample in ("int", "uint"):
             return f"vec4({self._load(name, kind, depth)} mod {_modulus(kind)}) / 16"
@@ -113,7 +114,7 @@ class Reads:
     # --- where, and whether -----------------------------------------------------------------------
 
     def place(self, extents: int, depth: int) -> str:
-        """A coordinate, in brackets."""
+        """A coordinate, in parentheses."""
         base = f"({self._chance.choice(_PLACES[extents])})"
         lanes = ", ".join(str(self._chance.choice(_STRETCHES)) for _ in range(extents))
         ways = [
@@ -133,7 +134,7 @@ class Reads:
         return self._chance.choice(ways)
 
     def scalar(self, depth: int) -> str:
-        """A number that mostly lies in 0..1, in brackets."""
+        """A number that usually is in 0..1, in parentheses."""
         ways = [
             "uv.x", "uv.y", "(0.5 + 0.5 * position.x)", "distance(uv, vec2(0.4, 0.6))",
             f"fract({self._chance.choice(_STRETCHES)} * uv.y)", str(self._chance.choice(_NUMBERS)),
@@ -143,7 +144,7 @@ class Reads:
         return self._chance.choice(ways)
 
     def condition(self, depth: int) -> str:
-        """Whether something holds that changes from pixel to pixel, in brackets."""
+        """A condition that changes from pixel to pixel, in parentheses."""
         compared = f"({self.scalar(depth)} < {self._chance.choice(_NUMBERS)})"
         if depth <= 0 or self._chance.random() < 0.5:
             return compared
@@ -180,7 +181,7 @@ def _modulus(kind: Texture) -> str:
 
 
 def _state(chance: random.Random, kind: Texture) -> str:
-    """What is said of its sampler."""
+    """The settings of a texture's sampler."""
     if kind.sample in ("int", "uint"):
         return ""
     settings = {"filter": chance.choice(["linear", "linear", "nearest"])}

@@ -1,4 +1,4 @@
-"""The materials of this folder, which between them do all that the language can."""
+"""The materials of this folder, which together use all of the language."""
 
 from __future__ import annotations
 
@@ -27,34 +27,34 @@ def _names() -> tuple[str, ...]:
 
 
 NAMES = _names()
-"""``operations: Limits``: a file, and one of its passes."""
+"""The names of materials, such as ``operations: Limits`` for a file and one of its passes."""
 
 LACKING = dict.fromkeys(
     ("gathered: Colors", "gathered: Depths", "gathered: Levels", "gathered: Varying"),
     ("glsl:es300", "glsl:gl330"),
 )
-"""What some profiles cannot do."""
+"""The materials that use something that some profiles lack."""
 
 DEFECTS = {"gathered: Varying": "lavapipe"}
-"""What a driver gets wrong: Mesa 22.3.6 takes one pixel's size of a level for that of all, so
-loads are kept within the wrong one."""
+"""Materials that show a driver's bug. Mesa 22.3.6 uses the size of the level of one pixel for all,
+so it clamps loads to the wrong size."""
 
 
 def compiled(name: str, *profiles: str) -> CompiledMaterial:
-    """One of ``NAMES``, compiled anew."""
+    """One of ``NAMES``, compiled again."""
     stem, _, pass_ = name.partition(": ")
     (material,) = burnish.compile(FOLDER / f"{stem}.burnish", profiles, pass_=pass_)
     return material
 
 
 def row(studio: Studio, name: str, route: str) -> Row:
-    """What a conformance run finds of one of ``NAMES``, compiled anew, on a route."""
+    """The row of a conformance run for one of ``NAMES``, compiled again, and a route."""
     material = compiled(name, ROUTES[route].profile)
     (found,) = conform([(name, material)], [ROUTES[route]], studio.runner, studio.toolchain)
     return found
 
 
 def called(name: str) -> frozenset[str]:
-    """The builtins that one of ``NAMES`` calls."""
+    """The builtins that one of ``NAMES`` uses."""
     shader = compiled(name).shader
     return frozenset(str(node.data) for node in reachable(shader.roots) if node.op == "call")

@@ -209,11 +209,40 @@ DIAGNOSTICS_HEAD = f"""{NOTE}
 
 Every error and warning has a code. Codes stay the same from one version to the next, and the code
 of a removed diagnostic is not used again. `burnish explain B0203` shows an entry on the command
-line, and `burnish check FILE --format json` writes what it finds for programs. Words in braces
-are placeholders.
+line, and `burnish check FILE --format json` writes what it finds [for programs](#as-json). Words
+in braces are placeholders.
 
 After an error a compile writes nothing, the exit code is 1, and the library raises `CompileError`.
 Warnings have no such effect.
+
+## As JSON
+
+`burnish check FILE --format json` writes a list with one object for each diagnostic:
+
+| key | what |
+|---|---|
+| `code`, `severity` | such as `B0203`; `error`, `warning` or `note` |
+| `message` | the first line of what people see |
+| `span` | where it is; `null` if it is about no text, such as a folder that cannot be written to |
+| `caption` | what is written next to the marked text; may be empty |
+| `labels` | further places, each with `span` and `text` |
+| `hint` | how to mend this case, as a sentence; empty if that is not known |
+| `fixes` | the changes to the text that the hint describes |
+| `help` | what the rule means in general |
+
+A `span` has a `file`, a `start`, and an `end`, which is behind the last character. `start` and
+`end` have `line` and `column`, which count from 1, and `offset`, the number of characters from the
+beginning of the file.
+
+Each entry of `fixes` is a complete way to mend the case; if there are several, choose one. It has
+`edits`, which are made together: each replaces its `span` by its `text`. An empty span means that
+the text is inserted, an empty text that the span is removed. The edits of one fix do not overlap.
+The `applicability` of a fix is one of two words, which rustc uses, too:
+
+- `machine-applicable`: the change is another spelling of what was written. A tool may make it
+  without asking.
+- `maybe-incorrect`: after the change the diagnostic is gone, but a person has to decide whether
+  the result is what was intended.
 """
 
 SECTIONS = {

@@ -30,20 +30,20 @@ _FENCE = re.compile(r"^```(\w+)([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """A fenced block."""
+    """A fenced block of a page."""
 
     page: Path
     line: int
     language: str
     marks: tuple[str, ...]
-    """The words behind the language."""
+    """The words after the language."""
     text: str
 
     def __str__(self) -> str:
         return f"{self.page.name}:{self.line}"
 
     def value(self, key: str) -> str | None:
-        """What stands behind ``key=``."""
+        """The text after ``key=``, or ``None``."""
         found = [mark.partition("=")[2] for mark in self.marks if mark.startswith(f"{key}=")]
         return found[0] if found else None
 

@@ -1,4 +1,4 @@
-"""One toolchain for all tests of this folder."""
+"""The toolchain that all tests of this folder share."""
 
 from __future__ import annotations
 
@@ -11,6 +11,6 @@ from burnish.targets.toolchain import Toolchain
 
 @pytest.fixture(scope="package")
 def toolchain() -> Iterator[Toolchain]:
-    """The real tools; ``make test`` has installed them, so a missing one is a failure."""
+    """The real tools. ``make test`` installs them, so a missing tool fails the test."""
     with Toolchain() as tools:
         yield tools

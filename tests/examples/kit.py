@@ -1,4 +1,4 @@
-"""The examples, and every shader that can be asked of one."""
+"""The examples with every rig and pass that they declare."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PROFILES = tuple(
 
 @dataclass(frozen=True)
 class Variant:
-    """An example under one of its own rigs and passes, or under the library's."""
+    """An example with one of its own rigs and passes, or with the library's."""
 
     path: Path
     rig: str | None
@@ -34,12 +34,12 @@ class Variant:
         return "-".join(filter(None, (self.path.stem, self.rig, self.pass_)))
 
     def compile(self) -> burnish.CompileResult:
-        """All its materials for every target and profile."""
+        """All its materials, compiled for every profile of every target."""
         return burnish.compile(self.path, PROFILES, rig=self.rig, pass_=self.pass_)
 
 
 def variants() -> Iterator[Variant]:
-    """Every example × rig × pass."""
+    """Every combination of an example, one of its rigs and one of its passes."""
     for path in EXAMPLES:
         declarations = parse(Source(path.name, path.read_text("utf-8")), Report()).declarations
         rigs: list[str | None] = [d.name.text for d in declarations if isinstance(d, ast.Rig)]

@@ -15,11 +15,12 @@ from tests.targets.programs import plastic
 
 from .kit import staged
 
-SEPARATE = [selected for selected in PROFILES if not selected.profile.samplers.combined]
-COMBINED = [selected for selected in PROFILES if selected.profile.samplers.combined]
+BY_SET = [selected for selected in PROFILES if selected.profile.numbering == "set"]
+SEPARATE = [selected for selected in BY_SET if not selected.profile.samplers.combined]
+COMBINED = [selected for selected in BY_SET if selected.profile.samplers.combined]
 
 
-@pytest.mark.parametrize("selected", PROFILES, ids=str)
+@pytest.mark.parametrize("selected", BY_SET, ids=str)
 def test_blocks(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
     assert bindings.blocks == {

@@ -1,14 +1,14 @@
-"""Files of wrong programs, each followed by what is said of it.
+"""Reads files of wrong programs, each followed by the messages about it.
 
-A file is a row of cases::
+A file consists of cases::
 
-    === what the user had in mind
+    === what the user wanted
     the program
     --- said
     the messages
 
-A title that begins with ``in a material:`` stands above equations alone, which are put into a
-material that imports the library's lights and terms; their first line is line 2.
+If a title begins with ``in a material:``, the program consists only of equations. They are put into
+a material that imports the library's lights and terms; their first line is line 2.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ FOLDER = Path(__file__).parent
 _TITLE = "=== "
 _SAID = "--- said\n"
 SILENT = "nothing"
-"""What stands for no message: the program means something, if not what was intended."""
+"""Stands for no message: the program has a meaning, though not the intended one."""
 
 _WITHIN = "in a material: "
 _AROUND = ("import std.lights  import std.terms  material M {\n", "}\n")
@@ -35,7 +35,7 @@ _RIG = re.compile(r"^rig (\w+)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Case:
-    """A wrong program, with the messages that are expected of it."""
+    """A wrong program and the messages that it must get."""
 
     title: str
     written: str
@@ -43,14 +43,14 @@ class Case:
 
     @property
     def program(self) -> str:
-        """The text that is compiled."""
+        """The text to compile."""
         if not self.title.startswith(_WITHIN):
             return self.written
         before, behind = _AROUND
         return before + self.written + behind
 
     def shown(self, said: str) -> str:
-        """The case as a file has it, with ``said`` for its messages."""
+        """The text of the case in its file, with ``said`` as its messages."""
         return f"{_TITLE}{self.title}\n{self.written}{_SAID}{said}"
 
 
@@ -66,7 +66,7 @@ def _case(part: str) -> Case:
 
 
 def told(case: Case) -> tuple[Diagnostic, ...]:
-    """All that is said of a program, as the last pass of its own draws it."""
+    """All diagnostics of a program, compiled with the last pass that it declares."""
     path = Path("m.burnish")
     path.write_text(case.program, encoding="utf-8")
     passes = _PASS.findall(case.program)

@@ -1,8 +1,8 @@
-"""Whether two graphs mean the same, up to rounding, and how much rounding their value can bear.
+"""Compares two graphs by value, up to the rounding that the value can bear.
 
-Passes reassociate sums, so values may differ by rounding; where a comparison or a floor is decided
-by such a difference, they may differ by more. That is measured: the original graph is evaluated
-again with every operation off by a little, and the spread of the results widens the tolerance.
+Passes reassociate sums, so values may differ by rounding; if such a difference decides a comparison
+or a ``floor``, they may differ by more. Tests measure this: they evaluate the original graph again
+with a small error in every operation, and widen the tolerance by the spread of the results.
 """
 
 from __future__ import annotations
@@ -24,17 +24,17 @@ TOLERANCE = 1e-9
 NOISE = 1e-13
 REPEATS = 3
 AMPLIFIED = 1e3
-"""How much further than the noise's spread a value may be off."""
+"""By how many times the spread of the results a value may differ."""
 
 EXACT = frozenset(
     {"neg", "abs", "min", "max", "clamp", "saturate", "sign", "floor", "ceil", "trunc", "round",
      "step", "to_float", "transpose"}
 )  # fmt: skip
-"""Operations that round nothing."""
+"""Operations that do not round."""
 
 
 def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
-    """The roots with every rounding operation multiplied by a parameter near one."""
+    """The roots, in which every rounding operation is multiplied by a parameter close to one."""
 
     def rule(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op != "call" or scalar_kind(node.type) != "float" or node.data in EXACT:
@@ -58,7 +58,7 @@ def lanes(roots: list[Node], world: World) -> list[float]:
 
 
 def tolerances(shaken: list[Node], expected: list[float], world: World) -> list[float]:
-    """How far each lane may be off."""
+    """The tolerance of each lane."""
     repeats = [
         lanes(shaken, World(world.seed, world.traps, noise=NOISE * (1 + i))) for i in range(REPEATS)
     ]
@@ -70,7 +70,7 @@ def tolerances(shaken: list[Node], expected: list[float], world: World) -> list[
 
 
 def disagreements(given: Shader, worlds: list[World], options: Options | None = None) -> list[str]:
-    """Where a pass changes a shader's value: none, one hopes."""
+    """Where a pass changes a shader's value; empty if no pass does."""
     past = history(given, options)
     original = past.roots["semantics"]
     shaken = noisy(given.graph, original)

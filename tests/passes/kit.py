@@ -1,4 +1,4 @@
-"""What the tests of the passes share: graphs after every pass, and the values of their leaves."""
+"""Helpers for the tests of passes: graphs after every pass, and values of their leaves."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ INT_TRAPS = (0, 1, -1, 2, 31, -(2**31), 2**31 - 1)
 
 
 def shaders(source: str | Path, rig: str | None = None) -> list[Shader]:
-    """The shaders of a text or a file as semantics leaves them."""
+    """The shaders of a text or a file, as semantics makes them."""
     report = Report()
     frontend = Frontend(report)
     if isinstance(source, Path):
@@ -71,7 +71,7 @@ class History:
 
 
 def history(given: Shader, options: Options | None = None) -> History:
-    """What every pass makes of a shader; each graph is verified."""
+    """The roots of a shader after every pass; each graph is verified."""
     roots: dict[str, list[Node]] = {}
 
     def record(name: str, form: Any, found: list[Node]) -> list[Node]:
@@ -88,14 +88,14 @@ def history(given: Shader, options: Options | None = None) -> History:
 
 @dataclass(frozen=True)
 class World:
-    """A value for every leaf, drawn from a seed, within what is declared of it."""
+    """Random values for every leaf, within the declared ranges; they depend only on the seed."""
 
     seed: int
     traps: bool = False
-    """Whether operations' traps (zeros, subnormals …) are likely values."""
+    """Whether special operands (zeros, subnormal numbers …) are likely."""
     derived: Sequence[Derived] = ()
     noise: float = 0.0
-    """How far ``noise.*`` parameters may lie from 1."""
+    """By how much parameters called ``noise.*`` may differ from 1."""
 
     def __call__(self, node: Node) -> Lanes | None:
         """The value of a leaf."""
@@ -168,7 +168,7 @@ class World:
 
 
 def derived_value(derived: Derived, evaluator: Evaluator) -> Lanes:
-    """What the host has to put into a derived parameter: of a table, the value for each element."""
+    """The value that the host stores for a derived parameter; of a table, one for each element."""
     type_, expression = derived.parameter.type, derived.expression
     if isinstance(type_, Array):
         return tuple(evaluator.value(expression, (i,)) for i in range(type_.count))
@@ -185,7 +185,7 @@ def unit(lanes: Lanes) -> Lanes:
 
 @dataclass
 class Smooth:
-    """A texture without edges, of which every read depends on all that it is given."""
+    """A texture without edges; every read depends on all of its operands."""
 
     type: Type
     xp: Any = scalars
@@ -214,7 +214,7 @@ class Smooth:
 
 
 def stored(type_: Type, value: Lanes) -> Lanes:
-    """A value in the form in which a block holds it, at full precision."""
+    """A value in the form in which a block stores it, without loss of precision."""
     match type_:
         case Scalar("bool") | Vector("bool"):
             return tuple(int(lane) for lane in value)
@@ -234,7 +234,7 @@ def stored(type_: Type, value: Lanes) -> Lanes:
 
 
 def _row_part(element: Scalar | Vector, value: Lanes) -> Lanes:
-    """An element with what is unused behind it."""
+    """An element, followed by the unused lanes."""
     room = 4 // elements_in_row(element)
     return (*value, *[0] * (room - len(value)))
 

@@ -1,4 +1,4 @@
-"""Random Burnish programs, as source text: well typed, small, and with a bit of everything."""
+"""Generates random Burnish programs as text: well typed, small, and with a bit of everything."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TYPES: tuple[Type, ...] = (
     *(Matrix(n) for n in (2, 3, 4)),
 )  # fmt: skip
 FUEL = 12
-"""About how many operations one expression has."""
+"""The approximate number of operations of one expression."""
 NUMBERS = ("0.0", "1.0", "0.5", "2.0", "0.25", "3.0", "1e-3", "7.5")
 INFIX = {builtin: symbol for symbol, builtin in OPERATORS.items()}
 CONVERSIONS = ("to_float", "to_int", "to_uint")
@@ -35,9 +35,10 @@ class Variable:
     text: str
     type: Type
     textured: bool = False
-    """Whether its value depends on a texture read, which may not happen everywhere."""
+    """Whether its value depends on a texture read, which is not allowed everywhere."""
     turning: bool = False
-    """Whether it changes from turn to turn of a loop, and so cannot cross."""
+    """Whether it changes with the iterations of a loop, so that it cannot be passed between
+    stages."""
 
 
 @dataclass(frozen=True)
@@ -51,21 +52,21 @@ class Scope:
     """Parameters that are arrays; the types are those of their elements."""
     maps: tuple[str, ...] = ()
     surface: bool = False
-    """Whether there are stages to cross."""
+    """Whether values may be moved to the vertices."""
 
     def within(self, *variables: Variable) -> Scope:
-        """The scope with more variables and without implicit-level reads of its own."""
+        """The scope with more variables, and without textures to read with an implicit level."""
         return replace(self, variables=self.variables + variables, maps=())
 
     def at_vertex(self) -> Scope:
-        """What may stand under ``@vertex``."""
+        """The scope of an operand of ``@vertex``."""
         plain = tuple(v for v in self.variables if not (v.textured or v.turning))
         return Scope(plain, self.functions, arrays=self.arrays)
 
 
 @cache
 def instances(result: Type) -> tuple[tuple[str, tuple[Type, ...]], ...]:
-    """Builtins with operand types that give ``result``."""
+    """The builtins that can give ``result``, with types of operands."""
     return tuple(
         (name, operands)
         for name in BUILTINS
@@ -77,7 +78,7 @@ def instances(result: Type) -> tuple[tuple[str, tuple[Type, ...]], ...]:
 
 @cache
 def fitting(name: str) -> tuple[tuple[Type, ...], ...]:
-    """Operand types that builtin ``name`` takes."""
+    """The types of operands that the builtin ``name`` accepts."""
     counts = {len(parsed(signature)[0]) for signature in BUILTINS[name].signatures}
     return tuple(
         operands
@@ -89,11 +90,11 @@ def fitting(name: str) -> tuple[tuple[Type, ...], ...]:
 
 @dataclass
 class Writer:
-    """Draws expressions."""
+    """Writes random expressions."""
 
     draw: st.DrawFn
     textured: bool = field(default=False, init=False)
-    """Whether what was written since this was last cleared reads a texture."""
+    """Whether anything that was written since this was cleared reads a texture."""
 
     def expression(self, type_: Type, scope: Scope, fuel: int = FUEL) -> str:
         """An expression of a type."""
@@ -245,7 +246,7 @@ class Writer:
         return f"(iterate {state} from {first} {turns}{going} : {body})"
 
     def _two_states(self, type_: Type, scope: Scope, fuel: int) -> str:
-        """A structure as the state, of which a member is what is wanted or makes it."""
+        """A structure as the state; the result is one of its members, or is computed from one."""
         state, index = self._fresh("x", scope), self._fresh("i", scope)
         turning = (
             Variable(f"{state}.number", FLOAT, turning=True),
@@ -267,7 +268,7 @@ class Writer:
         return f"(if {loop}.number > 0.5 then {then} else {otherwise})"
 
     def _indexed(self, type_: Type, scope: Scope, fuel: int) -> str:
-        """An element of a parameter, mostly that of the turn."""
+        """An element of a parameter, usually the one with the loop's index."""
         array = self.draw(st.sampled_from([a for a in scope.arrays if a.type == type_]))
         indices = [v.text for v in scope.variables if v.text[0] == "i" and v.type == INT]
         if indices and self.draw(st.sampled_from([True, True, False])):
@@ -295,7 +296,7 @@ class Writer:
         return f"(if {condition} then {made[0]} else {made[1]}).{member}"
 
     def _fresh(self, letter: str, scope: Scope) -> str:
-        """A name for a variable of a loop that no loop around has."""
+        """A name for a loop's variable that no surrounding loop uses."""
         return f"{letter}{sum(v.text.startswith(letter) for v in scope.variables)}"
 
     def _term(self, _type: Type, scope: Scope, fuel: int) -> str:
@@ -367,13 +368,13 @@ def programs(draw: st.DrawFn) -> str:
 
 
 RESULTS: tuple[Type, ...] = (FLOAT, VEC3, INT, VECTORS[0])
-"""What functions return."""
+"""The types of functions' results."""
 
 Row = tuple[str, tuple[Type, ...], Type]
 
 
 def _functions(writer: Writer) -> Iterator[tuple[Row, str]]:
-    """Functions that call those before them, in parts of their bodies too."""
+    """Functions that call earlier ones, also in the parts of their bodies."""
     known: tuple[Row, ...] = ()
     for number in range(writer.draw(st.integers(0, 3))):
         types = writer.draw(st.lists(st.sampled_from(TYPES), min_size=1, max_size=3))
@@ -393,13 +394,13 @@ def _functions(writer: Writer) -> Iterator[tuple[Row, str]]:
 
 
 def _written(writer: Writer, type_: Type, scope: Scope) -> str:
-    """An expression that has its type by itself, as literals alone may not."""
+    """An expression that has its type without a context, which literals alone may not have."""
     text = writer.expression(type_, scope, FUEL // 3)
     return f"{type_}({text})" if type_ in (FLOAT, INT, UINT) else text
 
 
 ELEMENTS: tuple[Type, ...] = (FLOAT, INT, VEC3, VECTORS[0], Matrix(3))
-"""What parameters that are arrays consist of."""
+"""The types of elements of parameters that are arrays."""
 
 
 def _arrays(draw: st.DrawFn) -> Iterator[tuple[tuple[Variable, ...], str]]:

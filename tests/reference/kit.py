@@ -1,4 +1,4 @@
-"""What the tests of the reference picture share: meshes, cameras, and shaders with their values."""
+"""Helpers for the tests of the reference's pictures: meshes, cameras, and shaders with values."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def sphere(columns: int = 64, rows: int = 32) -> Geometry:
 
 
 def perspective(angle: float, near: float, far: float) -> Floats:
-    """View to clip space for a square picture, as a matrix of rows; the view is along -z."""
+    """A projection for a square picture along -z, as a matrix of rows."""
     scale = 1 / math.tan(angle / 2)
     return np.array(
         [
@@ -85,7 +85,7 @@ def moved(x: float, y: float, z: float) -> Floats:
 
 
 def columns(matrix: Floats) -> Lanes:
-    """A matrix as the evaluator has it."""
+    """A matrix in the evaluator's form."""
     return tuple(tuple(column) for column in matrix.T.tolist())
 
 
@@ -111,7 +111,7 @@ def picture(
     clear: Sequence[float] = BLACK,
     **values: Lanes,
 ) -> Expected:
-    """The picture with the declared values, where no others are given; textures are white."""
+    """The picture with the given values, or else the declared ones; textures are white."""
     white = {info.resource.name: WHITE for info in given.resources}
     return draw(
         given,

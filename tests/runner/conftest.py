@@ -1,4 +1,4 @@
-"""One worker of each Vulkan driver for all tests of this folder."""
+"""The workers of the Vulkan drivers that all tests of this folder share."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .vulkan_kit import Asker
 
 @pytest.fixture(scope="session", params=["lavapipe", "swiftshader"])
 def vulkan(request: pytest.FixtureRequest) -> Iterator[Asker]:
-    """A Vulkan driver. ``make test`` has installed both, so a missing one is a failure."""
+    """A Vulkan driver. ``make test`` installs both, so a missing one fails the test."""
     asker = Asker(request.param)
     yield asker
     asker.close()

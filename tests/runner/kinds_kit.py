@@ -1,7 +1,7 @@
-"""Textures of every kind, read by all drivers: a slot, a picture, and an expression that reads it.
+"""Draws reads of textures of every kind with all drivers: a slot, a picture, and an expression.
 
-Expressions are written twice, in GLSL and in WGSL. The texture is ``image``; in WGSL its sampler is
-``reader``. ``at`` runs from 0 to 1 over the picture, its y down.
+Expressions are written twice, in GLSL and in WGSL. The texture is called ``image``, and in WGSL its
+sampler is called ``reader``. ``at`` goes from 0 to 1 over the picture, with y downwards.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ void main() {{ vec2 at = color.xy; target = {read}; }}
 def picture_of(
     dimension: Dimension, format: TextureFormat, *levels: npt.NDArray[np.generic]
 ) -> Image:
-    """A picture from its levels, (height, width, lanes) or (depth, height, width, lanes)."""
+    """A picture of levels of shape (height, width, lanes) or (depth, height, width, lanes)."""
     whole = [level if level.ndim == 4 else level[np.newaxis] for level in levels]
     depth, height, width, lanes = whole[0].shape
     assert lanes == TEXELS[format].lanes
@@ -64,7 +64,7 @@ def picture_of(
 
 
 def slot_for(image: Image, **state: object) -> TextureSlot:
-    """A slot that takes a picture."""
+    """A slot that accepts a picture."""
     sample = TEXELS[image.format].sample
     whole: dict[str, object] = {"filter": "nearest", "mip": "nearest", "wrap": "clamp", **state}
     if sample != "float":
@@ -75,14 +75,14 @@ def slot_for(image: Image, **state: object) -> TextureSlot:
 
 
 def read(driver: str, slot: TextureSlot, image: Image, glsl: str, wgsl: str) -> Floats:
-    """The picture of an expression, 8 × 8."""
+    """The picture, 8 × 8 pixels, that shows the value of an expression."""
     return _shown(driver, [slot], [image], [""], glsl, wgsl)
 
 
 def read_all(
     driver: str, slots: Sequence[TextureSlot], images: Sequence[Image], glsl: str, wgsl: str
 ) -> Floats:
-    """Likewise with many textures: ``image0`` with ``reader0``, ``image1`` …"""
+    """The same with several textures: ``image0`` with ``reader0``, ``image1`` and so on."""
     return _shown(driver, slots, images, list(map(str, range(len(slots)))), glsl, wgsl)
 
 
@@ -120,7 +120,7 @@ def _vulkan(driver: str) -> vulkan_kit.Asker:
 
 
 def _names(slot: TextureSlot) -> tuple[str, str, str]:
-    """GLSL's texture and sampler, and WGSL's texture."""
+    """The names of GLSL's texture and sampler, and of WGSL's texture."""
     shape, shadow = _SHAPES[slot.dimension], "Shadow" if slot.compare else ""
     prefix = _PREFIXES[slot.sample]
     in_wgsl = f"{slot.dimension}" if slot.sample == "depth" else slot.dimension
@@ -178,6 +178,7 @@ def _variable(place: Place, type_: str) -> str:
 
 
 def faces(size: int, channels: Sequence[float] = (0.0, 0.0, 1.0)) -> npt.NDArray[np.float64]:
-    """Six faces (6, size, size, 4) whose lanes are face, column and row, and then what is given."""
+    """Six faces (6, size, size, 4), whose lanes are face, column and row, followed by the given
+    ones."""
     face, row, column = np.meshgrid(np.arange(6), np.arange(size), np.arange(size), indexing="ij")
     return np.stack([face, column, row, np.full_like(face, channels[-1])], -1).astype(np.float64)

@@ -1,7 +1,7 @@
-"""Workers for the drivers that take shaders as text, and small scenes told by heart.
+"""Draws small scenes with the drivers that take shaders as text: OpenGL and the browser.
 
-Every shader is written twice: in GLSL, whose two dialects differ in their first lines only, and in
-WGSL. Places are in Direct3D's clip space, as everywhere in Burnish.
+Every shader is written twice: in GLSL, whose two dialects differ only in the first lines, and in
+WGSL. Positions are in Direct3D's clip space, as everywhere in Burnish.
 """
 
 from __future__ import annotations
@@ -54,31 +54,31 @@ TIME_LIMIT = 120.0
 SIZE = 8
 
 CORNERS = ((-1, -1), (3, -1), (-1, 3))
-"""Of a triangle that covers the picture."""
+"""The corners of a triangle that covers the picture."""
 BLACK: Color = (0.0, 0.0, 0.0, 0.0)
 
 
 class Asker:
-    """A driver in a worker of its own."""
+    """A driver in a worker process of its own."""
 
     def __init__(self, api: str) -> None:
         self.api = api
         self._worker = Worker(lambda: [sys.executable, "-m", *COMMANDS[api]])
 
     def answer(self, request: dict[str, Any], time_limit: float = TIME_LIMIT) -> Answer:
-        """Whatever becomes of a request."""
+        """The worker's answer to a request, whatever it is."""
         return self._worker.ask(request, time_limit)
 
     def device(self) -> Device:
-        """What the worker draws with."""
+        """The device that the worker draws with."""
         return from_json(Device, self._reply({})["device"])
 
     def draw(self, job: Job) -> list[Picture]:
-        """The job's pictures. Raises ``DriverError`` as the worker does."""
+        """The pictures of a job. Raises ``DriverError`` as the worker does."""
         return [from_json(Picture, each) for each in self._reply({"job": to_json(job)})["pictures"]]
 
     def close(self) -> None:
-        """Ends the worker."""
+        """End the worker."""
         self._worker.close()
 
     def _reply(self, request: dict[str, Any]) -> Any:
@@ -91,24 +91,24 @@ class Asker:
 
 @cache
 def asker(api: str) -> Asker:
-    """One worker for all tests of this process."""
+    """The worker that all tests of this process share."""
     return Asker(api)
 
 
 def pixels(picture: Picture, target: int = 0) -> Floats:
-    """A target of a picture: height, width, RGBA."""
+    """A target of a picture, of shape (height, width, 4)."""
     lanes = np.frombuffer(picture.targets[target], np.float32)
     return lanes.reshape(picture.height, picture.width, 4)
 
 
 def shoot(api: str, job: Job, target: int = 0) -> Floats:
-    """What the only draw of a job left in a target."""
+    """A target of the only draw of a job."""
     (picture,) = asker(api).draw(job)
     return pixels(picture, target)
 
 
 def floats(values: object) -> bytes:
-    """Numbers, however nested, as float32."""
+    """Numbers, nested to any depth, as float32."""
     return np.asarray(values, "<f4").tobytes()
 
 
@@ -118,12 +118,12 @@ def indices(*numbers: int) -> bytes:
 
 
 def place(identifier: str, group: int | None = None, binding: int | None = None) -> Place:
-    """Where something is bound: by name only, unless numbers are given."""
+    """Where something is bound: by name, unless numbers are given."""
     return Place(identifier, group, binding)
 
 
 def codes(api: str, glsl: str, wgsl: str) -> tuple[Code, Code]:
-    """Both stages of a shader, written with a bar between them."""
+    """Both stages of a shader, whose texts have a bar between the stages."""
     text = wgsl if api == "webgpu" else glsl
     vertex, fragment = (GLSL_HEADS.get(api, "") + stage for stage in text.split("|"))
     return Code("main", vertex), Code("main", fragment)
@@ -138,7 +138,7 @@ def pipeline(
     targets: Sequence[Target] = (Target("rgba32float"),),
     blocks: Sequence[BlockSlot] = (),
 ) -> Pipeline:
-    """A pipeline whose vertices have a place and a paint."""
+    """A pipeline whose vertices have a position and a colour, ``paint``."""
     vertex, fragment = codes(api, glsl, wgsl)
     return Pipeline(
         stages={"vertex": vertex, "fragment": fragment},
@@ -151,7 +151,7 @@ def pipeline(
 
 
 def mesh(places: Sequence[Sequence[float]], paint: object, kind: str = "<f4") -> Draw:
-    """A draw of triangles, one vertex after the other; a place without depth has 0.5.
+    """A draw of triangles, given as their vertices; a position without a depth has 0.5.
 
     ``paint`` is one value for each vertex, or one for all.
     """
@@ -171,7 +171,7 @@ def mesh(places: Sequence[Sequence[float]], paint: object, kind: str = "<f4") ->
 
 
 def full(paint: object) -> Draw:
-    """A draw that covers the picture with one paint."""
+    """A draw that covers the whole picture with one colour."""
     return mesh(CORNERS, paint)
 
 
@@ -185,7 +185,7 @@ NUMBERS_DATA = np.array([-7, 2**20, -(2**30), 0] + [9] * 8 + [16777213, 9, 9, 9]
 
 
 def numbers(api: str, slot: BlockSlot = NUMBERS) -> Pipeline:
-    """A pipeline that adds a block of numbers to its paint."""
+    """A pipeline that adds a block of numbers to its colour."""
     where = place("numbers" if api == "webgpu" else "Numbers", 2, 5)
     return pipeline(
         api,
@@ -208,7 +208,7 @@ def image(*levels: np.ndarray) -> Image:
 
 
 def read(api: str, slot: TextureSlot, picture: Image, corners: tuple[float, float]) -> np.ndarray:
-    """The texture over the picture, whose u and v run from the one corner to the other."""
+    """A texture over the picture; u and v go from one corner to the other."""
     low, high = corners
     if api == "webgpu":
         slot = replace(slot, texture=place("image", 0, 0), sampler=place("reader", 0, 1))

@@ -1,7 +1,7 @@
-"""Small shaders, each in GLSL and in WGSL, with a bar between its stages.
+"""Small shaders, each in GLSL and in WGSL, with a bar between their stages.
 
-GLSL stands without the first lines, by which its dialects differ. Places are in Direct3D's clip
-space.
+GLSL is written without the first lines, in which its dialects differ. Positions are in Direct3D's
+clip space.
 """
 
 from __future__ import annotations

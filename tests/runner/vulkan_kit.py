@@ -1,4 +1,4 @@
-"""Workers for the Vulkan drivers, and small scenes whose pictures can be told by heart."""
+"""Draws small scenes with the Vulkan drivers, whose pictures the tests know exactly."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ void main() { target = colour; }
 
 
 class Asker:
-    """A driver in a worker of its own."""
+    """A driver in a worker process of its own."""
 
     def __init__(self, driver: str) -> None:
         row = DRIVERS[driver]
@@ -71,36 +71,36 @@ class Asker:
         self._worker = Worker(lambda: self.command)
 
     def answer(self, request: dict[str, Any], time_limit: float = TIME_LIMIT) -> Answer:
-        """Whatever becomes of a request."""
+        """The worker's answer to a request, whatever it is."""
         return self._worker.ask(request, time_limit)
 
     def device(self) -> Device:
-        """What the worker draws with."""
+        """The device that the worker draws with."""
         return from_json(Device, self._reply({})["device"])
 
     def draw(self, job: Job) -> list[Picture]:
-        """The job's pictures. Raises ``DriverError`` as the worker does."""
+        """The pictures of a job. Raises ``DriverError`` as the worker does."""
         reply = self._reply({"job": to_json(job)})
         return [from_json(Picture, picture) for picture in reply["pictures"]]
 
     def one(self, pipeline: Pipeline, draw: Draw, target: int = 0) -> Floats:
-        """The only picture's target as an array of rows, columns and lanes."""
+        """A target of the only picture, as an array of rows, columns and lanes."""
         (picture,) = self.draw(Job(pipeline, (draw,)))
         return pixels(picture, target)
 
     def kill(self) -> None:
-        """Has the worker's process killed from outside."""
+        """Kill the worker's process from outside."""
         os.kill(self._process(), signal.SIGKILL)
 
     def resident_bytes(self) -> int:
-        """How much memory the worker's process has."""
+        """The resident memory of the worker's process, in bytes."""
         status = Path(f"/proc/{self._process()}/status").read_text()
         found = re.search(r"VmRSS:\s+(\d+) kB", status)
         assert found
         return int(found[1]) * 1024
 
     def close(self) -> None:
-        """Ends the worker."""
+        """End the worker."""
         self._worker.close()
 
     def _process(self) -> int:
@@ -136,7 +136,7 @@ def spirv(
     entry: str = "main",
     flags: tuple[str, ...] = (),
 ) -> bytes:
-    """What a compiler makes of a text."""
+    """The SPIR-V that a compiler makes of a text."""
     job = toolchain.Job(checker=checker, stage=stage, text=text, entry=entry, flags=flags)
     (verdict,) = tools().check([job], keep_spirv=True)
     assert verdict.spirv is not None, verdict.report()
@@ -158,7 +158,7 @@ void main() { target = vec4(1.0); }
 
 
 def flat_pipeline(fragment: str = WHITE, **more: Any) -> Pipeline:
-    """Draws what has nothing but places in clip space."""
+    """A pipeline whose vertices have only positions in clip space."""
     targets = more.pop("targets", (Target("rgba32float"),))
     return Pipeline(
         stages={
@@ -174,7 +174,7 @@ def flat_pipeline(fragment: str = WHITE, **more: Any) -> Pipeline:
 
 
 def painted_pipeline(*targets: Target, **more: Any) -> Pipeline:
-    """Draws vertices that have colours."""
+    """A pipeline whose vertices also have colours."""
     return Pipeline(
         stages={"vertex": glsl("vert", PAINTED), "fragment": glsl("frag", PAINT)},
         inputs=(PLACE, PAINTS),
@@ -191,7 +191,7 @@ def shading(pipeline: Pipeline, fragment: Code) -> Pipeline:
 
 
 def quad(left: float, bottom: float, right: float, top: float, depth: float) -> list[list[float]]:
-    """Two triangles' corners in clip space, counter-clockwise with y up."""
+    """The corners of two triangles in clip space, counter-clockwise with y upwards."""
     a, b = [left, bottom, depth], [right, bottom, depth]
     c, d = [right, top, depth], [left, top, depth]
     return [a, b, c, a, c, d]
@@ -209,7 +209,7 @@ def draw_of(
     blocks: Sequence[bytes] = (),
     textures: Sequence[Image] = (),
 ) -> Draw:
-    """A draw of triangles, each with its own three vertices."""
+    """A draw of triangles that share no vertices."""
     streams = [places] if paints is None else [places, paints]
     return Draw(
         width=size[0],

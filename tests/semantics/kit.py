@@ -1,4 +1,4 @@
-"""What the tests of meaning share: the shader that a text means, and its values on a triangle."""
+"""Helpers for the tests of semantics: the shader of a text, and its values on a triangle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from burnish.compiler.reference.evaluate import Leaves, evaluate
 from burnish.compiler.reference.namespace import Lanes
 
 Given = Mapping[str, Lanes]
-"""Values of leaves by name: lanes, columns, elements. Parameters not given have their default."""
+"""Values of leaves by name: lanes, columns, elements. Other parameters have their default."""
 
 MESH: dict[str, Lanes] = {
     "vertex_position": (0.5, 0.25, 0.0),
@@ -29,7 +29,7 @@ MESH: dict[str, Lanes] = {
 
 @dataclass(frozen=True)
 class Painted:
-    """A texture of which every filtered read is a function of the coordinate."""
+    """A texture whose filtered reads are a function of the coordinate."""
 
     color: Callable[[float, float], Lanes]
 
@@ -43,7 +43,7 @@ LEAVES = ("parameter", "resource", "attribute", "input")
 
 
 def shader(source: str | Path, rig: str | None = None, pass_: str | None = None) -> Shader:
-    """The only shader of a text or a file as semantics leaves it."""
+    """The only shader of a text or a file, as semantics makes it."""
     report = Report()
     frontend = Frontend(report)
     module = (
@@ -60,7 +60,7 @@ def shader(source: str | Path, rig: str | None = None, pass_: str | None = None)
 
 
 def leaves(whole: Shader, given: Given) -> Leaves:
-    """Leaves as ``given``, as their default says, or as ``MESH`` has them."""
+    """The values of leaves: those ``given``, or their defaults, or those of ``MESH``."""
     defaults = {info.parameter.name: info.default for info in whole.parameters}
     known: Mapping[str, Any] = {**defaults, **MESH, **given}
 
@@ -74,7 +74,7 @@ def leaves(whole: Shader, given: Given) -> Leaves:
 
 
 def at(whole: Shader, root: Node, given: Given | None = None) -> Lanes:
-    """The value of a root where all of the mesh is one point."""
+    """The value of a root if all vertices of the mesh are the same point."""
     return evaluate(root, leaves(whole, given or {}))
 
 
@@ -102,18 +102,18 @@ def color(
     rig: str | None = None,
     pass_: str | None = None,
 ) -> Lanes:
-    """The colour that a text means."""
+    """The colour of the only material of a text."""
     whole = shader(source, rig, pass_)
     return at(whole, whole.results_of(TARGET)[0].value, given)[:3]
 
 
 def lanes(expression: str, members: str = "", head: str = "", /, **given: Lanes) -> Lanes:
-    """The three lanes of a ``vec3`` that an expression means in a material."""
+    """The three lanes of an expression of type ``vec3`` in a material."""
     return color(f"{head}\nmaterial M {{\n{members}\ncolor = {expression}\n}}", given)
 
 
 def number(expression: str, members: str = "", head: str = "", /, **given: Lanes) -> float:
-    """The number, or truth as 1 or 0, that an expression means in a material."""
+    """The number, or the ``bool`` as 1 or 0, of an expression in a material."""
     value = lanes(f"vec3(float({expression}))", members, head, **given)[0]
     assert isinstance(value, float)
     return value

@@ -89,7 +89,7 @@ def test_mixins_for_passes() -> None:
     """
     whole = shader(text, pass_="Twice")
     assert whole.results_of(DISCARD)
-    assert [r.target and r.target.name for r in whole.results_of(TARGET)] == ["color"]
+    assert [result.name for result in whole.results_of(TARGET)] == ["color"]
 
 
 def test_attributes_that_two_mixins_bring_along_are_one() -> None:

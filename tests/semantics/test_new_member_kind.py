@@ -69,17 +69,17 @@ KINDS: tuple[MemberKind, ...] = (
     ),
     (
         CONTRIBUTES,
-        "\n_LEAVES_OF: Mapping[type, Callable[[Lowering, Definition, str], Leaves]] = {",
+        "\n_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {",
         """
-def _of_knob(low: Lowering, definition: Definition, name: str) -> Leaves:
+def _of_knob(ctx: Context, definition: Definition, name: str) -> Leaves:
     knob = definition.member
     assert isinstance(knob, Knob)
     number = ast.TypeName(knob.span, ast.Name("float", knob.name.span))
     param = ast.Param(knob.span, knob.doc, knob.name, number, None, None, knob.value)
-    return _of_param(low, Definition(param, definition.owner, definition.level), name)
+    return _of_param(ctx, Definition(param, definition.owner, definition.level), name)
 
 
-_LEAVES_OF: Mapping[type, Callable[[Lowering, Definition, str], Leaves]] = {
+_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
     Knob: _of_knob,""",
     ),
 )

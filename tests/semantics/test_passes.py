@@ -39,8 +39,8 @@ OVERRIDES: dict[str, Lanes] = {
 
 def states(whole: Shader) -> list[tuple[str, str, str]]:
     """Name, format and blending of each render target."""
-    targets = [result.target for result in whole.results_of(TARGET)]
-    return [(target.name, target.format, target.blend) for target in targets if target]
+    results = whole.results_of(TARGET)
+    return [(r.name, r.state.format, r.state.blend) for r in results if r.state]
 
 
 @pytest.mark.parametrize(("slots", "expected"), OVERRIDES.items(), ids=OVERRIDES)

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from burnish.compiler.ir.shader import ParameterInfo
+from burnish.compiler.ir.shader import ParameterInfo, RenderTarget
 from burnish.compiler.ir.stages import DISCARD, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
@@ -139,8 +139,6 @@ def test_what_a_texture_is_until_it_is_bound() -> None:
 def test_the_default_pass_writes_colour_and_alpha() -> None:
     whole = shader("material M { color = #ffffff  alpha = 0.25 }")
     (result,) = whole.results_of(TARGET)
-    target = result.target
-    assert target is not None
-    assert (target.name, target.format, target.blend) == ("color", "rgba8", "none")
+    assert (result.name, result.state) == ("color", RenderTarget("rgba8", "none"))
     assert at(whole, result.value) == (1, 1, 1, 0.25)
     assert not whole.results_of(DISCARD)

@@ -1,4 +1,4 @@
-"""The tree as files, and what the library declares."""
+"""The files of the tree, and the names that the library declares."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _GENERATED = {"__pycache__", "build", "dist"}
 
 
 def files(folder: Path) -> Iterator[Path]:
-    """The files below a folder that people wrote."""
+    """The files below a folder that people wrote, and not tools."""
     for path in sorted(folder.iterdir()):
         generated = path.name in _GENERATED or path.name.startswith(".")
         if path.is_dir() and not generated and path.suffix != ".egg-info":

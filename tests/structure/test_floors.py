@@ -29,7 +29,7 @@ FLOORS: dict[str, str] = {
     "compiler.layout": "ir",
     "compiler.packing": "frozen ir",
     "compiler.formula": "stdlib ir",
-    "compiler.places": "diagnostics ir",
+    "compiler.source_map": "diagnostics ir",
     "compiler.reference": "frozen stdlib ir trampoline",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
@@ -66,11 +66,11 @@ FLOORS: dict[str, str] = {
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "api": (
-        "frozen arguments inputs diagnostics ir passes places names reflection frontend "
+        "frozen arguments inputs diagnostics ir passes source_map names reflection frontend "
         "emit legalise registry runner"
     ),
     "commands": (
-        "frozen stdlib cache inputs diagnostics ir passes reference places frontend reflection "
+        "frozen stdlib cache inputs diagnostics ir passes reference source_map frontend reflection "
         "formula emit registry runner conformance toolchain api"
     ),
     "cli": "commands",

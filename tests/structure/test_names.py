@@ -26,6 +26,22 @@ def test_the_names_are_found() -> None:
     assert {"Surface", "Light", "Forward", "Daylight", "Spot", "ambient", "lambert"} <= NAMES
 
 
+KNOW_OF_METAL = {"targets/toolchain/checkers.py", "targets/toolchain/tools.py"}
+"""The row of a checker and that of its tool."""
+METAL = re.compile(r"\b(msl|metal2?|apple)\b", re.IGNORECASE)
+
+
+@pytest.mark.parametrize("folder", ["commands", "compiler", "stdlib", "targets"])
+def test_a_language_is_known_in_its_own_folder_alone(folder: str) -> None:
+    """Metal was the first to be added from outside; the next has to find no less."""
+    found = {
+        str(path.relative_to(ROOT))
+        for path in files(ROOT / folder)
+        if path.parent.name != "msl" and METAL.search(path.read_text("utf-8"))
+    }
+    assert found == (KNOW_OF_METAL if folder == "targets" else set())
+
+
 @pytest.mark.parametrize("folder", ["compiler", "targets"])
 def test_no_file_contains_a_name_of_the_library(folder: str) -> None:
     """Nor do comments: an example in one would be the first step to a special case."""

@@ -1,4 +1,4 @@
-"""Expressions and declarations written out fully parenthesised, for tests to read."""
+"""Prints expressions and declarations with all parentheses, for tests of the parser."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from burnish.compiler.syntax.parser import parse
 
 
 def parsed(text: str) -> ast.File:
-    """The AST of a text without mistakes."""
+    """The tree of a text that has no mistakes."""
     report = Report()
     file = parse(Source("test.burnish", text), report)
     assert [found.message for found in report.diagnostics] == []
@@ -18,14 +18,14 @@ def parsed(text: str) -> ast.File:
 
 
 def messages(text: str) -> list[str]:
-    """What is wrong with a text."""
+    """The messages about a text."""
     report = Report()
     parse(Source("test.burnish", text), report)
     return [found.message for found in report.diagnostics]
 
 
 def expression(text: str) -> str:
-    """How ``text`` is understood as an expression."""
+    """The tree of an expression, printed."""
     (constant,) = parsed(f"value = {text}").declarations
     assert isinstance(constant, ast.Constant)
     return show(constant.value)

@@ -35,8 +35,11 @@ OTHERS = [
 @given(st.lists(st.sampled_from(WORDS + OTHERS), max_size=40))
 def test_token_soup_is_reported_not_raised(words: list[str]) -> None:
     report = Report()
-    parse(Source("soup", " ".join(words)), report)
+    text = " ".join(words)
+    parse(Source("soup", text), report)
     assert isinstance(render_all(report.diagnostics), str)
+    for edit in (e for found in report.diagnostics for fix in found.fixes for e in fix.edits):
+        assert 0 <= edit.span.start <= edit.span.end <= len(text)
 
 
 @given(st.text(max_size=60))

@@ -1,4 +1,4 @@
-"""What the tests of the backends share."""
+"""Helpers for the tests of the targets: programs, and the texts that they become."""
 
 from __future__ import annotations
 
@@ -59,6 +59,9 @@ def printed(program: Program, selected: Selected, options: EmitOptions | None = 
     return emit(legalise(program, selected.target, selected.profile), options)
 
 
+BY_NAME = {str(selected): selected for selected in PROFILES}
+
+
 def emitted(
     program: Program, selected: Selected, options: EmitOptions | None = None
 ) -> dict[str, str]:
@@ -92,7 +95,7 @@ TEXTURE_LETTERS: Mapping[str, tuple[str, ...]] = {
 
 
 def instances(row: Builtin) -> Iterator[tuple[tuple[Type, ...], Type]]:
-    """Operand and result types of every instance of every signature."""
+    """The types of operands and result of every instance of every signature."""
     for signature in row.signatures:
         words, _, result = (part.strip() for part in signature.partition("->"))
         letters = words.split(", ")
@@ -144,7 +147,7 @@ def _of_texture(word: str, texture: Texture) -> Type:
 
 
 def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
-    """Whether there are values of these types for which the hardware's own will do."""
+    """Whether the hardware's operation is used for some values of these types."""
     kinds = [scalar_kind(type_) or "float" for type_ in operands]
     zeros, ones = (0.0,) * 4, (1.0,) * 4
     rising, pattern = (0.25, 0.5, 0.75, 1.0), (float(0x3F800000),) * 4
@@ -157,7 +160,7 @@ def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
 
 
 def program_of_rows(profile: Profile) -> Program:
-    """One fragment stage that calls every instance of every builtin a profile has natively."""
+    """A fragment stage that calls every instance of every builtin that a profile has natively."""
     make = Maker()
     lanes = {
         kind: Parameter(f"some_{kind}", type_, "material")

@@ -19,6 +19,7 @@ from burnish.compiler.ir.program import (
     Stage,
     StoredMember,
     Varying,
+    native_uses,
     texture_reads,
 )
 from burnish.compiler.ir.stages import (
@@ -124,8 +125,9 @@ def stage(row: StageRow, *results: Output, **parts: object) -> Stage:
     }  # fmt: skip
     made = Stage(row=row, results=results, **{**empty, **parts})  # type: ignore[arg-type]
     lets = [item.node for item in made.region.statements if isinstance(item, Let)]
-    reads = texture_reads(reachable((*made.roots, *lets)))
-    return changed(made, reads=reads)
+    bodies = [function.value for function in made.functions]
+    nodes = reachable((*made.roots, *lets, *bodies))
+    return changed(made, reads=texture_reads(nodes), natives=native_uses(nodes))
 
 
 def written(name: str, value: Node, location: int = 0, doc: str = "") -> Output:

@@ -15,7 +15,7 @@ from burnish.compiler.ir.program import Branch, Region, Statement
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC3, VEC4, Matrix, TallMatrix
 from burnish.targets.emit.precedence import Binding, Text, choice, infix, prefix
 
-from .kit import PROFILES, Selected, emitted
+from .kit import BY_NAME, PROFILES, Selected, emitted
 from .programs import Maker, block, tiny
 
 NAMES = [Text(name, Binding.NAME) for name in "abc"]
@@ -81,15 +81,16 @@ def test_an_unbound_chain_is_refused_and_not_overflowed() -> None:
     for _ in range(FAR_TOO_DEEP):
         value = make.native("sin", FLOAT, value)
     with pytest.raises(AssertionError, match="scheduler"):
-        emitted(tiny(build.splat(make.graph, value, 4), make), PROFILES[0])
+        emitted(tiny(build.splat(make.graph, value, 4), make), BY_NAME["glsl:vulkan"])
 
 
 @pytest.mark.parametrize(
     ("selected", "column"),
     [
-        (PROFILES[0], "mat2(1.0, 2.0, 3.0, 4.0)[1]"),
-        (PROFILES[3], "transpose(float2x2(1.0, 3.0, 2.0, 4.0))[1]"),
-        (PROFILES[4], "mat2x2f(1.0, 2.0, 3.0, 4.0)[1]"),
+        (BY_NAME["glsl:vulkan"], "mat2(1.0, 2.0, 3.0, 4.0)[1]"),
+        (BY_NAME["hlsl:sm6"], "transpose(float2x2(1.0, 3.0, 2.0, 4.0))[1]"),
+        (BY_NAME["wgsl:webgpu"], "mat2x2f(1.0, 2.0, 3.0, 4.0)[1]"),
+        (BY_NAME["msl:metal2"], "float2x2(1.0f, 2.0f, 3.0f, 4.0f)[1]"),
     ],
     ids=str,
 )
@@ -106,9 +107,25 @@ def test_matrices_are_made_of_columns(selected: Selected, column: str) -> None:
 @pytest.mark.parametrize(
     ("selected", "declared", "product", "column"),
     [
-        (PROFILES[0], "mat3x4 turn;", "turn * axis", "turn[1]"),
-        (PROFILES[3], "column_major float4x3 turn;", "mul(turn, axis)", "transpose(turn)[1]"),
-        (PROFILES[4], "turn: mat3x4f,", "material.turn * material.axis", "material.turn[1]"),
+        (BY_NAME["glsl:vulkan"], "mat3x4 turn;", "turn * axis", "turn[1]"),
+        (
+            BY_NAME["hlsl:sm6"],
+            "column_major float4x3 turn;",
+            "mul(turn, axis)",
+            "transpose(turn)[1]",
+        ),
+        (
+            BY_NAME["wgsl:webgpu"],
+            "turn: mat3x4f,",
+            "material.turn * material.axis",
+            "material.turn[1]",
+        ),
+        (
+            BY_NAME["msl:metal2"],
+            "float3x4 turn;",
+            "material.turn * float3(material.axis)",
+            "material.turn[1]",
+        ),
     ],
     ids=str,
 )
@@ -128,8 +145,8 @@ def test_stored_matrices(selected: Selected, declared: str, product: str, column
 @pytest.mark.parametrize(
     ("selected", "product"),
     [
-        (PROFILES[0], "mat3(axis, axis + axis, axis) * axis"),
-        (PROFILES[3], "mul(axis, float3x3(axis, axis + axis, axis))"),
+        (BY_NAME["glsl:vulkan"], "mat3(axis, axis + axis, axis) * axis"),
+        (BY_NAME["hlsl:sm6"], "mul(axis, float3x3(axis, axis + axis, axis))"),
     ],
     ids=str,
 )

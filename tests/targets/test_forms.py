@@ -35,7 +35,7 @@ def spellings(table: Spellings) -> Iterator[str]:
 
 
 def test_every_row_is_a_form_or_a_plain_text() -> None:
-    plain = {"else_", "end", "discard", "member_end", "struct_end", "lane_words"}
+    plain = {"else_", "end", "discard", "member_end", "struct_end", "lanes", "lane_words"}
     flags = {"splat_constant", "matrix_by_rows"}
     assert {*FIELDS, *plain, *flags} == set(Forms.__match_args__)
 

@@ -1,4 +1,4 @@
-"""One toolchain for all tests of this folder, and tools that misbehave on purpose."""
+"""The toolchain that all tests of this folder share, and fake tools that misbehave."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ PlantTool = Callable[[str, str, str], None]
 
 @pytest.fixture(scope="session")
 def toolchain() -> Iterator[Toolchain]:
-    """The real tools. ``make test`` has installed them, so a missing one is a failure."""
+    """The real tools. ``make test`` installs them, so a missing tool fails the test."""
     with Toolchain() as tools:
         yield tools
 
 
 @pytest.fixture
 def plant_tool(no_tools: Path) -> PlantTool:
-    """Puts a shell script into the cache that says a version and otherwise does as told."""
+    """Puts a shell script into the cache that prints a version, and otherwise does what it is
+    given."""
 
     def plant(path: str, version: str, deed: str) -> None:
         script = no_tools / path

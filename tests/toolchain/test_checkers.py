@@ -49,6 +49,15 @@ WGSL = """struct P { tint: vec3<f32> }
 }
 """
 
+MSL = """#include <metal_stdlib>
+using namespace metal;
+struct P { alignas(16) packed_float3 tint; };
+struct Crossing { float3 normal [[user(location0)]]; };
+fragment float4 shade(Crossing input [[stage_in]], constant P& u [[buffer(0)]]) {
+  return float4(normalize(input.normal) * float3(u.tint), 1.0f);
+}
+"""
+
 
 @dataclass(frozen=True)
 class Sample:
@@ -73,6 +82,7 @@ SAMPLES = {
     "dxc-dxil": Sample(HLSL, "shade", 3, 37),
     "naga": Sample(WGSL, "shade", 4, 40),
     "tint": Sample(WGSL, "shade", 4, 40),
+    "clang-msl": Sample(MSL, "shade", 6, 50),
 }
 
 MAKES_SPIRV = {"glslang-vulkan", "glslang-hlsl", "dxc-spirv", "naga"}
@@ -110,7 +120,7 @@ def test_a_bad_shader_is_rejected_at_its_line(toolchain: Toolchain, checker: str
     assert f"bad.txt:{sample.bad_line}:" in verdict.report()
 
 
-@pytest.mark.parametrize("checker", ["glslang-hlsl", "dxc-spirv", "dxc-dxil", "naga"])
+@pytest.mark.parametrize("checker", ["glslang-hlsl", "dxc-spirv", "dxc-dxil", "naga", "clang-msl"])
 def test_an_entry_point_that_is_not_there_is_an_error(toolchain: Toolchain, checker: str) -> None:
     [verdict] = toolchain.check([Job(checker, "frag", SAMPLES[checker].text, "paint")])
     assert verdict.status == "rejected"

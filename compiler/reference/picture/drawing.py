@@ -59,7 +59,7 @@ class _Drawing:
         self._stages = Stages(shader, values, textures, rules)
         self._vertices: Vertices = self._stages.vertices(geometry)
         self._faces: Faces = assemble(self._vertices.positions, geometry.triangles, rules)
-        written = [(r.target, r.value.type) for r in shader.results if r.target is not None]
+        written = [(r.state, r.value.type) for r in shader.results if r.state is not None]
         self._lanes = [width(type_) for _, type_ in written]
         blends = [target.blend != "none" for target, _ in written]
         self._opaque = not shader.results_of(DISCARD) and not any(blends)

@@ -14,7 +14,7 @@ from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
 from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, LOOPS, builtin_of
 from ...ir.shader import Shader
-from ...ir.stages import CLIP_POSITION, DISCARD, TARGET
+from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
@@ -71,6 +71,8 @@ class Stages:
         textures: Mapping[str, Texels],
         rules: RasterRules,
     ) -> None:
+        if shader.chain != RASTERISED:
+            raise ValueError(f"{shader.name} has other stages than the reference can draw.")
         self.values = values
         ((self._position,), self._targets, discards) = (
             tuple(result.value for result in shader.results_of(kind))

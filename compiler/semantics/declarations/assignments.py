@@ -1,24 +1,21 @@
-"""What a value has to keep that is given to a declared slot: its type, and a parameter's range."""
+"""Values that are assigned to declared slots: they keep the type, and a parameter's range."""
 
 from __future__ import annotations
-
-from typing import TYPE_CHECKING
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...ir.node import Node
 from ...syntax import ast
 from ..inheritance.records import Record
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope
+from .contracts import as_declared
 from .parameters import is_within, limits_of, range_text
 from .written_types import declared_type
 
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
-
-def given(
-    low: Lowering,
+def assigned(
+    ctx: Context,
     record: Record,
     name: str,
     value: Node | Failure,
@@ -30,35 +27,35 @@ def given(
     typing = record.typing(name)
     if typing is None or typing.member.type is None:
         return value
-    wanted = declared_type(low, typing.member.type, typing.owner.module)
+    wanted = declared_type(ctx, typing.member.type, typing.owner.module)
     if wanted is None:
         return FAILURE
-    value = low.as_declared(value, wanted, written, scope)
+    value = as_declared(ctx, value, wanted, written, scope)
     if isinstance(value, Node):
-        _check_range(low, record, name, value, written, level)
+        _check_range(ctx, record, name, value, written, level)
     return value
 
 
 def _check_range(
-    low: Lowering, record: Record, name: str, value: Node, written: ast.Expression, level: int
+    ctx: Context, record: Record, name: str, value: Node, written: ast.Expression, level: int
 ) -> None:
     """Report a value that is proven to be outside of the range of the parameter it overrides."""
     overridden = (d for d in record.definitions[name] if d.level > level)
     declared = next((d for d in overridden if isinstance(d.member, ast.Param)), None)
-    limits = None if declared is None else limits_of(low, declared)
-    if declared is None or limits is None or not _is_outside(low, value, *limits):
+    limits = None if declared is None else limits_of(ctx, declared)
+    if declared is None or limits is None or not _is_outside(ctx, value, *limits):
         return
     assert isinstance(declared.member, ast.Param)
-    low.report.add(
+    ctx.report.add(
         rules.OUT_OF_RANGE, written.span, value="this value",
         range=range_text(declared.member, limits),
         labels=[Label(declared.member.name.span, "the parameter is declared here")],
     )  # fmt: skip
 
 
-def _is_outside(low: Lowering, value: Node, lo: float, hi: float) -> bool:
-    known = low.constants.known(value)
+def _is_outside(ctx: Context, value: Node, lo: float, hi: float) -> bool:
+    known = ctx.constants.known(value)
     if known is not None:
         return not is_within(known, lo, hi)
-    fact = low.ranges.of(value)
+    fact = ctx.ranges.of(value)
     return fact.lo > hi or fact.hi < lo

@@ -3,29 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, TypeGuard
+from typing import TypeGuard
 
 from ....stdlib.builtins.facts import UNIT
 from ...diagnostics import rules
+from ...diagnostics.fixes import Hint, either
 from ...diagnostics.source import Span
 from ...ir.meaning import ANGLE, GEOMETRY, Meaning
 from ...ir.node import Node, bare
 from ...ir.types import Vector
 from ...syntax import ast
-from ..hints.wording import quoted
+from ...syntax.rewriting import rewritten
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure, LightVariable, Scope
 from ..types.coercion import coerce
 from ..types.meaning_rules import fits, weakened
 from ..types.typenames import Declared
 from . import transform_paths
+from .fitting import fit
 from .written_types import declared_type
 
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+
+def as_declared(
+    ctx: Context,
+    node: Node | Failure,
+    declared: Declared,
+    written: ast.Expression,
+    scope: Scope | None = None,
+) -> Node | Failure:
+    """The value of ``written`` as what was declared: its type, its meaning, its contract."""
+    if _is_apart(node, ctx, declared):
+        return meant(ctx, node, declared, written.span, written, scope)
+    fitted = fit(ctx, node, declared.type, declared.text, written.span)
+    if isinstance(fitted, Failure):
+        return FAILURE
+    return meant(ctx, fitted, declared, written.span, written, scope)
 
 
 def meant(
-    low: Lowering,
+    ctx: Context,
     node: Node,
     declared: Declared,
     span: Span,
@@ -33,43 +49,50 @@ def meant(
     scope: Scope | None = None,
 ) -> Node | Failure:
     """``node``, whose type fits already, with the declared meaning; or a report at ``span``."""
-    found = low.meanings.of(node)
+    found = ctx.meanings.of(node)
     if not fits(found, declared.meaning):
         assert found is not None
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_MEANING, span, expected=declared.text, found=found,
-            caption=f"this is `{found}`", hint=_way_out(low, found, declared, written, scope),
+            caption=f"this is `{found}`", hint=_way_out(ctx, found, declared, written, scope),
         )  # fmt: skip
         return FAILURE
     if declared.meaning == ANGLE and found is None and (number := _bare_number(written)):
-        low.report.add(rules.BARE_ANGLE, span, text=number, hint=f"`{number}deg` or `{number}rad`?")
+        angles = (f"{number}deg", f"{number}rad")
+        hint = either(f"`{angles[0]}` or `{angles[1]}`?", span, *angles)
+        ctx.report.add(rules.BARE_ANGLE, span, text=number, hint=hint)
         return FAILURE
-    return contracted(low, node, declared, span, written)
+    return contracted(ctx, node, declared, span, written)
 
 
-def is_apart(node: Node | Failure, low: Lowering, declared: Declared) -> TypeGuard[Node]:
-    """Whether a value of another type means another kind of the same thing: both are geometry."""
-    if isinstance(node, Failure) or coerce(low.graph, node, declared.type) is not None:
+def _is_apart(node: Node | Failure, ctx: Context, declared: Declared) -> TypeGuard[Node]:
+    """Whether both are geometric, but not of one type (a point and a clip space point, say).
+
+    Then the meaning that does not fit is reported, and not the type.
+    """
+    if isinstance(node, Failure) or coerce(ctx.graph, node, declared.type) is not None:
         return False
-    found, wanted = low.meanings.of(node), declared.meaning
+    found, wanted = ctx.meanings.of(node), declared.meaning
     if found is None or wanted is None or fits(found, wanted):
         return False
     return found.kind in GEOMETRY and wanted.kind in GEOMETRY
 
 
 def contracted(
-    low: Lowering, node: Node, declared: Declared, span: Span, written: ast.Expression | None
+    ctx: Context, node: Node, declared: Declared, span: Span, written: ast.Expression | None
 ) -> Node | Failure:
     """``node`` with the declared meaning, provided that it keeps the declared contract."""
-    if needs_unit(declared) and not is_unit(low, node):
-        found = low.meanings.of(node) or node.type
-        text = "…" if written is None else quoted(written)
-        low.report.add(
+    if needs_unit(declared) and not is_unit(ctx, node):
+        found = ctx.meanings.of(node) or node.type
+        normalized = "normalize({text})"
+        ctx.report.add(
             rules.NOT_UNIT, span, expected=declared.text, found=found,
-            caption=f"this is `{found}`, of any length", hint=f"write `normalize({text})`",
+            caption=f"this is `{found}`, of any length",
+            hint=f"write `{normalized.format(text='…')}`" if written is None
+            else rewritten(written.span, normalized),
         )  # fmt: skip
         return FAILURE
-    return low.meanings.ascribed(node, declared.meaning)
+    return ctx.meanings.ascribed(node, declared.meaning)
 
 
 def needs_unit(declared: Declared) -> bool:
@@ -77,14 +100,14 @@ def needs_unit(declared: Declared) -> bool:
     return declared.fact.unit and isinstance(declared.type, Vector)
 
 
-def is_unit(low: Lowering, node: Node) -> bool:
+def is_unit(ctx: Context, node: Node) -> bool:
     """Whether range analysis, or the value itself, proves that a vector has length one."""
     for choice in _choices(node):
-        if low.ranges.of(choice).unit:
+        if ctx.ranges.of(choice).unit:
             continue
-        if not low.constants.is_unit(choice):
+        if not ctx.constants.is_unit(choice):
             return False
-        low.ranges.assume(choice, UNIT)
+        ctx.ranges.assume(choice, UNIT)
     return True
 
 
@@ -112,53 +135,59 @@ def _bare_number(written: ast.Expression | None) -> str:
 
 
 def _way_out(
-    low: Lowering,
+    ctx: Context,
     found: Meaning,
     declared: Declared,
     written: ast.Expression | None,
     scope: Scope | None,
-) -> str:
-    wanted, text = declared.meaning, "…" if written is None else quoted(written)
+) -> Hint:
+    wanted = declared.meaning
     assert wanted is not None
+
+    def instead(pattern: str, said: str) -> Hint:
+        shown = said.format(pattern.format(text="…", operand="…"))
+        return shown if written is None else rewritten(written.span, pattern, said)
+
     if found.kind in GEOMETRY and wanted.kind in GEOMETRY:
         places = {found.kind == "point", wanted.kind == "point"}
         if len(places) == 1 and scope is not None:
-            offer = transform_paths.offered(low, found, wanted.spaces[0], text, scope)
-            return f"write {offer}" if offer else f"if it is meant, write `({text} as {wanted})`"
+            if transform_paths.is_offered(ctx, found, wanted.spaces[0], scope):
+                return instead(f"{{operand}} in {wanted.spaces[0]}", "write `{}`")
+            return instead(f"({{text}} as {wanted})", "if it is meant, write `{}`")
         if len(places) == 2:
             return "a vector leads from one point to another: `b - a`"
     if found.kind in GEOMETRY or wanted.kind in GEOMETRY:
-        return f"`{declared.type}({text})` is what it is made of, as bare numbers"
+        return instead(f"{declared.type}({{text}})", "`{}` is what it is made of, as bare numbers")
     return ""
 
 
-def adapts(low: Lowering, argument: Node, declared: Declared, *, broadcast: bool) -> bool | None:
+def adapts(ctx: Context, argument: Node, declared: Declared, *, broadcast: bool) -> bool | None:
     """Whether an argument has to change to be what is declared; ``None`` where it cannot."""
-    found = low.meanings.of(argument)
-    fitted = coerce(low.graph, argument, declared.type, broadcast=broadcast)
+    found = ctx.meanings.of(argument)
+    fitted = coerce(ctx.graph, argument, declared.type, broadcast=broadcast)
     if fitted is None or not fits(found, declared.meaning):
         return None
-    if needs_unit(declared) and not is_unit(low, fitted):
+    if needs_unit(declared) and not is_unit(ctx, fitted):
         return None
     return fitted is not argument or (found is None) != (declared.meaning is None)
 
 
-def assumed(low: Lowering, variable: Node, declared: Declared) -> Node:
+def assumed(ctx: Context, variable: Node, declared: Declared) -> Node:
     """A variable of which nothing is known but how it was declared."""
     if needs_unit(declared):
-        low.ranges.assume(variable, UNIT)
-    return low.meanings.ascribed(variable, declared.meaning)
+        ctx.ranges.assume(variable, UNIT)
+    return ctx.meanings.ascribed(variable, declared.meaning)
 
 
 def light_variable(
-    low: Lowering, light: LightVariable, name: str, variable: Node, sample: Node
+    ctx: Context, light: LightVariable, name: str, variable: Node, sample: Node
 ) -> Node:
     """A slot of ``light`` in a term: what all lights of the rig have to keep to."""
-    if variable.id not in low.variables:
+    if variable.id not in ctx.light_types:
         declared, typing = None, light.record.typing(name)
         if typing is not None and typing.member.type is not None:
-            declared = declared_type(low, typing.member.type, typing.owner.module)
-        meaning = weakened(low.meanings.of(sample))
+            declared = declared_type(ctx, typing.member.type, typing.owner.module)
+        meaning = weakened(ctx.meanings.of(sample))
         untyped = Declared(sample.type, str(meaning or sample.type), meaning=meaning)
-        low.variables[variable.id] = declared or untyped
-    return assumed(low, variable, low.variables[variable.id])
+        ctx.light_types[variable.id] = declared or untyped
+    return assumed(ctx, variable, ctx.light_types[variable.id])

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 from ....frozen import EMPTY, frozen
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...ir.leaves import Resource
 from ...ir.shader import ResourceInfo
 from ...ir.types import Array, Texture
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..names.duplicates import check_once
+from ..state.context import Context
 from .written_types import declared_type
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 Settings = Mapping[str, tuple[str, ...]]
 """What can be said of a sampler; the first of each is the default."""
@@ -62,15 +59,15 @@ def kind_of(texture: Texture) -> Kind:
             return INTEGERS
 
 
-def resource(low: Lowering, definition: Definition, name: str, group: str) -> ResourceInfo | None:
+def resource(ctx: Context, definition: Definition, name: str, group: str) -> ResourceInfo | None:
     """The texture that a ``map`` declares; ``None`` after reporting why it is none."""
     member = definition.member
     assert isinstance(member, ast.Map)
-    declared = declared_type(low, member.type, definition.owner.module)
+    declared = declared_type(ctx, member.type, definition.owner.module)
     if declared is None:
         return None
     if not isinstance(declared.type, Texture):
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_TYPE, member.type.span, expected="a texture type", found=declared.text,
             hint="layers of one texture are a `texture2d_array`"
             if isinstance(declared.type, Array)
@@ -80,30 +77,30 @@ def resource(low: Lowering, definition: Definition, name: str, group: str) -> Re
     kind = kind_of(declared.type)
     default = kind.defaults[0] if member.default is None else member.default.text
     if member.default is not None and default not in kind.defaults:
-        unknown_word(low, "texture default", member.default, kind.defaults)
-    state = _sampler_state(low, member, kind, declared.text)
+        unknown_word(ctx, "texture default", member.default, kind.defaults)
+    state = _sampler_state(ctx, member, kind, declared.text)
     found = Resource(name, declared.type, group, default, tuple(sorted(state.items())))
     return ResourceInfo(found, member.doc, member.name.span)
 
 
-def _sampler_state(low: Lowering, member: ast.Map, kind: Kind, type_: str) -> dict[str, str]:
-    check_once(low.report, (key for key, _ in member.state))
+def _sampler_state(ctx: Context, member: ast.Map, kind: Kind, type_: str) -> dict[str, str]:
+    check_once(ctx.report, (key for key, _ in member.state))
     state = {**kind.fixed, **{key: values[0] for key, values in kind.settings.items()}}
     known = {**COLORS.settings, **DEPTHS.settings}
     for key, value in member.state:
         if key.text not in known and kind.settings:
-            unknown_word(low, "sampler setting", key, kind.settings)
+            unknown_word(ctx, "sampler setting", key, kind.settings)
         elif key.text not in kind.settings:
-            low.report.add(rules.SETTING_WITHOUT_USE, key.span, name=key.text, type=type_)
+            ctx.report.add(rules.SETTING_WITHOUT_USE, key.span, name=key.text, type=type_)
         elif value.text not in kind.settings[key.text]:
-            unknown_word(low, f"value for `{key.text}`", value, kind.settings[key.text])
+            unknown_word(ctx, f"value for `{key.text}`", value, kind.settings[key.text])
         else:
             state[key.text] = value.text
     return state
 
 
-def unknown_word(low: Lowering, kind: str, name: ast.Name, known: Iterable[str]) -> None:
+def unknown_word(ctx: Context, kind: str, name: ast.Name, known: Iterable[str]) -> None:
     """Report a word that is none of those which can stand in its place."""
     listed = ", ".join(f"`{word}`" for word in known)
-    hint = suggestion(name.text, known) or f"one of {listed}"
-    low.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
+    hint = respelling(name.text, name.span, known) or f"one of {listed}"
+    ctx.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)

@@ -4,38 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from math import hypot
-from typing import TYPE_CHECKING
 
 from ....frozen import EMPTY, changed, frozen
 from ....stdlib.builtins.facts import UNKNOWN, Fact
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.fixes import fix_it
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
-from ...ir.leaves import Attribute, Parameter, Step
+from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ANGLE, Meaning
 from ...ir.node import Node
 from ...ir.shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
+from ...ir.stages import INSTANCES, VERTICES
 from ...ir.types import FLOAT, INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
 from ...layout import STANDARD_GROUPS
 from ...syntax import ast
-from ...trampoline import run
-from ..hints.wording import quoted
+from ...syntax.quoting import quoted
 from ..inheritance.inherited import leaf_definitions
 from ..inheritance.records import Definition, Record
+from ..state.context import Context
+from ..state.evaluation import node_of
 from ..state.scope import Failure, Scope
 from ..types.meaning_rules import weakened
 from ..types.typenames import Declared
-from .contracts import needs_unit
+from .contracts import as_declared, needs_unit
 from .maps import resource, unknown_word
 from .written_types import declared_type, named_struct
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 DEFAULT_GROUPS: Mapping[str, str] = {"material": "material", "light": "rig", "pass": "frame"}
 """The group of a parameter that names none, by what declares it."""
 
-STEPS = ("vertex", "instance")
+STEPS = (VERTICES, INSTANCES)
 """What an attribute can be declared ``per``; the first is the default."""
 
 
@@ -49,7 +48,7 @@ class Leaves:
 
 
 def leaves_of(
-    low: Lowering, record: Record, prefix: str = "", given: Mapping[str, Definition] = EMPTY
+    ctx: Context, record: Record, prefix: str = "", given: Mapping[str, Definition] = EMPTY
 ) -> Leaves:
     """The parameters, textures and vertex inputs that instances of ``record`` read.
 
@@ -57,7 +56,7 @@ def leaves_of(
     equation builds on it.
     """
     found = [
-        _LEAVES_OF[type(definition.member)](low, definition, prefix + name)
+        _LEAVES_OF[type(definition.member)](ctx, definition, prefix + name)
         for name, definition in leaf_definitions(record, given)
     ]
     return Leaves(
@@ -67,23 +66,23 @@ def leaves_of(
     )
 
 
-def _of_param(low: Lowering, definition: Definition, name: str) -> Leaves:
-    info = parameter_of(low, definition, name)
+def _of_param(ctx: Context, definition: Definition, name: str) -> Leaves:
+    info = parameter_of(ctx, definition, name)
     return Leaves() if info is None else Leaves(parameters=(info,))
 
 
-def _of_map(low: Lowering, definition: Definition, name: str) -> Leaves:
+def _of_map(ctx: Context, definition: Definition, name: str) -> Leaves:
     member = definition.member
     assert isinstance(member, ast.Map)
-    info = resource(low, definition, name, _group(low, definition, member.group))
+    info = resource(ctx, definition, name, _group(ctx, definition, member.group))
     return Leaves() if info is None else Leaves(resources=(info,))
 
 
-def _of_attribute(low: Lowering, definition: Definition, name: str) -> Leaves:
-    return Leaves(attributes=tuple(_attribute(low, definition, name)))
+def _of_attribute(ctx: Context, definition: Definition, name: str) -> Leaves:
+    return Leaves(attributes=tuple(_attribute(ctx, definition, name)))
 
 
-_LEAVES_OF: Mapping[type, Callable[[Lowering, Definition, str], Leaves]] = {
+_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
     ast.Param: _of_param,
     ast.Map: _of_map,
     ast.Attribute: _of_attribute,
@@ -92,35 +91,40 @@ _LEAVES_OF: Mapping[type, Callable[[Lowering, Definition, str], Leaves]] = {
 kind whose contribution is a parameter, a resource or an attribute."""
 
 
-def _group(low: Lowering, definition: Definition, named: ast.Name | None) -> str:
+def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:
     if named is None:
         declaration = definition.owner.declaration
         assert isinstance(declaration, ast.Record | ast.Mixin)
         return DEFAULT_GROUPS[declaration.kind]
-    if named.text not in STANDARD_GROUPS and (hint := suggestion(named.text, STANDARD_GROUPS)):
-        low.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
+    if named.text not in STANDARD_GROUPS and (
+        hint := respelling(named.text, named.span, STANDARD_GROUPS)
+    ):
+        ctx.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
     return named.text
 
 
-def parameter_of(low: Lowering, definition: Definition, name: str) -> ParameterInfo | None:
+def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterInfo | None:
     """What a ``param`` declares, as a leaf called ``name``; ``None`` after reporting."""
     member = definition.member
     assert isinstance(member, ast.Param)
     module = definition.owner.module
-    declared = declared_type(low, member.type, module)
+    declared = declared_type(ctx, member.type, module)
     if declared is None:
         return None
     if isinstance(declared.type, Texture):
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_TYPE, member.type.span, expected="a value", found=declared.text,
-            hint=f"declare a texture with `map {member.name.text} : {declared.text}`",
+            hint=fix_it(
+                f"declare a texture with `map {member.name.text} : {declared.text}`",
+                (Span(member.span.source, member.span.start, member.name.span.start), "map "),
+            ),
         )  # fmt: skip
         return None
-    limits = _range(low, member, definition, declared)
+    limits = _range(ctx, member, definition, declared)
     fact = declared.fact if limits is None else Fact(*limits)
-    default = _default(low, member, definition, declared, limits)
+    default = _default(ctx, member, definition, declared, limits)
     parameter = Parameter(
-        name, declared.type, _group(low, definition, member.group), fact,
+        name, declared.type, _group(ctx, definition, member.group), fact,
         tuple((short, part.fact) for short, part in declared.members), meaning=declared.meaning,
     )  # fmt: skip
     return ParameterInfo(
@@ -140,40 +144,40 @@ def _members(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
     )  # fmt: skip
 
 
-def limits_of(low: Lowering, definition: Definition) -> tuple[float, float] | None:
+def limits_of(ctx: Context, definition: Definition) -> tuple[float, float] | None:
     """The range that a ``param`` declares, if it does."""
     member = definition.member
     assert isinstance(member, ast.Param)
     if member.range is None:
         return None
-    declared = declared_type(low, member.type, definition.owner.module)
-    return None if declared is None else _range(low, member, definition, declared)
+    declared = declared_type(ctx, member.type, definition.owner.module)
+    return None if declared is None else _range(ctx, member, definition, declared)
 
 
 def _range(
-    low: Lowering, member: ast.Param, definition: Definition, declared: Declared
+    ctx: Context, member: ast.Param, definition: Definition, declared: Declared
 ) -> tuple[float, float] | None:
     if member.range is None:
         return None
     type_ = declared.type.element if isinstance(declared.type, Array) else declared.type
     if scalar_kind(type_) in (None, "bool") or not isinstance(type_, Scalar | Vector):
-        low.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text)
+        ctx.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text)
         return None
     limits = []
     for expression in member.range:
-        node = run(low.node(expression, Scope(definition.owner.module)))
+        node = node_of(ctx, expression, Scope(definition.owner.module))
         if isinstance(node, Node) and not _is_number(node.type):
-            low.report.add(rules.WRONG_TYPE, expression.span, expected="a number", found=node.type)
+            ctx.report.add(rules.WRONG_TYPE, expression.span, expected="a number", found=node.type)
             return None
         if declared.meaning == ANGLE:
-            node = low.as_declared(node, changed(declared, type=FLOAT, text="angle"), expression)
-        limits.append(low.constants.number(node, expression.span))
+            node = as_declared(ctx, node, changed(declared, type=FLOAT, text="angle"), expression)
+        limits.append(ctx.constants.number(node, expression.span))
     lo, hi = limits
     if lo is None or hi is None:
         return None
     if lo > hi:
         span = member.range[0].span.to(member.range[1].span)
-        low.report.add(rules.EMPTY_RANGE, span, range=f"{lo:g}..{hi:g}")
+        ctx.report.add(rules.EMPTY_RANGE, span, range=f"{lo:g}..{hi:g}")
         return None
     return lo, hi
 
@@ -183,7 +187,7 @@ def _is_number(type_: Type) -> bool:
 
 
 def _default(
-    low: Lowering,
+    ctx: Context,
     member: ast.Param,
     definition: Definition,
     declared: Declared,
@@ -192,19 +196,19 @@ def _default(
     if member.default is None:
         return None
     scope = Scope(definition.owner.module)
-    node = run(low.node(member.default, scope))
+    node = node_of(ctx, member.default, scope)
     # A direction is brought to length one below.
-    node = low.as_declared(node, changed(declared, fact=UNKNOWN), member.default)
+    node = as_declared(ctx, node, changed(declared, fact=UNKNOWN), member.default)
     if isinstance(node, Failure):
         return None
-    value = low.constants.value(node, member.default.span)
+    value = ctx.constants.value(node, member.default.span)
     if value is None:
         return None
     if needs_unit(declared):
-        value = _unit(low, value, member.default)
+        value = _unit(ctx, value, member.default)
     if limits is not None and not is_within(value, *limits):
         shown = range_text(member, limits)
-        low.report.add(rules.OUT_OF_RANGE, member.default.span, value="this default", range=shown)
+        ctx.report.add(rules.OUT_OF_RANGE, member.default.span, value="this default", range=shown)
     return value
 
 
@@ -222,28 +226,28 @@ def is_within(value: Lanes | None, lo: float, hi: float) -> bool:
     return value is not None and lo <= value <= hi
 
 
-def _unit(low: Lowering, value: Lanes, written: ast.Expression) -> Lanes | None:
+def _unit(ctx: Context, value: Lanes, written: ast.Expression) -> Lanes | None:
     """A direction is kept at length one whatever was written."""
     assert isinstance(value, tuple)
     lanes = [float(lane) for lane in value if not isinstance(lane, tuple)]
     length = hypot(*lanes)
     if length < 1e-12:
-        low.report.add(rules.ZERO_DIRECTION, written.span)
+        ctx.report.add(rules.ZERO_DIRECTION, written.span)
         return None
     return tuple(lane / length for lane in lanes)
 
 
-def _attribute(low: Lowering, definition: Definition, name: str) -> list[AttributeInfo]:
+def _attribute(ctx: Context, definition: Definition, name: str) -> list[AttributeInfo]:
     """A vertex input; for a matrix one for each column, as no API has more than vectors."""
     member = definition.member
     assert isinstance(member, ast.Attribute)
-    declared = declared_type(low, member.type, definition.owner.module)
+    declared = declared_type(ctx, member.type, definition.owner.module)
     if declared is None:
         return []
     type_, doc, span = declared.type, member.doc, member.name.span
     if member.rate is not None and member.rate.text not in STEPS:
-        unknown_word(low, "step", member.rate, STEPS)
-    step: Step = "instance" if member.rate and member.rate.text == "instance" else "vertex"
+        unknown_word(ctx, "step", member.rate, STEPS)
+    step = INSTANCES if member.rate and member.rate.text == INSTANCES else VERTICES
     if isinstance(type_, Matrix):
         column = Vector("float", type_.size)
         return [
@@ -251,17 +255,17 @@ def _attribute(low: Lowering, definition: Definition, name: str) -> list[Attribu
             for i in range(type_.size)
         ]
     if not isinstance(type_, Scalar | Vector) or scalar_kind(type_) == "bool":
-        low.report.add(rules.CANNOT_CROSS, member.type.span, type=declared.text)
+        ctx.report.add(rules.CANNOT_CROSS, member.type.span, type=declared.text)
         return []
     attribute = Attribute(name, type_, step, weakened(declared.meaning))
     return [AttributeInfo(attribute, declared.text, doc, span)]
 
 
-def as_array(low: Lowering, name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,
+def as_array(ctx: Context, name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,
              group: str) -> ParameterInfo:  # fmt: skip
     """The parameters of ``count`` lights of one type as one array of structs."""
     members = tuple((info.parameter.name.rpartition(".")[2], info) for info in infos)
-    struct = named_struct(low, light, tuple((short, i.parameter.type) for short, i in members))
+    struct = named_struct(ctx, light, tuple((short, i.parameter.type) for short, i in members))
     facts = tuple((short, info.parameter.fact) for short, info in members)
     meanings = tuple((short, info.parameter.meaning) for short, info in members)
     meaning = Meaning("struct", members=meanings)

@@ -6,16 +6,13 @@ Every slot declared as a ``transform`` or ``basis`` leads from its first space t
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from ....frozen import frozen
 from ...ir.meaning import GEOMETRY, MAPS, Meaning
+from ..state.context import Context
 from ..state.scope import Instance, Scope
 from ..types.typenames import HOMOGENEOUS, NAMED
 from .written_types import declared_type
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 
 @frozen
@@ -33,10 +30,10 @@ class Way:
         return self.meaning.spaces[::-1] if self.back else self.meaning.spaces
 
 
-def transforms(low: Lowering, scope: Scope) -> Iterator[Way]:
+def transforms(ctx: Context, scope: Scope) -> Iterator[Way]:
     """The transforms that an expression could name, the nearest first."""
     seen: list[Instance] = []
-    passing = low.passing if scope.surface is not None else None
+    passing = ctx.passing if scope.surface is not None else None
     for instance in (scope.instance, scope.surface, passing):
         if instance is None or instance in seen:
             continue
@@ -48,7 +45,7 @@ def transforms(low: Lowering, scope: Scope) -> Iterator[Way]:
             named = NAMED.get(typing.member.type.name.text)
             if named is None or named.meaning not in MAPS:
                 continue
-            declared = declared_type(low, typing.member.type, typing.owner.module)
+            declared = declared_type(ctx, typing.member.type, typing.owner.module)
             if declared is not None and declared.meaning is not None:
                 yield Way(instance, name, declared.meaning)
 
@@ -60,9 +57,9 @@ def _leads(way: Way, kind: str) -> bool:
     return HOMOGENEOUS not in way.ends
 
 
-def path(low: Lowering, meaning: Meaning, space: str, scope: Scope) -> list[Way] | None:
+def path(ctx: Context, meaning: Meaning, space: str, scope: Scope) -> list[Way] | None:
     """The shortest way into a space, backwards along a transform only where there is no other."""
-    forth = list(transforms(low, scope))
+    forth = list(transforms(ctx, scope))
     back = [Way(way.instance, way.name, way.meaning, back=True) for way in forth]
     for ways in (forth, forth + back):
         usable = [way for way in ways if _leads(way, meaning.kind)]
@@ -86,8 +83,6 @@ def _shortest(ways: list[Way], start: str, end: str) -> list[Way] | None:
     return reached.get(end)
 
 
-def offered(low: Lowering, meaning: Meaning, space: str, text: str, scope: Scope) -> str:
-    """How a value is brought into a space; empty where no way leads there."""
-    if meaning.kind not in GEOMETRY or path(low, meaning, space, scope) is None:
-        return ""
-    return f"`{text} in {space}`"
+def is_offered(ctx: Context, meaning: Meaning, space: str, scope: Scope) -> bool:
+    """Whether `value in space` brings a value with this meaning into a space."""
+    return meaning.kind in GEOMETRY and path(ctx, meaning, space, scope) is not None

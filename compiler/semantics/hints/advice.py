@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 from ....stdlib.builtins import BUILTINS
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.fixes import Hint, either, fix_it, write
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir.node import Node, bare
 from ...ir.types import Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ...syntax import ast
+from ...syntax.quoting import LONGEST, counted, spanned
+from ...syntax.rewriting import rewritten
+from ..names.modules import Symbol
+from ..state.scope import RigEntry, Scope
 from ..types.typenames import NAMED
-from .wording import counted, operand, spanned
-
-if TYPE_CHECKING:
-    from ..names.modules import Symbol
-    from ..state.scope import RigEntry, Scope
 
 _FEW = 8
 """As many names can be listed."""
@@ -27,33 +27,38 @@ _LANES = "xyzw"
 _COLORS = "rgba"
 
 
-def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> str:
+def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> Hint:
     """How to make the value at ``span``, whose type is not the wanted one, fit."""
-    text, tight = spanned(span), operand(span)
+    text = spanned(span)
     match found, wanted:
         case Texture(), _:
             return "" if isinstance(wanted, Texture) else READ
         case _, Texture():
             return "what is read from a texture needs a slot with a name of its own"
         case Vector(kind="bool"), Scalar(kind="bool"):
-            one = f"`all({text})` or `any({text})` makes one truth"
-            return f"{one}; `choose(c, x, y)` chooses in each lane"
+            one = f"`all({text})` or `any({text})` makes one bool"
+            said = f"{one}; `choose(c, x, y)` chooses in each lane"
+            return either(said, span, f"all({span.text})", f"any({span.text})")
         case _, Scalar(kind="bool"):
-            return "a truth is a comparison, as in `x > 0`"
+            return "a comparison makes a bool, as in `x > 0`"
         case Scalar(), Vector():
-            return f"write `{wanted}({text})` for equal lanes"
+            return rewritten(span, f"{wanted}({{text}})", "write `{}` for equal lanes")
         case Scalar(kind="float"), Scalar(kind="int" | "uint") if _is_literal(text):
             whole = f"{float(text):.0f}"
-            return f"write `{whole}`" if float(text) == float(whole) else "it is a whole number"
+            is_whole = float(text) == float(whole)
+            return write(span, whole) if is_whole else "it has to be a whole number"
         case Scalar(), Scalar():
-            return f"write `{wanted}({text})`"
+            return rewritten(span, f"{wanted}({{text}})")
         case Array(), Vector():
             lanes = ", ".join(_LANES[: wanted.size])
-            return f"brackets make an array; a vector is `{wanted}({lanes})`"
+            said = f"brackets make an array; a vector is `{wanted}({lanes})`"
+            elements = span.text.removeprefix("[").removesuffix("]")
+            is_literal = span.text == f"[{elements}]" and found.count == wanted.size
+            return fix_it(said, (span, f"{wanted}({elements})")) if is_literal else said
         case Array(), Array() if found.element == wanted.element:
             return f"{counted(found.count, 'element')} here: write them all, or `{found}`"
         case Vector(), Scalar() | Vector():
-            return _of_lanes(found, wanted, declared, text, tight)
+            return _of_lanes(found, wanted, declared, span)
     return ""
 
 
@@ -62,38 +67,52 @@ def _is_literal(text: str) -> bool:
     return text.replace(".", "", 1).isdecimal()
 
 
-def cut_quotient(operands: Iterable[Node]) -> str:
-    """About a quotient of two whole literals, ``1 / 3``, where a float is wanted."""
-    for node in map(bare, operands):
+_WHOLE_QUOTIENT = re.compile(r"([0-9]+)\s*/\s*[0-9]+")
+
+
+def cut_quotient(operands: Iterable[Node], places: Sequence[Span] = ()) -> Hint:
+    """About a quotient of two whole literals, ``1 / 3``, where a float is wanted.
+
+    ``places`` are those of the operands, if they are known.
+    """
+    for number, node in enumerate(map(bare, operands)):
         if node.op != "call" or node.data != "div" or scalar_kind(node.type) != "int":
             continue
         x, y = (bare(part).data for part in node.operands)
         if isinstance(x, int) and isinstance(y, int):
-            return f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
+            said = f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
+            span = places[number] if number < len(places) else None
+            written = None if span is None else _WHOLE_QUOTIENT.fullmatch(span.text)
+            if span is None or written is None:
+                return said
+            place = span.start + written.end(1)
+            return fix_it(said, (Span(span.source, place, place), ".0"))
     return ""
 
 
-def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, text: str, tight: str) -> str:
+def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, span: Span) -> Hint:
     if scalar_kind(wanted) != found.kind:
-        return f"write `{wanted}({text})`" if width(wanted) == found.size else ""
+        is_as_wide = width(wanted) == found.size
+        return rewritten(span, f"{wanted}({{text}})") if is_as_wide else ""
     if isinstance(wanted, Scalar):
-        return f"read one lane, as in `{tight}.x`"
+        return rewritten(span, "{operand}.x", "read one lane, as in `{}`")
     if wanted.size < found.size:
         letters = _COLORS if declared.startswith("rgb") else _LANES
-        return f"read {wanted.size} lanes: `{tight}.{letters[: wanted.size]}`"
+        lanes = f"read {wanted.size} lanes: `{{}}`"
+        return rewritten(span, f"{{operand}}.{letters[: wanted.size]}", lanes)
     filled = "".join((", 0", ", 0", ", 0", ", 1")[found.size : wanted.size])
-    return f"say what the other lanes are: `{wanted}({text}{filled})`"
+    return rewritten(span, f"{wanted}({{text}}{filled})", "say what the other lanes are: `{}`")
 
 
 def joined_types(operator: str, left: Type, right: Type) -> str:
-    """How to mend an operator between truths and numbers, or a vector in front of a matrix."""
+    """How to mend an operator between bools and numbers, or a vector in front of a matrix."""
     kinds = [scalar_kind(type_) for type_ in (left, right) if isinstance(type_, Scalar | Vector)]
     if isinstance(left, Texture) or isinstance(right, Texture):
         return READ
     if operator in ("and", "or"):
-        return "`and` and `or` join truths: a comparison, as in `x > 0`, makes one of a number"
+        return "`and` and `or` take bools: compare the number first, as in `x > 0`"
     if len(kinds) == 2 and "bool" in kinds and kinds != ["bool", "bool"]:
-        return "`float(…)` makes 0 or 1 of a truth"
+        return "`float(…)` makes 0 or 1 of a bool"
     if isinstance(left, Vector) and isinstance(right, Matrix):
         return "vectors are columns: the matrix stands first, `m * v`"
     return ""
@@ -110,14 +129,17 @@ def is_read(name: str) -> bool:
     return any(row.method == name for row in BUILTINS.values())
 
 
-def missing_member(type_: Type, name: str) -> str:
-    """What to write in place of ``v.name``, which there is not."""
+def missing_member(type_: Type, name: str, whole: Span) -> Hint:
+    """What to write in place of ``v.name``, which there is not; it stands at ``whole``."""
     if isinstance(type_, Texture):
         return f"reads are called: `{name}(…)`" if is_read(name) else READ
     if isinstance(type_, Array):
         return "elements are read by their number, `a[i]`; the length is that of the declared type"
     if _is_called(name):
-        return f"functions are called with what they are of: `{name}(…)`"
+        value = whole.text.rpartition(".")[0].rstrip()
+        shown = value if len(value) <= LONGEST and "\n" not in value else "…"
+        said = f"`{name}` is a function: write `{name}({shown})`"
+        return fix_it(said, _as_function(name, value, whole))
     if isinstance(type_, Matrix):
         return "columns are read by their number, `m[i]`, and rows of them behind that, `m[i][j]`"
     if isinstance(type_, Scalar):
@@ -127,10 +149,22 @@ def missing_member(type_: Type, name: str) -> str:
     return f"{names}: up to four of them, and not mixed" if lanes else ""
 
 
-def nearest_or_all(name: str, known: Iterable[str]) -> str:
-    """The nearest of the known names, or all, where they are few."""
+_ARGUMENTS = re.compile(r"\s*\(\s*(\)?)")
+
+
+def _as_function(name: str, value: str, whole: Span) -> tuple[Span, str]:
+    """The edit from ``v.name``, ``v.name()`` or ``v.name(a)`` to ``name(v)`` or ``name(v, a)``."""
+    behind = _ARGUMENTS.match(whole.source.text, whole.end)
+    if behind is None:
+        return whole, f"{name}({value})"
+    span = Span(whole.source, whole.start, behind.end())
+    return span, f"{name}({value}" + (")" if behind[1] else ", ")
+
+
+def nearest_or_all(name: str, span: Span, known: Iterable[str]) -> Hint:
+    """The nearest of the known names to the one at ``span``, or all, where they are few."""
     names = list(dict.fromkeys(known))
-    hint = suggestion(name, names)
+    hint = respelling(name, span, names)
     if hint or not 0 < len(names) <= _FEW:
         return hint
     return f"there is {', '.join(f'`{each}`' for each in names)}"

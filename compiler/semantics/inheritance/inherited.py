@@ -7,12 +7,9 @@ happens to read.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from ...syntax import ast
-
-if TYPE_CHECKING:
-    from .records import Definition, Record
+from .records import Definition, Record
 
 LEAVES = tuple(
     kind.node for kind in ast.KINDS if kind.contribution in ("parameter", "resource", "attribute")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from ....frozen import changed
 from ...diagnostics import rules
@@ -10,29 +10,28 @@ from ...diagnostics.diagnostic import Label
 from ...ir.node import Node
 from ...ir.types import Array, Texture, Type
 from ...syntax import ast
-from ...trampoline import Step
+from ...syntax.quoting import counted
+from ..declarations.contracts import as_declared
 from ..declarations.written_types import struct_of
-from ..hints.wording import counted
 from ..names.modules import Symbol
+from ..state.context import Context
+from ..state.evaluation import plain
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types.coercion import coerce
-from . import combinations
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+from .combinations import checked
 
 LONGEST = 4096
 """Elements of an array."""
 
 
-def structure(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call) -> Value:
+def structure(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call) -> Value:
     """A structure from its members, in the order of their declaration."""
-    declared = struct_of(low, symbol)
+    declared = struct_of(ctx, symbol)
     if declared is None:
         return FAILURE
     members = declared.members
     if len(arguments) != len(members):
-        low.report.add(
+        ctx.report.add(
             rules.MEMBER_COUNT, e.span, name=symbol.name, found=counted(len(arguments), "value"),
             members=", ".join(f"{name}: {member.text}" for name, member in members),
             labels=[Label(symbol.declaration.name.span, "declared here")],
@@ -42,51 +41,47 @@ def structure(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast
     failed = False
     for (name, member), given, written in zip(members, arguments, e.arguments, strict=True):
         wanted = changed(member, text=f"{member.text} for `{name}`")
-        part = low.as_declared(given, wanted, written)
+        part = as_declared(ctx, given, wanted, written)
         if isinstance(part, Failure):
             failed = True
         else:
             parts.append(part)
-    return FAILURE if failed else low.graph.node("struct", declared.type, tuple(parts))
+    return FAILURE if failed else ctx.graph.node("struct", declared.type, tuple(parts))
 
 
-def array(low: Lowering, e: ast.Array, scope: Scope) -> Step[Value]:
+def array(ctx: Context, e: ast.Array, operands: Sequence[Value], scope: Scope) -> Value:
     """``[a, b, c]``: elements of one type, to which constants among them adapt."""
-    elements: list[Node] = []
-    failed = False
-    for written in e.elements:
-        element = yield low.node(written, scope)
-        failed = failed or isinstance(element, Failure)
-        elements.append(element)
-    if failed:
+    values = (plain(ctx, value, part) for value, part in zip(operands, e.elements, strict=True))
+    elements = [element for element in values if isinstance(element, Node)]
+    if len(elements) < len(operands):
         return FAILURE
     if len(elements) > LONGEST:
-        low.report.add(rules.BAD_COUNT, e.span, count=len(elements))
+        ctx.report.add(rules.BAD_COUNT, e.span, count=len(elements))
         return FAILURE
     for element, written in zip(elements, e.elements, strict=True):
         if isinstance(element.type, Texture):
-            low.report.add(
+            ctx.report.add(
                 rules.WRONG_TYPE, written.span, expected="a value", found=element.type,
                 hint="textures cannot be elements: gather what is read of them",
             )  # fmt: skip
             return FAILURE
     types: dict[Type, None] = dict.fromkeys(element.type for element in elements)
     for type_ in types:
-        fitted = [coerce(low.graph, element, type_) for element in elements]
+        fitted = [coerce(ctx.graph, element, type_) for element in elements]
         if all(fitted):
             parts = tuple(part for part in fitted if part is not None)
-            whole = low.graph.node("array", Array(type_, len(parts)), parts)
-            return combinations.checked(low, whole, "[…]", e.span, e.elements, scope)
-    _report_odd(low, e, elements)
+            whole = ctx.graph.node("array", Array(type_, len(parts)), parts)
+            return checked(ctx, whole, "[…]", e.span, e.elements, scope)
+    _report_odd(ctx, e, elements)
     return FAILURE
 
 
-def _report_odd(low: Lowering, e: ast.Array, elements: list[Node]) -> None:
+def _report_odd(ctx: Context, e: ast.Array, elements: list[Node]) -> None:
     """Say which element is not like the first."""
     first = elements[0]
     for element, written in zip(elements, e.elements, strict=True):
-        if coerce(low.graph, element, first.type) is None:
-            low.report.add(
+        if coerce(ctx.graph, element, first.type) is None:
+            ctx.report.add(
                 rules.ELEMENTS_DIFFER, written.span, first=first.type, found=element.type,
                 labels=[Label(e.elements[0].span, f"this is `{first.type}`")],
             )  # fmt: skip

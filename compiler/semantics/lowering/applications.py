@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from functools import partial
 
 from ....frozen import changed
 from ...diagnostics import rules
@@ -10,42 +10,41 @@ from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
-from ...trampoline import Reply, Step
+from ...syntax.quoting import counted
 from ..declarations import contracts
-from ..declarations.written_types import declared_type, numbers_of
-from ..hints.wording import counted
+from ..declarations.contracts import as_declared
+from ..declarations.written_types import declared_type
 from ..names.modules import Symbol
+from ..state.context import Context
 from ..state.scope import FAILURE, Application, Failure, Instance, Scope, Value
 from ..types.coercion import coerce
 from ..types.generics import shown, unfounded, untold
-from . import lights, lookup
+from . import lights
+from .bodies import settle_body
 from .call_marks import marked
-from .functions import bound, entered, fit_result, usage
+from .functions import bound, fit_result, may_enter, scope_of_body, usage
 from .operands import listed
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 
 def apply_best(
-    low: Lowering,
+    ctx: Context,
     overloaded: list[Symbol],
     arguments: tuple[Node, ...],
     e: ast.Call,
     scope: Scope,
-) -> Reply[Value]:
+) -> Value:
     """The value of a call of whichever of these functions takes the arguments best."""
-    symbol = overloaded[0] if len(overloaded) == 1 else best(low, overloaded, arguments)
+    symbol = overloaded[0] if len(overloaded) == 1 else best(ctx, overloaded, arguments)
     if symbol is not None:
-        return _apply(low, symbol, arguments, e, scope)
-    low.report.add(
+        return _apply(ctx, symbol, arguments, e, scope)
+    ctx.report.add(
         rules.NO_OVERLOAD, e.span, name=overloaded[0].name, arguments=listed(arguments),
         labels=[Label(s.declaration.name.span, "a candidate") for s in overloaded],
     )  # fmt: skip
     return FAILURE
 
 
-def best(low: Lowering, overloaded: list[Symbol], arguments: tuple[Node, ...]) -> Symbol | None:
+def best(ctx: Context, overloaded: list[Symbol], arguments: tuple[Node, ...]) -> Symbol | None:
     """The overload that takes the arguments most nearly as they are.
 
     What need not adapt comes before what must, concrete types before type parameters, and then the
@@ -53,7 +52,7 @@ def best(low: Lowering, overloaded: list[Symbol], arguments: tuple[Node, ...]) -
     """
     ranked: list[tuple[bool, bool, int]] = []
     for number, symbol in enumerate(overloaded):
-        adapts = accepts(low, symbol, arguments)
+        adapts = accepts(ctx, symbol, arguments)
         function = symbol.declaration
         assert isinstance(function, ast.Function)
         if adapts is not None:
@@ -61,7 +60,7 @@ def best(low: Lowering, overloaded: list[Symbol], arguments: tuple[Node, ...]) -
     return overloaded[min(ranked)[2]] if ranked else None
 
 
-def accepts(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...]) -> bool | None:
+def accepts(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...]) -> bool | None:
     """Whether an overload takes these arguments only if one adapts; ``None`` if not at all.
 
     Reports nothing.
@@ -70,15 +69,15 @@ def accepts(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...]) -> bool 
     assert isinstance(function, ast.Function)
     if len(function.arguments) != len(arguments):
         return None
-    variables = bound(low, function, arguments)
+    variables = bound(ctx, function, arguments)
     if variables is None:
         return None
     adapts = False
     for formal, argument in zip(function.arguments, arguments, strict=True):
-        wanted = declared_type(low, formal.type, symbol.module, variables)
+        wanted = declared_type(ctx, formal.type, symbol.module, variables)
         generic = formal.type.name.text in variables
         fits = (
-            None if wanted is None else contracts.adapts(low, argument, wanted, broadcast=generic)
+            None if wanted is None else contracts.adapts(ctx, argument, wanted, broadcast=generic)
         )
         if fits is None:
             return None
@@ -87,52 +86,52 @@ def accepts(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...]) -> bool 
 
 
 def _apply(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
-) -> Reply[Value]:
+    ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+) -> Value:
     function = symbol.declaration
     assert isinstance(function, ast.Function)
-    fitted = _fit_arguments(low, symbol, arguments, e, scope)
+    fitted = _fit_arguments(ctx, symbol, arguments, e, scope)
     if fitted is None:
         return FAILURE
     if function.per is not None:
-        return lights.per_light(low, symbol, fitted, e.span, scope)
+        return lights.per_light(ctx, symbol, fitted, e.span, scope)
     surface = scope.surface if function.kind == "term" else None
     if function.kind == "term" and surface is None:
-        low.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name=symbol.name)
+        ctx.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name=symbol.name)
         return FAILURE
-    return apply_body(low, symbol, fitted, e.span, surface)
+    return apply_body(ctx, symbol, fitted, e.span, surface)
 
 
 def _fit_arguments(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+    ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
 ) -> tuple[Node, ...] | None:
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     if len(arguments) != len(function.arguments):
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_COUNT, e.span, name=symbol.name,
             expected=counted(len(function.arguments), "argument"), found=len(arguments),
             labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
         )  # fmt: skip
         return None
-    variables = bound(low, function, arguments)
+    variables = bound(ctx, function, arguments)
     if variables is None and (untold(function) or unfounded(function)):  # Which is reported.
         return None
     if variables is None:
-        low.report.add(
+        ctx.report.add(
             rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments),
             labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
         )  # fmt: skip
         return None
     fitted = []
     for formal, argument, written in zip(function.arguments, arguments, e.arguments, strict=True):
-        wanted = declared_type(low, formal.type, symbol.module, variables)
+        wanted = declared_type(ctx, formal.type, symbol.module, variables)
         if wanted is None:
             return None
         wanted = changed(wanted, text=f"{wanted.text} for `{formal.name.text}`")
         generic = formal.type.name.text in variables
-        broadcast = coerce(low.graph, argument, wanted.type, broadcast=generic)
-        node = low.as_declared(broadcast or argument, wanted, written, scope)
+        broadcast = coerce(ctx.graph, argument, wanted.type, broadcast=generic)
+        node = as_declared(ctx, broadcast or argument, wanted, written, scope)
         if isinstance(node, Failure):
             return None
         fitted.append(node)
@@ -140,66 +139,61 @@ def _fit_arguments(
 
 
 def apply_body(
-    low: Lowering,
+    ctx: Context,
     symbol: Symbol,
     arguments: tuple[Node, ...],
     span: Span,
     surface: Instance | None = None,
     use: str = "called here",
-) -> Reply[Node | Failure]:
+) -> Node | Failure:
     """A function's value for fitted arguments; the same call is lowered once.
 
     ``use`` is what messages about a generic body say of ``span``.
     """
-    key = (symbol, tuple(argument.id for argument in arguments), surface)
-    if key in low.applied:
-        return low.applied[key]
-    if not entered(low, symbol, span):
-        return FAILURE
-    return _new_application(low, key, arguments, span, use)
+    key: Application = (symbol, tuple(argument.id for argument in arguments), surface)
+    if key not in ctx.applied:
+        if not may_enter(ctx, symbol, span):
+            return FAILURE
+        scope = scope_of_body(ctx, symbol, arguments, surface)
+        in_use = Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
+        finish = partial(_finish, ctx, key, arguments, scope, ctx.report.count, in_use)
+        settle_body(ctx, symbol, span, scope, finish)
+    return ctx.applied[key]
 
 
-def _new_application(
-    low: Lowering, key: Application, arguments: tuple[Node, ...], span: Span, use: str
-) -> Step[Node | Failure]:
+def _finish(
+    ctx: Context,
+    key: Application,
+    arguments: tuple[Node, ...],
+    scope: Scope,
+    before: int,
+    in_use: Label,
+    result: Node | Failure,
+) -> None:
+    """Keep a body's value, marked as that of a call."""
     symbol, _, surface = key
-    function = symbol.declaration
-    assert isinstance(function, ast.Function)
-    locals_ = {
-        formal.name.text: argument
-        for formal, argument in zip(function.arguments, arguments, strict=True)
-    }
-    variables = bound(low, function, arguments) or {}
-    values = {**numbers_of(low, variables), **locals_}
-    scope = Scope(symbol.module, surface=surface, locals=values, variables=variables)
-    before = low.report.count
-    result: Node | Failure = yield lookup.body(low, function, scope)
-    result = fit_result(low, symbol, result, arguments)
-    if variables:
-        label = Label(span, f"in `{shown(symbol.name, variables)}`, {use}")
-        low.report.explain(before, label)
-    low.active.pop(symbol)
+    result = fit_result(ctx, symbol, result, arguments)
+    if scope.variables:
+        ctx.report.explain(before, in_use)
     if isinstance(result, Node) and result.operands:
-        low.notes.roles.setdefault(result.id, symbol.name)
+        ctx.notes.roles.setdefault(result.id, symbol.name)
         if surface is None:
-            result = marked(low, symbol, arguments, result)
-            low.notes.roles.setdefault(result.id, symbol.name)
-    low.applied[key] = result
-    return result
+            result = marked(ctx, symbol, arguments, result)
+            ctx.notes.roles.setdefault(result.id, symbol.name)
+    ctx.applied[key] = result
 
 
 def library_call(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span
-) -> Step[Node | Failure]:
+    ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], span: Span
+) -> Node | Failure:
     """A library function's value for arguments that it is known to take."""
     function = symbol.declaration
     assert isinstance(function, ast.Function)
-    variables = bound(low, function, arguments)
+    variables = bound(ctx, function, arguments)
     assert variables is not None
     fitted = []
     for formal, argument in zip(function.arguments, arguments, strict=True):
-        declared = declared_type(low, formal.type, symbol.module, variables)
+        declared = declared_type(ctx, formal.type, symbol.module, variables)
         assert declared is not None
-        fitted.append(low.meanings.ascribed(argument, declared.meaning))
-    result: Node | Failure = yield apply_body(low, symbol, tuple(fitted), span)
-    return result
+        fitted.append(ctx.meanings.ascribed(argument, declared.meaning))
+    return apply_body(ctx, symbol, tuple(fitted), span)

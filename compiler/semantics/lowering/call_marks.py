@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 from ....frozen import frozen
 from ...ir import build
@@ -10,9 +10,7 @@ from ...ir.meaning import Meaning
 from ...ir.node import Node, bare
 from ...ir.types import Array, Matrix, Scalar, Struct, Texture, Type, Vector
 from ..names.modules import Symbol
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+from ..state.context import Context
 
 Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
 """What a body knows of an argument: its value, or what kind of value it is."""
@@ -26,7 +24,7 @@ class Callee:
     given: tuple[Given, ...]
 
 
-def marked(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], value: Node) -> Node:
+def marked(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], value: Node) -> Node:
     """``value`` as what a function gives for ``arguments``: a node ``called``."""
     if not isinstance(value.type, Scalar | Vector | Matrix) or not value.operands:
         return value
@@ -34,9 +32,9 @@ def marked(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], value: No
     parts: list[Node] = []
     for argument in arguments:
         if not _is_kept(argument):
-            given.append((argument.type, low.meanings.of(argument)))
+            given.append((argument.type, ctx.meanings.of(argument)))
             whole = bare(argument) if isinstance(argument.type, Struct) else argument
-            parts += build.flattened(low.graph, whole)
+            parts += build.flattened(ctx.graph, whole)
         elif argument.variables:
             return value
         else:
@@ -44,7 +42,7 @@ def marked(low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], value: No
     if not parts:
         return value
     callee = Callee(symbol, tuple(given))
-    return low.graph.node("called", value.type, (value, *parts), callee)
+    return ctx.graph.node("called", value.type, (value, *parts), callee)
 
 
 def _is_kept(argument: Node) -> bool:

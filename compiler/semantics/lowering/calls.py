@@ -2,68 +2,88 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import re
+from collections.abc import Mapping, Sequence
+from itertools import takewhile
+from typing import TypeGuard
 
 from ....frozen import changed
 from ....stdlib.builtins import BUILTINS
+from ....stdlib.builtins.elsewhere import Instead
 from ...diagnostics import rules
+from ...diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
+from ...diagnostics.source import Span
 from ...ir.node import Node, bare
 from ...ir.types import TEXTURES, Texture
 from ...syntax import ast
-from ...trampoline import Reply, Step
+from ...syntax.rewriting import called_here
 from ..declarations import assignments
 from ..hints import advice
 from ..inheritance.records import Definition
 from ..names.duplicates import check_once
-from ..state.scope import FAILURE, Failure, Replacement, Scope, Value
+from ..state.context import Context
+from ..state.evaluation import plain
+from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Replacement, Scope, Value
 from . import lookup, textures
 from .aggregates import structure
 from .applications import apply_best
+from .builtin_calls import builtin_call
 from .constructors import construct, is_constructor
+from .members import member_of
+from .slots import slot
+from .unknown_names import is_declared, is_known, unknown, unknown_here
 
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+
+def operands_of_call(e: ast.Call, scope: Scope) -> list[ast.Expression]:
+    """What is evaluated before a call: its arguments, and a callee that is no mere name."""
+    operands = [a for a in e.arguments if not _is_sampler(e, a, scope)]
+    callee = e.callee
+    if isinstance(callee, ast.Field):
+        operands.append(callee.operand)
+    elif not isinstance(callee, ast.Reference):
+        operands.append(callee)
+    return operands
 
 
-def call(low: Lowering, e: ast.Call, scope: Scope) -> Step[Value]:
+def call(ctx: Context, e: ast.Call, operands: Sequence[Value], scope: Scope) -> Value:
     """``f(…)`` for every kind of f."""
-    arguments, failed = yield from _arguments(low, e, scope)
-    if isinstance(e.callee, ast.Reference):
-        result: Value = yield _named(low, e, e.callee, arguments, scope, failed)
-        return result
-    read: Value = yield _of_value(low, e, arguments, scope, failed)
-    return read
+    callee = e.callee
+    if isinstance(callee, ast.Reference):
+        arguments, failed = _arguments(ctx, e, operands, scope)
+        return _named(ctx, e, callee, arguments, scope, failed)
+    *given, owner = operands
+    arguments, failed = _arguments(ctx, e, given, scope)
+    if not isinstance(callee, ast.Field):
+        texture = plain(ctx, owner, callee)
+        return FAILURE if failed else textures.read(ctx, texture, arguments, e)
+    return _of_value(ctx, e, owner, callee, arguments, failed)
 
 
 def _of_value(
-    low: Lowering, e: ast.Call, arguments: tuple[Node, ...], scope: Scope, failed: bool
-) -> Step[Value]:
+    ctx: Context,
+    e: ast.Call,
+    owner: Value,
+    callee: ast.Field,
+    arguments: tuple[Node, ...],
+    failed: bool,
+) -> Value:
     """``x.read(…)`` or ``x.map(…)``: only textures are called that have no name of their own."""
-    if not isinstance(e.callee, ast.Field):
-        callee = yield low.node(e.callee, scope)
-        return FAILURE if failed else textures.read(low, callee, arguments, e)
-    owner = yield low.expression(e.callee.operand, scope)
     if isinstance(owner, Node) and isinstance(owner.type, Texture):
-        method = e.callee.name
-        if not textures.can_read(low, owner.type, method) or failed:
+        if not textures.can_read(ctx, owner.type, callee.name) or failed:
             return FAILURE
-        return textures.read(low, owner, arguments, e, method)
-    member = yield low.part(owner, e.callee.name)
-    return FAILURE if failed else textures.read(low, member, arguments, e)
+        return textures.read(ctx, owner, arguments, e, callee.name)
+    member = member_of(ctx, owner, callee)
+    return FAILURE if failed else textures.read(ctx, member, arguments, e)
 
 
-def _arguments(low: Lowering, e: ast.Call, scope: Scope) -> Step[tuple[tuple[Node, ...], bool]]:
-    """The values of a call's arguments, and whether one of them failed."""
-    arguments: list[Node] = []
-    failed = False
-    for argument in e.arguments:
-        if _is_sampler(e, argument, scope):
-            failed = True
-            continue
-        node = yield low.node(argument, scope)
-        failed = failed or isinstance(node, Failure)
-        arguments.append(node)
-    return tuple(arguments), failed
+def _arguments(
+    ctx: Context, e: ast.Call, values: Sequence[Value], scope: Scope
+) -> tuple[tuple[Node, ...], bool]:
+    """The values of a call's arguments as plain ones, and whether one of them failed."""
+    written = [a for a in e.arguments if not _is_sampler(e, a, scope)]
+    nodes = [plain(ctx, value, a) for value, a in zip(values, written, strict=True)]
+    arguments = tuple(node for node in nodes if isinstance(node, Node))
+    return arguments, len(arguments) < len(e.arguments)
 
 
 def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
@@ -71,7 +91,7 @@ def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
 
     There it may be a sampler; it is the read that is reported.
     """
-    if not isinstance(argument, ast.Reference) or lookup.is_known(scope, argument.name):
+    if not isinstance(argument, ast.Reference) or is_known(scope, argument.name):
         return False
     from ....stdlib.builtins.elsewhere import FUNCTIONS, METHODS
 
@@ -82,51 +102,43 @@ def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
 
 
 def _named(
-    low: Lowering,
+    ctx: Context,
     e: ast.Call,
     callee: ast.Reference,
     arguments: tuple[Node, ...],
     scope: Scope,
     failed: bool,
-) -> Reply[Value]:
+) -> Value:
     name = callee.name
     own = scope.instance is not None and _is_map(scope.instance.record.definitions.get(name))
     if own or name in scope.locals:
-        texture = lookup.value(low, name, callee.span, scope)
-        return _read(low, texture, arguments, e, failed)
+        texture = lookup.value(ctx, name, callee.span, scope)
+        return FAILURE if failed else textures.read(ctx, texture, arguments, e)
     symbols = scope.module.find(name)
     functions = [s for s in symbols if isinstance(s.declaration, ast.Function)]
     if functions:
-        return FAILURE if failed else apply_best(low, functions, arguments, e, scope)
+        return FAILURE if failed else apply_best(ctx, functions, arguments, e, scope)
     if symbols and isinstance(symbols[0].declaration, ast.StructDeclaration):
-        return FAILURE if failed else structure(low, symbols[0], arguments, e)
+        return FAILURE if failed else structure(ctx, symbols[0], arguments, e)
     if _is_built_in(name):
-        return FAILURE if failed else _built_in(low, name, arguments, e, scope)
+        return FAILURE if failed else _built_in(ctx, name, arguments, e, scope)
     surface = scope.surface
     if surface is not None and _is_map(surface.record.definitions.get(name)):
-        texture = lookup.slot(low, surface, name, callee.span)
-        return _read(low, texture, arguments, e, failed)
-    return _no_function(low, e, callee, scope, failed)
-
-
-def _read(
-    low: Lowering, named: Reply[Value], arguments: tuple[Node, ...], e: ast.Call, failed: bool
-) -> Step[Value]:
-    """``albedo(uv)``: a read of what is named."""
-    texture = yield named
-    return FAILURE if failed else textures.read(low, texture, arguments, e)
+        texture = slot(ctx, surface, name, callee.span)
+        return FAILURE if failed else textures.read(ctx, texture, arguments, e)
+    return _no_function(ctx, e, callee, scope, failed)
 
 
 def _no_function(
-    low: Lowering, e: ast.Call, callee: ast.Reference, scope: Scope, failed: bool
-) -> Step[Value]:
+    ctx: Context, e: ast.Call, callee: ast.Reference, scope: Scope, failed: bool
+) -> Failure:
     """A call of what cannot be called; if that is a slot, it may have failed by itself."""
     name = callee.name
     if scope.instance is not None and scope.instance.has(name):
-        known = yield lookup.slot(low, scope.instance, name, callee.span)
+        known = slot(ctx, scope.instance, name, callee.span)
         failed = failed or isinstance(known, Failure)
-    if not failed or not lookup.is_declared(scope, name):
-        _not_callable(low, name, e, scope)
+    if not failed or not is_declared(scope, name):
+        _not_callable(ctx, name, e, scope)
     return FAILURE
 
 
@@ -142,13 +154,13 @@ def _is_built_in(name: str) -> bool:
 
 
 def _built_in(
-    low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+    ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
 ) -> Value:
     if name == "unguarded":
-        return _unguarded(low, arguments, e)
+        return _unguarded(ctx, arguments, e)
     if is_constructor(name):
-        return construct(low, name, arguments, e)
-    return low.builtin(name, arguments, e.span, name, e.arguments, scope)
+        return construct(ctx, name, arguments, e)
+    return builtin_call(ctx, name, arguments, e.span, name, e.arguments, scope)
 
 
 _TEXTURE_NAMES = frozenset(map(str, TEXTURES))
@@ -163,50 +175,65 @@ def _is_map(definitions: tuple[Definition, ...] | None) -> bool:
     )
 
 
-def _not_callable(low: Lowering, name: str, e: ast.Call, scope: Scope) -> None:
+def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
     assert e.callee is not None
     span = e.callee.span
-    if lookup.is_declared(scope, name):
+    if is_declared(scope, name):
         symbols = scope.module.find(name)
         is_slot = scope.instance is not None and scope.instance.has(name)
-        hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
-        hint = hint or f"it is a value: `{name}`, or a product, `{name} * (…)`"
-        low.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
+        hint: Hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
+        if not hint:
+            place = Span(span.source, span.end, span.end)
+            said = f"it is a value: `{name}`, or a product, `{name} * (…)`"
+            product, alone = Edit(place, " * "), Edit(e.span, name)
+            hint = FixIt(said, (Fix((alone,)), Fix((product,))))
+        ctx.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
         return
     callables = {n for n in BUILTINS if n not in NOT_CALLED} | set(scope.module.visible())
     for instance in (scope.instance, scope.surface):
         if instance is not None:
             callables |= {n for n, d in instance.record.definitions.items() if _is_map(d)}
-    if hint := _elsewhere(name, e.arguments):
-        low.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
+    if hint := _elsewhere(name, e):
+        ctx.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
-    lookup.unknown_here(low, "function", name, span, sorted(callables), scope.module)
+    unknown_here(ctx, "function", name, span, sorted(callables), scope.module)
 
 
-def _elsewhere(name: str, arguments: tuple[ast.Expression, ...]) -> str:
+def _elsewhere(name: str, e: ast.Call) -> Hint:
     """What to write for a function or a constructor of another shading language."""
     from ....stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
 
     if name in FUNCTIONS:
-        instead, texture = FUNCTIONS[name], arguments[0] if arguments else None
-        return (
-            instead.hint_for(texture.name) if isinstance(texture, ast.Reference) else instead.hint
-        )
+        instead, texture = FUNCTIONS[name], e.arguments[0] if e.arguments else None
+        read = texture.name if isinstance(texture, ast.Reference) else ""
+        return _same_arguments(e, instead.hint_for(read) if read else instead.hint, instead)
     if name in KEYWORDS:
         return KEYWORDS[name]
     if advice.is_read(name):
         return f"it is a read of a texture, written `map.{name}(…)`"
-    return f"it is `{TYPES[name]}` here" if name in TYPES else ""
+    return called_here(name, e.callee.span, TYPES[name]) if name in TYPES else ""
 
 
-def _unguarded(low: Lowering, arguments: tuple[Node, ...], e: ast.Call) -> Value:
+_SAME = re.compile(r"(\w+)\((\w+(?:, \w+)*)\)")
+"""A call of one function with names for its arguments."""
+
+
+def _same_arguments(e: ast.Call, said: str, instead: Instead) -> Hint:
+    """A function of another language that takes the same arguments has its name changed."""
+    found = _SAME.fullmatch(instead.written[0]) if len(instead.written) == 1 else None
+    if found is None or len(found[2].split(", ")) != len(e.arguments) or instead.reason:
+        return said
+    return fix_it(said, (e.callee.span, found[1]))
+
+
+def _unguarded(ctx: Context, arguments: tuple[Node, ...], e: ast.Call) -> Value:
     """``unguarded(f(x))``: the outermost operation as the hardware does it."""
     if len(arguments) != 1 or bare(arguments[0]).op != "call":
-        low.report.add(rules.UNGUARDED, e.span)
+        ctx.report.add(rules.UNGUARDED, e.span)
         return FAILURE
     node = bare(arguments[0])
-    native = low.graph.node("native", node.type, node.operands, node.data)
-    return low.meanings.ascribed(native, low.meanings.of(arguments[0]))
+    native = ctx.graph.node("native", node.type, node.operands, node.data)
+    return ctx.meanings.ascribed(native, ctx.meanings.of(arguments[0]))
 
 
 # --- with ----------------------------------------------------------------------------------------
@@ -219,30 +246,59 @@ def _names_term(callee: ast.Expression | None, scope: Scope) -> bool:
     )
 
 
-def replaced(low: Lowering, e: ast.With, scope: Scope) -> Step[Value]:
+def operands_of_with(e: ast.With, scope: Scope) -> list[ast.Expression]:
+    """The new values of slots, and the arguments of the term; none where there is no surface."""
+    if scope.surface is None:
+        return []
+    operands = [expression for _, expression in _known_replacements(e, scope.surface)]
+    if len(operands) == len(e.replacements) and _is_call_of_term(e.operand, scope):
+        operands += operands_of_call(e.operand, scope)
+    return operands
+
+
+def _known_replacements(e: ast.With, surface: Instance) -> list[tuple[ast.Name, ast.Expression]]:
+    """The replacements up to one of a slot that the surface does not have."""
+    return list(takewhile(lambda replacement: surface.has(replacement[0].text), e.replacements))
+
+
+def _is_call_of_term(operand: ast.Expression, scope: Scope) -> TypeGuard[ast.Call]:
+    return isinstance(operand, ast.Call) and _names_term(operand.callee, scope)
+
+
+def replaced(ctx: Context, e: ast.With, operands: Sequence[Value], scope: Scope) -> Value:
     """``term(…) with { normal = coat }``: the surface's slots replaced while the term is shaded."""
     surface = scope.surface
     if surface is None:
-        low.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name="with")
+        ctx.report.add(rules.TERM_WITHOUT_SURFACE, e.span, name="with")
         return FAILURE
-    check_once(low.report, (name for name, _ in e.replacements))
-    given: dict[str, Replacement] = {}
-    for name, expression in e.replacements:
-        if not surface.has(name.text):
-            known = surface.record.definitions
-            lookup.unknown(low, f"slot of `{surface.record.name}`", name.text, name.span, known)
-            return FAILURE
-        node = yield low.node(expression, scope)
-        node = assignments.given(
-            low, surface.record, name.text, node, expression, scope, lookup.OUTERMOST
+    check_once(ctx.report, (name for name, _ in e.replacements))
+    known = _known_replacements(e, surface)
+    given: dict[str, Node | Failure] = {}
+    for (name, expression), value in zip(known, operands, strict=False):
+        node = plain(ctx, value, expression)
+        given[name.text] = assignments.assigned(
+            ctx, surface.record, name.text, node, expression, scope, OUTERMOST
         )
-        given[name.text] = Replacement(value=node)
-    term = e.operand.callee if isinstance(e.operand, ast.Call) else None
-    if not isinstance(e.operand, ast.Call) or not _names_term(term, scope):
-        low.report.add(rules.WITH_NEEDS_TERM, e.operand.span)
+    if len(known) < len(e.replacements):
+        name, _ = e.replacements[len(known)]
+        slots = surface.record.definitions
+        unknown(ctx, f"slot of `{surface.record.name}`", name.text, name.span, slots)
         return FAILURE
+    if not _is_call_of_term(e.operand, scope):
+        ctx.report.add(rules.WITH_NEEDS_TERM, e.operand.span)
+        return FAILURE
+    term = e.operand.callee
     assert isinstance(term, ast.Reference)
-    arguments, failed = yield from _arguments(low, e.operand, scope)
-    shaded = changed(scope, surface=surface.with_replaced(given))
-    result: Value = yield _named(low, e.operand, term, arguments, shaded, failed)
-    return result
+    arguments, failed = _arguments(ctx, e.operand, operands[len(known) :], scope)
+    shaded = changed(scope, surface=_shaded(ctx, surface, given))
+    return _named(ctx, e.operand, term, arguments, shaded, failed)
+
+
+def _shaded(ctx: Context, surface: Instance, given: Mapping[str, Node | Failure]) -> Instance:
+    """The surface with other values in some slots; the same values make the same surface."""
+    key = (surface, tuple(given.items()))
+    if key not in ctx.shaded:
+        ctx.shaded[key] = surface.with_replaced(
+            {name: Replacement(value=value) for name, value in given.items()}
+        )
+    return ctx.shaded[key]

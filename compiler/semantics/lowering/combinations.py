@@ -2,31 +2,28 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...diagnostics.fixes import FixIt, Hint
 from ...diagnostics.source import Span
 from ...ir.meaning import Meaning
 from ...ir.node import Node
 from ...syntax import ast
+from ...syntax.rewriting import rewritten
 from ..declarations import transform_paths
-from ..hints.wording import tight
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope
 from ..types.meaning_rules import Clash, chosen, gathered, side
 from ..types.meanings import combined
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 Written = tuple[ast.Expression, ...]
 
 
 def checked(
-    low: Lowering, node: Node, shown: str, span: Span, written: Written, scope: Scope | None
+    ctx: Context, node: Node, shown: str, span: Span, written: Written, scope: Scope | None
 ) -> Node | Failure:
     """A call or a choice, provided that it means something; otherwise a report of both sides."""
-    meanings = [low.meanings.of(operand) for operand in node.operands]
+    meanings = [ctx.meanings.of(operand) for operand in node.operands]
     if not any(meanings):
         return node
     if node.op == "select":
@@ -37,13 +34,13 @@ def checked(
     else:
         found = combined(node, meanings)
     if not isinstance(found, Clash):
-        low.meanings.keep(node, found)
+        ctx.meanings.keep(node, found)
         return node
-    return complain(low, found, meanings, shown, span, written, scope)
+    return complain(ctx, found, meanings, shown, span, written, scope)
 
 
 def complain(
-    low: Lowering,
+    ctx: Context,
     clash: Clash,
     meanings: list[Meaning | None],
     shown: str,
@@ -55,29 +52,31 @@ def complain(
     left, right = meanings[clash.left], meanings[clash.right]
     assert left is not None and right is not None
     places = sorted({clash.left, clash.right})
-    low.report.add(
+    ctx.report.add(
         clash.rule, span, operator=shown, left=left, right=right,
         labels=[Label(written[i].span, f"this is `{meanings[i]}`") for i in places if written],
-        hint=clash.hint or _hint(low, clash, left, right, written, scope),
+        hint=clash.hint or _hint(ctx, clash, left, right, written, scope),
     )  # fmt: skip
     return FAILURE
 
 
 def _hint(
-    low: Lowering,
+    ctx: Context,
     clash: Clash,
     left: Meaning,
     right: Meaning,
     written: Written,
     scope: Scope | None,
-) -> str:
+) -> Hint:
     if clash.rule is rules.NOT_OF_A_POINT:
         return "subtract the point that it is seen from; `vec3(p)` is its bare coordinates"
     if clash.rule is not rules.MIXED_SPACES or not written or scope is None:
         return ""
+    ways = ((left, right.spaces[0], clash.left), (right, left.spaces[0], clash.right))
     offers = [
-        transform_paths.offered(low, left, right.spaces[0], tight(written[clash.left]), scope),
-        transform_paths.offered(low, right, left.spaces[0], tight(written[clash.right]), scope),
+        rewritten(written[operand].span, f"{{operand}} in {space}", "`{}`")
+        for meaning, space, operand in ways
+        if transform_paths.is_offered(ctx, meaning, space, scope)
     ]
-    known = " or ".join(offer for offer in offers if offer)
-    return f"write {known}" if known else ""
+    known = " or ".join(offer.text for offer in offers)
+    return FixIt(f"write {known}", tuple(fix for o in offers for fix in o.fixes)) if known else ""

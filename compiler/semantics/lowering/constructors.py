@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ...diagnostics import rules
+from ...diagnostics.fixes import FixIt, Hint, fix_it
+from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.meaning import MAPS, Meaning
 from ...ir.node import Node
 from ...ir.types import Matrix, Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from ...syntax import ast
+from ...syntax.quoting import spanned
+from ...syntax.rewriting import rewritten, together
 from ..hints import advice
-from ..hints.wording import spanned
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from ..types.coercion import coerce, is_constant
 from ..types.typenames import NAMED
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 CONVERSIONS = {"float": "to_float", "int": "to_int", "uint": "to_uint"}
 
@@ -27,33 +26,33 @@ def is_constructor(name: str) -> bool:
     return name in NAMED and not isinstance(NAMED[name].representation, Texture)
 
 
-def construct(low: Lowering, name: str, arguments: tuple[Node, ...], e: ast.Call) -> Node | Failure:
+def construct(ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call) -> Node | Failure:
     """The value of calling type ``name``."""
     type_ = NAMED[name].representation
     result: Node | Failure | None = None
     match type_:
         case Scalar() if len(arguments) == 1:
-            result = _scalar(low, type_, arguments[0])
+            result = _scalar(ctx, type_, arguments[0])
         case Vector():
-            result = _vector(low, type_, arguments)
+            result = _vector(ctx, type_, arguments)
         case Matrix():
-            result = _matrix(low, type_, arguments)
+            result = _matrix(ctx, type_, arguments)
         case _:
             pass
     if result is None:
         found = ", ".join(str(argument.type) for argument in arguments)
         hint = _hint(name, type_, arguments, e.arguments)
-        low.report.add(rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=hint)
+        ctx.report.add(rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=hint)
         return FAILURE
     if isinstance(result, Failure):
         return FAILURE
-    return low.meanings.ascribed(result, _meaning(low, name, arguments))
+    return ctx.meanings.ascribed(result, _meaning(ctx, name, arguments))
 
 
-def _meaning(low: Lowering, name: str, arguments: tuple[Node, ...]) -> Meaning | None:
+def _meaning(ctx: Context, name: str, arguments: tuple[Node, ...]) -> Meaning | None:
     """What a type call makes of its numbers; the types of geometry name no space here."""
     named = NAMED[name]
-    source = low.meanings.of(arguments[0]) if len(arguments) == 1 else None
+    source = ctx.meanings.of(arguments[0]) if len(arguments) == 1 else None
     if name == "mat3" and source is not None and source.kind in MAPS:
         return Meaning("basis", source.spaces)
     return Meaning(named.meaning) if named.meaning is not None and not named.spaces else None
@@ -61,16 +60,20 @@ def _meaning(low: Lowering, name: str, arguments: tuple[Node, ...]) -> Meaning |
 
 def _hint(
     name: str, type_: Type, arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]
-) -> str:
+) -> Hint:
     sole = arguments[0].type if len(arguments) == 1 else None
-    if scalar_kind(type_) == "float" and (cut := advice.cut_quotient(arguments)):
+    if scalar_kind(type_) == "float" and (
+        cut := advice.cut_quotient(arguments, [expression.span for expression in written])
+    ):
         return cut
     match type_:
         case Vector(kind="float") if converted := _as_floats(arguments, written):
-            return f"lanes have one kind: write {converted}"
+            return together("lanes have one kind: write {}", converted)
         case Vector(kind="float", size=size) if isinstance(sole, Vector) and sole.size < size:
             filled = ", 0" * (size - sole.size)
-            return f"say what the other lanes are: `{name}({spanned(written[0].span)}{filled})`"
+            span, said = written[0].span, "say what the other lanes are: `{}`"
+            shown = said.format(f"{name}({spanned(span)}{filled})")
+            return fix_it(shown, (Span(span.source, span.end, span.end), filled))
         case Vector(kind=kind, size=size):
             return f"`{name}` takes {size} lanes in all, or one {kind} for every lane"
         case Matrix(size=size):
@@ -79,38 +82,37 @@ def _hint(
             return f"`{name}` takes one number"
 
 
-def _as_floats(arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]) -> str:
+def _as_floats(arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]) -> list[FixIt]:
     """The integers among the lanes of a vector as floats; literals are by themselves."""
-    edits = (
-        f"`{with_width('float', width(node.type))}({spanned(expression.span)})`"
+    return [
+        rewritten(expression.span, f"{with_width('float', width(node.type))}({{text}})", "`{}`")
         for node, expression in zip(arguments, written, strict=True)
         if scalar_kind(node.type) in ("int", "uint") and not is_constant(node)
-    )
-    return " and ".join(edits)
+    ]
 
 
-def _scalar(low: Lowering, type_: Scalar, argument: Node) -> Node | Failure | None:
+def _scalar(ctx: Context, type_: Scalar, argument: Node) -> Node | Failure | None:
     if not isinstance(argument.type, Scalar):
         return None
-    adapted = coerce(low.graph, argument, type_)
+    adapted = coerce(ctx.graph, argument, type_)
     if adapted is not None:
         return adapted
     if type_.kind == "bool":
-        zero = build.constant(low.graph, argument.type, 0.0 if argument.type.kind == "float" else 0)
-        return low.graph.node("call", type_, (argument, zero), "ne")
+        zero = build.constant(ctx.graph, argument.type, 0.0 if argument.type.kind == "float" else 0)
+        return ctx.graph.node("call", type_, (argument, zero), "ne")
     if argument.type.kind == "bool":
-        return _flag(low, type_, argument)
-    return low.graph.node("call", type_, (argument,), CONVERSIONS[type_.kind])
+        return _flag(ctx, type_, argument)
+    return ctx.graph.node("call", type_, (argument,), CONVERSIONS[type_.kind])
 
 
-def _flag(low: Lowering, type_: Scalar, argument: Node) -> Node:
+def _flag(ctx: Context, type_: Scalar, argument: Node) -> Node:
     """A bool as one or zero."""
     number = float if type_.kind == "float" else int
-    one, zero = (build.constant(low.graph, type_, number(n)) for n in (1, 0))
-    return low.graph.node("select", type_, (argument, one, zero))
+    one, zero = (build.constant(ctx.graph, type_, number(n)) for n in (1, 0))
+    return ctx.graph.node("select", type_, (argument, one, zero))
 
 
-def _vector(low: Lowering, type_: Vector, arguments: tuple[Node, ...]) -> Node | Failure | None:
+def _vector(ctx: Context, type_: Vector, arguments: tuple[Node, ...]) -> Node | Failure | None:
     lanes: list[Node] = []
     for argument in arguments:
         if not isinstance(argument.type, Scalar | Vector):
@@ -118,67 +120,67 @@ def _vector(low: Lowering, type_: Vector, arguments: tuple[Node, ...]) -> Node |
         kind = scalar_kind(argument.type)
         if kind == type_.kind:
             lanes.append(argument)
-        elif is_constant(argument) and (one := coerce(low.graph, argument, Scalar(type_.kind))):
+        elif is_constant(argument) and (one := coerce(ctx.graph, argument, Scalar(type_.kind))):
             lanes.append(one)
         elif len(arguments) == 1 and isinstance(argument.type, Vector):
-            return _converted(low, type_, argument)
+            return _converted(ctx, type_, argument)
         else:
             return None
     total = sum(width(lane.type) for lane in lanes)
     if len(lanes) == 1 and total == 1:
-        return build.splat(low.graph, lanes[0], type_.size)
+        return build.splat(ctx.graph, lanes[0], type_.size)
     if len(lanes) == 1 and total > type_.size:
-        return build.swizzle(low.graph, lanes[0], tuple(range(type_.size)))
-    return build.vector(low.graph, tuple(lanes)) if total == type_.size else None
+        return build.swizzle(ctx.graph, lanes[0], tuple(range(type_.size)))
+    return build.vector(ctx.graph, tuple(lanes)) if total == type_.size else None
 
 
-def _converted(low: Lowering, type_: Vector, argument: Node) -> Node | None:
+def _converted(ctx: Context, type_: Vector, argument: Node) -> Node | None:
     """``vec3(ivec3)`` lane by lane."""
     if width(argument.type) != type_.size:
         return None
     if "bool" not in (type_.kind, scalar_kind(argument.type)):
-        return low.graph.node("call", type_, (argument,), CONVERSIONS[type_.kind])
+        return ctx.graph.node("call", type_, (argument,), CONVERSIONS[type_.kind])
     lanes = []
     for lane in range(type_.size):
-        converted = _scalar(low, Scalar(type_.kind), build.swizzle(low.graph, argument, (lane,)))
+        converted = _scalar(ctx, Scalar(type_.kind), build.swizzle(ctx.graph, argument, (lane,)))
         if not isinstance(converted, Node):
             return None
         lanes.append(converted)
-    return build.vector(low.graph, tuple(lanes))
+    return build.vector(ctx.graph, tuple(lanes))
 
 
-def _matrix(low: Lowering, type_: Matrix, arguments: tuple[Node, ...]) -> Node | Failure | None:
+def _matrix(ctx: Context, type_: Matrix, arguments: tuple[Node, ...]) -> Node | Failure | None:
     column = Vector("float", type_.size)
     if len(arguments) == type_.size and all(a.type == column for a in arguments):
-        return build.matrix(low.graph, arguments)
+        return build.matrix(ctx.graph, arguments)
     if len(arguments) == 1 and isinstance(source := arguments[0].type, Matrix):
-        return _resized(low, arguments[0], source.size, type_.size)
-    if len(arguments) == 1 and (diagonal := coerce(low.graph, arguments[0], Scalar("float"))):
-        return _diagonal(low, diagonal, type_.size)
+        return _resized(ctx, arguments[0], source.size, type_.size)
+    if len(arguments) == 1 and (diagonal := coerce(ctx.graph, arguments[0], Scalar("float"))):
+        return _diagonal(ctx, diagonal, type_.size)
     return None
 
 
-def _resized(low: Lowering, argument: Node, source: int, wanted: int) -> Node:
+def _resized(ctx: Context, argument: Node, source: int, wanted: int) -> Node:
     """The upper left part of a larger matrix; a smaller one continued by the identity."""
     if source == wanted:
         return argument
-    zero, one = (build.floating(low.graph, number) for number in (0.0, 1.0))
+    zero, one = (build.floating(ctx.graph, number) for number in (0.0, 1.0))
     columns = []
     for i in range(wanted):
         lanes: list[Node] = []
         if i < source:
-            column = build.part(low.graph, argument, i)
-            lanes.append(build.swizzle(low.graph, column, tuple(range(min(source, wanted)))))
+            column = build.part(ctx.graph, argument, i)
+            lanes.append(build.swizzle(ctx.graph, column, tuple(range(min(source, wanted)))))
         filled = range(source if i < source else 0, wanted)
         lanes += (one if row == i else zero for row in filled)
-        columns.append(build.vector(low.graph, tuple(lanes)))
-    return build.matrix(low.graph, tuple(columns))
+        columns.append(build.vector(ctx.graph, tuple(lanes)))
+    return build.matrix(ctx.graph, tuple(columns))
 
 
-def _diagonal(low: Lowering, lane: Node, size: int) -> Node:
-    zero = build.floating(low.graph, 0.0)
+def _diagonal(ctx: Context, lane: Node, size: int) -> Node:
+    zero = build.floating(ctx.graph, 0.0)
     columns = [
-        build.vector(low.graph, tuple(lane if i == j else zero for i in range(size)))
+        build.vector(ctx.graph, tuple(lane if i == j else zero for i in range(size)))
         for j in range(size)
     ]
-    return build.matrix(low.graph, tuple(columns))
+    return build.matrix(ctx.graph, tuple(columns))

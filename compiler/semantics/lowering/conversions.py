@@ -5,53 +5,53 @@ The arithmetic is written in ``stdlib/spaces.burnish``; here it is chosen and pu
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir.meaning import ARROWS, GEOMETRY, Meaning
 from ...ir.node import Node
 from ...ir.types import VEC3, Matrix
 from ...library import conversions as library
 from ...syntax import ast
-from ...trampoline import Step
+from ...syntax.rewriting import declared_space, rewritten
 from ..declarations import transform_paths
-from ..hints.wording import tight
 from ..names.modules import Module
+from ..state.context import Context
+from ..state.evaluation import plain
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types import meaning_rules
 from ..types.typenames import HOMOGENEOUS, SPACES
-from . import applications, combinations, lookup
+from . import applications, combinations
+from .builtin_calls import builtin_call
 from .operands import listed
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+from .slots import slot
 
 
-def convert(low: Lowering, e: ast.Conversion, scope: Scope) -> Step[Value]:
+def convert(ctx: Context, e: ast.Conversion, operands: Sequence[Value], scope: Scope) -> Value:
     """The value of ``x in S``."""
-    node = yield low.node(e.operand, scope)
-    space = _space(low, e.space, scope)
+    node = plain(ctx, operands[0], e.operand)
+    space = _space(ctx, e.space, scope)
     if isinstance(node, Failure) or space is None:
         return FAILURE
-    meaning = low.meanings.of(node)
+    meaning = ctx.meanings.of(node)
     if meaning is None or meaning.kind not in GEOMETRY:
-        text = tight(e.operand)
-        low.report.add(
+        ctx.report.add(
             rules.IN_NO_SPACE, e.operand.span, found=meaning or node.type,
-            hint=f"say what it is: `({text} as vector<object>) in {space}`",
+            hint=rewritten(
+                e.operand.span, "({text} as vector<object>)", f"say what it is: `{{}} in {space}`"
+            ),
         )  # fmt: skip
         return FAILURE
-    path = transform_paths.path(low, meaning, space, scope)
+    path = transform_paths.path(ctx, meaning, space, scope)
     if path is None:
-        _no_way(low, e, meaning, space, scope)
+        _no_way(ctx, e, meaning, space, scope)
         return FAILURE
-    result: Value = yield _taken(low, node, meaning, path, e.span)
-    return result
+    return _taken(ctx, node, meaning, path, e.span)
 
 
-def _space(low: Lowering, name: ast.Name, scope: Scope) -> str | None:
+def _space(ctx: Context, name: ast.Name, scope: Scope) -> str | None:
     known = scope.variables.get(name.text)
     if isinstance(known, str):
         return known
@@ -59,8 +59,8 @@ def _space(low: Lowering, name: ast.Name, scope: Scope) -> str | None:
     if name.text in SPACES or (found and isinstance(found[0].declaration, ast.Space)):
         return name.text
     spaces = [*SPACES, *(s for s in scope.module.visible() if _is_space(scope.module, s))]
-    hint = suggestion(name.text, spaces) or f"declare it: `space {name.text}`"
-    low.report.add(rules.UNKNOWN_NAME, name.span, kind="space", name=name.text, hint=hint)
+    hint = respelling(name.text, name.span, spaces) or declared_space(name.text, name.span)
+    ctx.report.add(rules.UNKNOWN_NAME, name.span, kind="space", name=name.text, hint=hint)
     return None
 
 
@@ -68,67 +68,65 @@ def _is_space(module: Module, name: str) -> bool:
     return any(isinstance(symbol.declaration, ast.Space) for symbol in module.known(name))
 
 
-def _no_way(low: Lowering, e: ast.Conversion, meaning: Meaning, space: str, scope: Scope) -> None:
+def _no_way(ctx: Context, e: ast.Conversion, meaning: Meaning, space: str, scope: Scope) -> None:
     there = ", ".join(
-        f"`{way.name} : {way.meaning}`" for way in transform_paths.transforms(low, scope)
+        f"`{way.name} : {way.meaning}`" for way in transform_paths.transforms(ctx, scope)
     )
-    low.report.add(
+    ctx.report.add(
         rules.NO_CONVERSION, e.span, found=meaning, space=space,
         hint=f"there is {there}" if there else "there is no transform in scope",
     )  # fmt: skip
 
 
 def _taken(
-    low: Lowering, node: Node, meaning: Meaning, path: list[transform_paths.Way], span: Span
-) -> Step[Value]:
+    ctx: Context, node: Node, meaning: Meaning, path: list[transform_paths.Way], span: Span
+) -> Value:
     """A value carried along a path; a direction is one in the end, too."""
     for way in path:
-        matrix = yield lookup.slot(low, way.instance, way.name, span)
+        matrix = slot(ctx, way.instance, way.name, span)
         if isinstance(matrix, Failure):
             return FAILURE
-        matrix = low.meanings.ascribed(matrix, way.meaning)
-        step = yield _step(low, node, meaning.kind, matrix, way, span)
+        matrix = ctx.meanings.ascribed(matrix, way.meaning)
+        step = _step(ctx, node, meaning.kind, matrix, way, span)
         if isinstance(step, Failure):
             return FAILURE
         node = step
     if path and meaning.kind == "direction":
-        return low.builtin("normalize", (node,), span, "normalize")
+        return builtin_call(ctx, "normalize", (node,), span, "normalize")
     return node
 
 
 def _step(
-    low: Lowering, node: Node, kind: str, matrix: Node, way: transform_paths.Way, span: Span
-) -> Step[Node | Failure]:
+    ctx: Context, node: Node, kind: str, matrix: Node, way: transform_paths.Way, span: Span
+) -> Node | Failure:
     if kind == "normal":
         name = "upright_back" if way.back else "upright"
-        turned = yield _library(low, name, (matrix, node), span)
+        turned = _library(ctx, name, (matrix, node), span)
         if isinstance(turned, Failure):
             return FAILURE
-        return low.meanings.ascribed(turned, Meaning("normal", way.ends[1:]))
+        return ctx.meanings.ascribed(turned, Meaning("normal", way.ends[1:]))
     if way.back:
-        inverse = low.builtin("inverse", (matrix,), span, "inverse")
+        inverse = builtin_call(ctx, "inverse", (matrix,), span, "inverse")
         assert isinstance(inverse, Node)
         matrix = inverse
-    carried: Node | Failure = yield _library(low, "moved", (matrix, node), span)
+    carried: Node | Failure = _library(ctx, "moved", (matrix, node), span)
     return carried
 
 
-def _library(
-    low: Lowering, name: str, arguments: tuple[Node, ...], span: Span
-) -> Step[Node | Failure]:
+def _library(ctx: Context, name: str, arguments: tuple[Node, ...], span: Span) -> Node | Failure:
     """A function of ``spaces.burnish``."""
-    symbol = applications.best(low, list(library().find(name)), arguments)
+    symbol = applications.best(ctx, list(library().find(name)), arguments)
     assert symbol is not None, f"{name} does not take {listed(arguments)}"
-    result: Node | Failure = yield applications.library_call(low, symbol, arguments, span)
+    result: Node | Failure = applications.library_call(ctx, symbol, arguments, span)
     return result
 
 
 # --- transform * point ---------------------------------------------------------------------------
 
 
-def moves(low: Lowering, left: Node, right: Node) -> bool:
+def moves(ctx: Context, left: Node, right: Node) -> bool:
     """Whether ``left * right`` is a transform that moves a point or vector of three lanes."""
-    by, what = low.meanings.of(left), low.meanings.of(right)
+    by, what = ctx.meanings.of(left), ctx.meanings.of(right)
     return (
         left.type == Matrix(4) and right.type == VEC3
         and by is not None and by.kind == "transform"
@@ -136,19 +134,19 @@ def moves(low: Lowering, left: Node, right: Node) -> bool:
     )  # fmt: skip
 
 
-def moved(low: Lowering, left: Node, right: Node, e: ast.Binary, scope: Scope) -> Step[Value]:
+def moved(ctx: Context, left: Node, right: Node, e: ast.Binary, scope: Scope) -> Value:
     """The value of ``transform * point`` or ``transform * vector``."""
-    by, what = low.meanings.of(left), low.meanings.of(right)
+    by, what = ctx.meanings.of(left), ctx.meanings.of(right)
     assert by is not None and what is not None
     found = meaning_rules.moved(by, what)
     if isinstance(found, meaning_rules.Clash):
         written = (e.left, e.right)
-        return combinations.complain(low, found, [by, what], e.operator, e.span, written, scope)
+        return combinations.complain(ctx, found, [by, what], e.operator, e.span, written, scope)
     if found.kind in ARROWS and HOMOGENEOUS in by.spaces:
-        low.report.add(
+        ctx.report.add(
             rules.NO_CONVERSION, e.span, found=what, space=by.spaces[1],
             hint="only points go into clip space",
         )  # fmt: skip
         return FAILURE
-    result: Value = yield _library(low, "moved", (left, right), e.span)
+    result: Value = _library(ctx, "moved", (left, right), e.span)
     return result

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from math import isinf, radians
-from typing import TYPE_CHECKING, Any
 
 from ...diagnostics import rules
+from ...diagnostics.fixes import Hint, fix_it
+from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.meaning import ANGLE, RGB, RGBA
 from ...ir.node import Node
@@ -17,23 +18,22 @@ from ...ir.types import (
     UINT,
     Array,
     Matrix,
-    Scalar,
-    Struct,
     Texture,
     Vector,
-    width,
 )
 from ...syntax import ast
-from ...trampoline import Reply, Step
 from ..declarations import contracts
+from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
 from ..hints import advice
+from ..state.context import Context, Rule, Rules
+from ..state.evaluation import plain
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types.coercion import coerce
-from . import aggregates, calls, combinations, conversions, lookup, loops
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+from . import aggregates, calls, conversions, lookup, loops
+from .builtin_calls import builtin_call
+from .combinations import checked
+from .members import member_of
 
 OPERATORS: Mapping[str, str] = {
     "+": "add", "-": "sub", "*": "mul", "/": "div", "mod": "mod",
@@ -42,9 +42,6 @@ OPERATORS: Mapping[str, str] = {
     "and": "and", "or": "or",
 }  # fmt: skip
 PREFIXES: Mapping[str, str] = {"-": "neg", "~": "bit_not", "not": "not"}
-SWIZZLES: Mapping[str, Mapping[str, int]] = {
-    letters: {letter: i for i, letter in enumerate(letters)} for letters in ("xyzw", "rgba")
-}
 LOWEST = str(2**31)
 """An `int` only with a minus in front."""
 
@@ -52,21 +49,24 @@ LOWEST = str(2**31)
 # --- literals ------------------------------------------------------------------------------------
 
 
-def _number(low: Lowering, e: ast.Number, _scope: Scope) -> Value:
+def _number(ctx: Context, e: ast.Number, _operands: Sequence[Value], _scope: Scope) -> Value:
     if e.kind in ("int", "uint"):
         limit, type_ = (2**31 - 1, INT) if e.kind == "int" else (2**32 - 1, UINT)
         whole = int(e.text, 16 if e.text[:2] in ("0x", "0X") else 10)
         if whole > limit:
-            hint = "write it as a `uint`, with `u` behind it" if whole < 2**32 else ""
-            low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=type_, hint=hint)
+            hint: Hint = ""
+            if whole < 2**32:
+                place = Span(e.span.source, e.span.end, e.span.end)
+                hint = fix_it("write it as a `uint`, with `u` behind it", (place, "u"))
+            ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=type_, hint=hint)
             return FAILURE
-        return build.constant(low.graph, type_, whole)
+        return build.constant(ctx.graph, type_, whole)
     value = float(e.text)
     if isinf(value) or value > 3.4028234663852886e38:
-        low.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=FLOAT)
+        ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=FLOAT)
         return FAILURE
-    number = build.floating(low.graph, radians(value) if e.unit == "deg" else value)
-    return low.meanings.ascribed(number, ANGLE) if e.unit else number
+    number = build.floating(ctx.graph, radians(value) if e.unit == "deg" else value)
+    return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
 
 
 def linear(channel: int) -> float:
@@ -75,186 +75,193 @@ def linear(channel: int) -> float:
     return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
 
 
-def _color(low: Lowering, e: ast.Color, _scope: Scope) -> Value:
+def _color(ctx: Context, e: ast.Color, _operands: Sequence[Value], _scope: Scope) -> Value:
     lanes = [linear(channel) for channel in e.channels[:3]]
     lanes += [channel / 255 for channel in e.channels[3:]]
-    color = build.constant(low.graph, Vector("float", len(lanes)), tuple(lanes))
-    return low.meanings.ascribed(color, RGB if len(lanes) == 3 else RGBA)
+    color = build.constant(ctx.graph, Vector("float", len(lanes)), tuple(lanes))
+    return ctx.meanings.ascribed(color, RGB if len(lanes) == 3 else RGBA)
 
 
-def _boolean(low: Lowering, e: ast.Boolean, _scope: Scope) -> Value:
-    return build.constant(low.graph, BOOL, e.value)
+def _boolean(ctx: Context, e: ast.Boolean, _operands: Sequence[Value], _scope: Scope) -> Value:
+    return build.constant(ctx.graph, BOOL, e.value)
 
 
 # --- names ---------------------------------------------------------------------------------------
 
 
-def _reference(low: Lowering, e: ast.Reference, scope: Scope) -> Reply[Value]:
-    return lookup.value(low, e.name, e.span, scope)
+def _reference(ctx: Context, e: ast.Reference, _operands: Sequence[Value], scope: Scope) -> Value:
+    return lookup.value(ctx, e.name, e.span, scope)
 
 
-def _field(low: Lowering, e: ast.Field, scope: Scope) -> Step[Value]:
-    value: Value = yield low.expression(e.operand, scope)
-    result: Value = yield low.part(value, e.name)
-    return result
+def _field(ctx: Context, e: ast.Field, operands: Sequence[Value], _scope: Scope) -> Value:
+    return member_of(ctx, operands[0], e)
 
 
-def component(low: Lowering, node: Node, name: ast.Name) -> Node | Failure:
-    if isinstance(node.type, Struct):
-        members = dict(node.type.members)
-        if name.text in members:
-            return build.member(low.graph, node, name.text)
-        lookup.unknown(low, "member", name.text, name.span, members)
-        return FAILURE
-    if isinstance(node.type, Vector | Scalar):
-        lanes = _swizzle_lanes(name.text, width(node.type))
-        if lanes is not None:
-            whole = build.swizzle(low.graph, node, lanes)
-            is_color = low.meanings.of(node) == RGB and name.text == "rgb"
-            return whole if is_color or whole is not node else low.meanings.ascribed(node, None)
-    low.report.add(
-        rules.NO_MEMBER, name.span, name=name.text, type=node.type,
-        hint=advice.missing_member(node.type, name.text),
-    )  # fmt: skip
-    return FAILURE
-
-
-def _swizzle_lanes(text: str, lanes: int) -> tuple[int, ...] | None:
-    for letters in SWIZZLES.values():
-        found = tuple(letters.get(letter, 4) for letter in text)
-        if len(found) <= 4 and all(lane < lanes for lane in found):
-            return found
-    return None
-
-
-def _index(low: Lowering, e: ast.Index, scope: Scope) -> Step[Value]:
-    operand = yield low.node(e.operand, scope)
+def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], _scope: Scope) -> Value:
+    operand = plain(ctx, operands[0], e.operand)
     if isinstance(operand, Node) and isinstance(operand.type, Texture):
-        low.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type, hint=advice.READ)
+        ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type, hint=advice.READ)
         return FAILURE
-    position = yield low.typed(e.index, scope, INT, "int")
+    position = fit(ctx, plain(ctx, operands[1], e.index), INT, "int", e.index.span)
     if isinstance(operand, Failure) or isinstance(position, Failure):
         return FAILURE
     match operand.type:
         case Array(count=count) | Vector(size=count) | Matrix(size=count):
             pass
         case _:
-            low.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type)
+            ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type)
             return FAILURE
-    known = low.constants.known_integer(position)
+    known = ctx.constants.known_integer(position)
     if known is not None:
         if not 0 <= known < count:
-            hint = f"counted from 0, the last one is `[{count - 1}]`"
-            low.report.add(
+            highest = str(count - 1)
+            hint = fix_it(f"counted from 0, the last one is `[{highest}]`", (e.index.span, highest))
+            ctx.report.add(
                 rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
             )
             return FAILURE
-        return build.part(low.graph, operand, known)
-    zero, last = (build.constant(low.graph, INT, n) for n in (0, count - 1))
-    clamped = low.graph.node("call", INT, (position, zero, last), "clamp")
-    return build.index(low.graph, operand, clamped)
+        return build.part(ctx.graph, operand, known)
+    zero, last = (build.constant(ctx.graph, INT, n) for n in (0, count - 1))
+    clamped = ctx.graph.node("call", INT, (position, zero, last), "clamp")
+    return build.index(ctx.graph, operand, clamped)
 
 
 # --- operators -----------------------------------------------------------------------------------
 
 
-def _is_lowest(number: ast.Number) -> bool:
-    return number.kind == "int" and number.text == LOWEST
+def _is_lowest(e: ast.Unary) -> bool:
+    """Whether this is the one number that can only be written with its sign."""
+    number = e.operand
+    lowest = isinstance(number, ast.Number) and number.kind == "int" and number.text == LOWEST
+    return lowest and e.operator == "-"
 
 
-def _unary(low: Lowering, e: ast.Unary, scope: Scope) -> Step[Value]:
-    if e.operator == "-" and isinstance(e.operand, ast.Number) and _is_lowest(e.operand):
-        return build.constant(low.graph, INT, -int(LOWEST))
-    operand = yield low.node(e.operand, scope)
+def _unary(ctx: Context, e: ast.Unary, operands: Sequence[Value], scope: Scope) -> Value:
+    if not operands:
+        return build.constant(ctx.graph, INT, -int(LOWEST))
+    operand = plain(ctx, operands[0], e.operand)
     if isinstance(operand, Failure):
         return FAILURE
     name = PREFIXES[e.operator]
-    return low.builtin(name, (operand,), e.span, e.operator, (e.operand,), scope)
+    return builtin_call(ctx, name, (operand,), e.span, e.operator, (e.operand,), scope)
 
 
-def _binary(low: Lowering, e: ast.Binary, scope: Scope) -> Step[Value]:
-    left = yield low.node(e.left, scope)
-    right = yield low.node(e.right, scope)
+def _binary(ctx: Context, e: ast.Binary, operands: Sequence[Value], scope: Scope) -> Value:
+    left, right = plain(ctx, operands[0], e.left), plain(ctx, operands[1], e.right)
     if isinstance(left, Failure) or isinstance(right, Failure):
         return FAILURE
-    if e.operator in ("/", "mod") and low.constants.is_zero(right):
-        low.report.add(rules.ZERO_DIVISOR, e.right.span)
+    if e.operator in ("/", "mod") and ctx.constants.is_zero(right):
+        ctx.report.add(rules.ZERO_DIVISOR, e.right.span)
         return FAILURE
-    if e.operator == "*" and conversions.moves(low, left, right):
-        result: Value = yield conversions.moved(low, left, right, e, scope)
-        return result
+    if e.operator == "*" and conversions.moves(ctx, left, right):
+        return conversions.moved(ctx, left, right, e, scope)
     written = (e.left, e.right)
-    return low.builtin(OPERATORS[e.operator], (left, right), e.span, e.operator, written, scope)
+    return builtin_call(
+        ctx, OPERATORS[e.operator], (left, right), e.span, e.operator, written, scope
+    )
 
 
-def _conditional(low: Lowering, e: ast.Conditional, scope: Scope) -> Step[Value]:
-    condition = yield low.typed(e.condition, scope, BOOL, "bool")
-    then = yield low.node(e.then, scope)
-    otherwise = yield low.node(e.otherwise, scope)
-    if any(isinstance(part, Failure) for part in (condition, then, otherwise)):
+def _conditional(
+    ctx: Context, e: ast.Conditional, operands: Sequence[Value], scope: Scope
+) -> Value:
+    condition = fit(ctx, plain(ctx, operands[0], e.condition), BOOL, "bool", e.condition.span)
+    then, otherwise = plain(ctx, operands[1], e.then), plain(ctx, operands[2], e.otherwise)
+    if isinstance(condition, Failure) or isinstance(then, Failure):
+        return FAILURE
+    if isinstance(otherwise, Failure):
         return FAILURE
     if isinstance(then.type, Texture):
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_TYPE, e.then.span, expected="a value", found=then.type,
             hint="choose between what is read, not between textures",
         )  # fmt: skip
         return FAILURE
-    common = coerce(low.graph, then, otherwise.type)
-    if common is not None:
-        then = common
-    else:
-        otherwise = coerce(low.graph, otherwise, then.type)
-        if otherwise is None:
-            wrong = yield low.node(e.otherwise, scope)
-            low.report.add(
-                rules.BRANCH_TYPES, e.otherwise.span, then=then.type, otherwise=wrong.type
-            )
-            return FAILURE
-    node = low.graph.node("select", then.type, (condition, then, otherwise))
+    common = coerce(ctx.graph, then, otherwise.type)
+    fitted = otherwise if common is not None else coerce(ctx.graph, otherwise, then.type)
+    if fitted is None:
+        ctx.report.add(
+            rules.BRANCH_TYPES, e.otherwise.span, then=then.type, otherwise=otherwise.type
+        )
+        return FAILURE
+    then = common or then
+    node = ctx.graph.node("select", then.type, (condition, then, fitted))
     sides = (e.condition, e.then, e.otherwise)
-    return combinations.checked(low, node, "if", e.span, sides, scope)
+    return checked(ctx, node, "if", e.span, sides, scope)
 
 
-def _at_rate(low: Lowering, e: ast.AtRate, scope: Scope) -> Step[Value]:
-    operand = yield low.node(e.operand, scope)
+def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Value], _scope: Scope) -> Value:
+    operand = plain(ctx, operands[0], e.operand)
     if e.rate.text != "vertex":
-        low.report.add(rules.UNKNOWN_RATE, e.rate.span, name=e.rate.text)
+        ctx.report.add(rules.UNKNOWN_RATE, e.rate.span, name=e.rate.text)
         return FAILURE
     if isinstance(operand, Failure):
         return FAILURE
-    return low.stages.interpolated(operand, e.span)
+    return ctx.crossings.interpolated(operand, e.span)
 
 
-def _ascription(low: Lowering, e: ast.Ascription, scope: Scope) -> Step[Value]:
-    operand = yield low.node(e.operand, scope)
-    declared = declared_type(low, e.type, scope.module, scope.variables)
+def _ascription(ctx: Context, e: ast.Ascription, operands: Sequence[Value], scope: Scope) -> Value:
+    operand = plain(ctx, operands[0], e.operand)
+    declared = declared_type(ctx, e.type, scope.module, scope.variables)
     if isinstance(operand, Failure) or declared is None:
         return FAILURE
-    fitted = low.fit(operand, declared.type, declared.text, e.operand.span)
+    fitted = fit(ctx, operand, declared.type, declared.text, e.operand.span)
     if isinstance(fitted, Failure):
         return FAILURE
     if declared.meaning is not None and declared.meaning.kind == "direction":
-        return contracts.contracted(low, fitted, declared, e.span, e.operand)
-    return low.meanings.ascribed(fitted, declared.meaning)
+        return contracts.contracted(ctx, fitted, declared, e.span, e.operand)
+    return ctx.meanings.ascribed(fitted, declared.meaning)
 
 
-LOWER: Mapping[type, Callable[[Lowering, Any, Scope], Reply[Value]]] = {
-    ast.Number: _number,
-    ast.Color: _color,
-    ast.Boolean: _boolean,
-    ast.Reference: _reference,
-    ast.Field: _field,
-    ast.Index: _index,
-    ast.Unary: _unary,
-    ast.Binary: _binary,
-    ast.Conditional: _conditional,
-    ast.AtRate: _at_rate,
-    ast.Conversion: conversions.convert,
-    ast.Ascription: _ascription,
-    ast.Array: aggregates.array,
-    ast.Fold: loops.fold,
-    ast.Iterate: loops.iterate,
-    ast.Call: calls.call,
-    ast.With: calls.replaced,
+# --- the table -----------------------------------------------------------------------------------
+
+
+def _none(_e: ast.Expression, _scope: Scope) -> tuple[ast.Expression, ...]:
+    return ()
+
+
+def _operand(
+    e: ast.Field | ast.AtRate | ast.Conversion | ast.Ascription, _scope: Scope
+) -> tuple[ast.Expression, ...]:
+    return (e.operand,)
+
+
+def _signed(e: ast.Unary, _scope: Scope) -> tuple[ast.Expression, ...]:
+    return () if _is_lowest(e) else (e.operand,)
+
+
+def _sides(e: ast.Binary, _scope: Scope) -> tuple[ast.Expression, ...]:
+    return (e.left, e.right)
+
+
+def _choice(e: ast.Conditional, _scope: Scope) -> tuple[ast.Expression, ...]:
+    return (e.condition, e.then, e.otherwise)
+
+
+def _place(e: ast.Index, _scope: Scope) -> tuple[ast.Expression, ...]:
+    return (e.operand, e.index)
+
+
+def _elements(e: ast.Array, _scope: Scope) -> tuple[ast.Expression, ...]:
+    return e.elements
+
+
+RULES: Rules = {
+    ast.Number: Rule(_none, _number),
+    ast.Color: Rule(_none, _color),
+    ast.Boolean: Rule(_none, _boolean),
+    ast.Reference: Rule(_none, _reference),
+    ast.Field: Rule(_operand, _field),
+    ast.Index: Rule(_place, _index),
+    ast.Unary: Rule(_signed, _unary),
+    ast.Binary: Rule(_sides, _binary),
+    ast.Conditional: Rule(_choice, _conditional),
+    ast.AtRate: Rule(_operand, _at_rate),
+    ast.Conversion: Rule(_operand, conversions.convert),
+    ast.Ascription: Rule(_operand, _ascription),
+    ast.Array: Rule(_elements, aggregates.array),
+    ast.Fold: Rule(loops.bounds_of_fold, loops.fold),
+    ast.Iterate: Rule(loops.bounds_of_iterate, loops.iterate),
+    ast.Call: Rule(calls.operands_of_call, calls.call),
+    ast.With: Rule(calls.operands_of_with, calls.replaced),
 }
-"""How each kind of expression is lowered."""
+"""How each kind of expression is evaluated."""

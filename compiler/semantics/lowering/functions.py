@@ -2,55 +2,71 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
+from ....frozen import EMPTY
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
-from ..declarations.written_types import declared_type
+from ..declarations.contracts import as_declared
+from ..declarations.written_types import declared_type, numbers_of
 from ..names.modules import Symbol
-from ..state.scope import FAILURE, Failure
+from ..state.context import Context
+from ..state.scope import FAILURE, Failure, Instance, Scope, Value
 from ..types import overloads
 from ..types.generics import Use, bind
 from ..types.typenames import Variables, described
 
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
-
-def entered(low: Lowering, symbol: Symbol, span: Span) -> bool:
-    """Whether a body may be lowered; a call of itself is reported, once for each way round."""
-    if symbol in low.recursive:
+def may_enter(ctx: Context, symbol: Symbol, span: Span) -> bool:
+    """Whether a body may be evaluated; a call of itself is reported, once for each way round."""
+    if symbol in ctx.progress.recursive:
         return False
-    low.entered.add(symbol)
-    if symbol not in low.active:
-        low.active[symbol] = (symbol.name, span)
+    ctx.entered.add(symbol)
+    if symbol not in ctx.progress.active:
         return True
-    pending = list(low.active)
+    pending = list(ctx.progress.active)
     start = pending.index(symbol)
-    names = [name for name, _ in low.active.values()]
-    low.report.add(
+    names = [name for name, _ in list(ctx.progress.active.values())[start:] if name]
+    ctx.report.add(
         rules.RECURSIVE_FUNCTION, span, name=symbol.name,
-        cycle=" → ".join([*names[start:], symbol.name]),
+        cycle=" → ".join([*names, symbol.name]),
     )  # fmt: skip
-    low.recursive.update(step for step in pending[start:] if isinstance(step, Symbol))
+    ctx.progress.recursive.update(step for step in pending[start:] if isinstance(step, Symbol))
     return False
 
 
+def scope_of_body(
+    ctx: Context,
+    symbol: Symbol,
+    arguments: tuple[Node, ...],
+    surface: Instance | None,
+    locals_: Mapping[str, Value] = EMPTY,
+) -> Scope:
+    """Where the body of a function is evaluated for these arguments and further names."""
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    variables = bound(ctx, function, arguments) or {}
+    names = (formal.name.text for formal in function.arguments)
+    given = dict(zip(names, arguments, strict=True))
+    values = {**numbers_of(ctx, variables), **locals_, **given}
+    return Scope(symbol.module, surface=surface, locals=values, variables=variables)
+
+
 def fit_result(
-    low: Lowering, symbol: Symbol, result: Node | Failure, arguments: tuple[Node, ...]
+    ctx: Context, symbol: Symbol, result: Node | Failure, arguments: tuple[Node, ...]
 ) -> Node | Failure:
     """A body's value as the type that is written behind ``->``."""
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     if function.result is None:
         return result
-    variables = bound(low, function, arguments)
-    wanted = declared_type(low, function.result, symbol.module, variables or {})
+    variables = bound(ctx, function, arguments)
+    wanted = declared_type(ctx, function.result, symbol.module, variables or {})
     if wanted is None:
         return FAILURE
-    return low.as_declared(result, wanted, function.body)
+    return as_declared(ctx, result, wanted, function.body)
 
 
 def usage(function: ast.Function) -> str:
@@ -60,9 +76,9 @@ def usage(function: ast.Function) -> str:
     return f"{function.name.text}{parameters and f'<{parameters}>'}({arguments})"
 
 
-def bound(low: Lowering, function: ast.Function, arguments: tuple[Node, ...]) -> Variables | None:
+def bound(ctx: Context, function: ast.Function, arguments: tuple[Node, ...]) -> Variables | None:
     """What each type parameter stands for, given the arguments."""
     if not function.type_parameters:
         return {}
-    uses = [Use(overloads.operand(node), low.meanings.of(node)) for node in arguments]
+    uses = [Use(overloads.operand(node), ctx.meanings.of(node)) for node in arguments]
     return bind(function, uses)

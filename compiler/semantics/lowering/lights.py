@@ -7,7 +7,7 @@ one loop body in the output.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from functools import partial
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
@@ -18,143 +18,162 @@ from ...ir.leaves import Parameter
 from ...ir.node import Formal, Node
 from ...ir.types import INT, Array, Scalar, Struct, Vector, scalar_kind
 from ...syntax import ast
-from ...trampoline import Step
 from ..declarations import contracts
+from ..declarations.fitting import fit
 from ..declarations.overrides import check_overrides
-from ..declarations.written_types import numbers_of
 from ..names.modules import Symbol
-from ..state.scope import FAILURE, Failure, Instance, LightVariable, RigEntry, Scope, Value
-from . import lookup
-from .functions import bound, entered, fit_result
+from ..state.context import Context, LightBody
+from ..state.scope import (
+    FAILURE,
+    Application,
+    Failure,
+    Instance,
+    LightVariable,
+    RigEntry,
+    Scope,
+    Value,
+)
+from .bodies import settle_body
+from .functions import fit_result, may_enter, scope_of_body
 from .loops import changing, folded
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+from .slots import slot
 
 
 def per_light(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span, scope: Scope
-) -> Step[Value]:
+    ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], span: Span, scope: Scope
+) -> Value:
     """The sum of a term over the rig."""
     surface = scope.surface
-    if surface is None or not low.rig:
+    if surface is None or not ctx.rig:
         if surface is None:
-            low.report.add(rules.TERM_WITHOUT_SURFACE, span, name=symbol.name)
-        elif not low.report.failed:  # The rig may be empty because its entries were wrong.
-            low.report.add(rules.EMPTY_RIG, span, name=symbol.name)
+            ctx.report.add(rules.TERM_WITHOUT_SURFACE, span, name=symbol.name)
+        elif not ctx.report.failed:  # The rig may be empty because its entries were wrong.
+            ctx.report.add(rules.EMPTY_RIG, span, name=symbol.name)
         return FAILURE
-    if not entered(low, symbol, span):
+    if not may_enter(ctx, symbol, span):
         return FAILURE
-    total: Value = yield _summed(low, symbol, arguments, span, surface)
-    low.active.pop(symbol)
-    return total
+    body = _light_body(ctx, symbol, arguments, span, surface)
+    if isinstance(body, Failure):
+        return FAILURE
+    active = ctx.progress.active
+    active[symbol] = (symbol.name, span)
+    try:
+        return _summed(ctx, body, span, surface)
+    finally:
+        active.pop(symbol, None)
 
 
-def _summed(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], span: Span, surface: Instance
-) -> Step[Node | Failure]:
-    shared = yield _shared_body(low, symbol, arguments, surface)
-    if isinstance(shared, Failure):
-        return FAILURE
-    body, names = shared
+def _summed(ctx: Context, body: LightBody, span: Span, surface: Instance) -> Node | Failure:
+    """The sum of a body over the lights of the rig."""
     total: Node | None = None
-    for entry in low.rig:
-        instance, formal = light_instance(low, entry, surface)
-        contribution = yield _contribution(low, body, names, instance, span)
+    for entry in ctx.rig:
+        instance, formal = light_instance(ctx, entry, surface)
+        contribution = _contribution(ctx, body, instance, span)
         if isinstance(contribution, Failure):
             return FAILURE
         if formal is not None:
-            count = None if entry.count is None else _parameter(low, entry.count)
+            count = None if entry.count is None else _parameter(ctx, entry.count)
             contribution = folded(
-                low.graph, "add", entry.bound, contribution, formal, low.notes.follow, count
+                ctx.graph, "add", entry.bound, contribution, formal, ctx.notes.follow, count
             )
-        low.notes.spans.setdefault(contribution.id, span)
-        total = contribution if total is None else low.graph.node(
+        ctx.notes.spans.setdefault(contribution.id, span)
+        total = contribution if total is None else ctx.graph.node(
             "call", total.type, (total, contribution), "add"
         )  # fmt: skip
     assert total is not None
     return total
 
 
-def _shared_body(
-    low: Lowering, symbol: Symbol, arguments: tuple[Node, ...], surface: Instance
-) -> Step[tuple[Node, dict[str, Node]] | Failure]:
-    """The term's body with ``light``'s slots bound, and those slots in order."""
+def _light_body(
+    ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], span: Span, surface: Instance
+) -> LightBody | Failure:
+    """The term's body with ``light``'s slots as variables; once for the same arguments."""
+    key: Application = (symbol, tuple(argument.id for argument in arguments), surface)
+    if key not in ctx.light_bodies:
+        instance, _ = light_instance(ctx, ctx.rig[0], surface)
+        light = LightVariable({}, instance.record, instance)
+        scope = scope_of_body(ctx, symbol, arguments, surface, {"light": light})
+        finish = partial(_finish_body, ctx, key, arguments, light)
+        settle_body(ctx, symbol, span, scope, finish)
+    return ctx.light_bodies[key]
+
+
+def _finish_body(
+    ctx: Context,
+    key: Application,
+    arguments: tuple[Node, ...],
+    light: LightVariable,
+    result: Node | Failure,
+) -> None:
+    symbol, *_ = key
+    body = fit_result(ctx, symbol, result, arguments)
+    closed = FAILURE if isinstance(body, Failure) else _closed(ctx, symbol, light, body)
+    ctx.light_bodies[key] = closed
+
+
+def _closed(ctx: Context, symbol: Symbol, light: LightVariable, body: Node) -> LightBody | Failure:
+    """A term's body with the variables for the light's slots bound, and named."""
     function = symbol.declaration
     assert isinstance(function, ast.Function)
-    instance, _ = light_instance(low, low.rig[0], surface)
-    light = LightVariable({}, instance.record, instance)
-    locals_: dict[str, Value] = {"light": light}
-    for formal, argument in zip(function.arguments, arguments, strict=True):
-        locals_[formal.name.text] = argument
-    variables = bound(low, function, arguments) or {}
-    values = {**numbers_of(low, variables), **locals_}
-    scope = Scope(symbol.module, surface=surface, locals=values, variables=variables)
-    body = yield lookup.body(low, function, scope)
-    body = fit_result(low, symbol, body, arguments)
-    if isinstance(body, Failure):
-        return FAILURE
     if not isinstance(body.type, Scalar | Vector) or scalar_kind(body.type) == "bool":
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_TYPE, function.body.span, expected="a number or a vector", found=body.type
         )
         return FAILURE
     if body.type == INT and isinstance(body.data, int) and body.op == "constant":
-        body = build.floating(low.graph, float(body.data))
+        body = build.floating(ctx.graph, float(body.data))
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
     for node in changing((body,), set(formals)):
         if node.op == "cross":
-            where = low.notes.spans.get(node.id, function.body.span)
-            low.report.add(rules.CROSSING_PER_LIGHT, where)
+            where = ctx.notes.spans.get(node.id, function.body.span)
+            ctx.report.add(rules.CROSSING_PER_LIGHT, where)
             return FAILURE
-    closed = close(low.graph, body, formals, low.notes.follow)
-    low.notes.functions.setdefault(closed.id, symbol.name)
-    low.notes.terms.setdefault(closed.id, symbol.name)
-    low.notes.arguments.setdefault(closed.id, tuple(light.variables))
-    return closed, light.variables
+    closed = close(ctx.graph, body, formals, ctx.notes.follow)
+    ctx.notes.functions.setdefault(closed.id, symbol.name)
+    ctx.notes.terms.setdefault(closed.id, symbol.name)
+    ctx.notes.arguments.setdefault(closed.id, tuple(light.variables))
+    return LightBody(closed, light.variables)
 
 
-def _contribution(
-    low: Lowering, body: Node, slots: dict[str, Node], instance: Instance, span: Span
-) -> Step[Node | Failure]:
+def _contribution(ctx: Context, body: LightBody, instance: Instance, span: Span) -> Node | Failure:
     """The body applied to one light."""
-    if not slots:
-        return body
+    if not body.slots:
+        return body.body
     given = []
-    for name, variable in slots.items():
+    for name, variable in body.slots.items():
         if not instance.has(name):
             place = instance.record.symbol.declaration.name.span
-            low.report.add(
+            ctx.report.add(
                 rules.LIGHT_LACKS_SLOT, span, light=instance.record.name, slot=name,
                 labels=[Label(place, "this light")],
             )  # fmt: skip
             return FAILURE
-        node = yield lookup.slot(low, instance, name, span)
-        declared = low.variables[variable.id]
-        fitted = low.fit(node, declared.type, declared.text, span)
+        node = slot(ctx, instance, name, span)
+        declared = ctx.light_types[variable.id]
+        fitted = fit(ctx, node, declared.type, declared.text, span)
         if isinstance(fitted, Node):
-            fitted = contracts.meant(low, fitted, declared, span)
+            fitted = contracts.meant(ctx, fitted, declared, span)
         if isinstance(fitted, Failure):
             return FAILURE
         given.append(fitted)
-    return build.apply(low.graph, body, tuple(given))
+    return build.apply(ctx.graph, body.body, tuple(given))
 
 
 def light_instance(
-    low: Lowering, entry: RigEntry, surface: Instance
+    ctx: Context, entry: RigEntry, surface: Instance
 ) -> tuple[Instance, Formal | None]:
     """One light of the rig as seen from a surface; for an array, its element at a formal index."""
     key = (entry.name, surface)
-    if key not in low.lights:
-        low.lights[key] = _new_instance(low, entry, surface)
-    return low.lights[key]
+    if key not in ctx.lights:
+        ctx.lights[key] = _new_instance(ctx, entry, surface)
+    return ctx.lights[key]
 
 
 def _new_instance(
-    low: Lowering, entry: RigEntry, surface: Instance
+    ctx: Context, entry: RigEntry, surface: Instance
 ) -> tuple[Instance, Formal | None]:
     resources = {
-        resource.name.removeprefix(f"{entry.name}."): low.graph.node(
+        resource.name.removeprefix(f"{entry.name}."): ctx.graph.node(
             "resource", resource.type, (), resource
         )
         for resource in entry.resources
@@ -162,24 +181,24 @@ def _new_instance(
     instance = Instance(
         entry.record, entry.name, surface, resources=resources, replaced=dict(entry.replaced)
     )
-    check_overrides(low, instance)
+    check_overrides(ctx, instance)
     if entry.kind == "single":
         instance.parameters = {
-            parameter.name.removeprefix(f"{entry.name}."): _parameter(low, parameter)
+            parameter.name.removeprefix(f"{entry.name}."): _parameter(ctx, parameter)
             for parameter in entry.parameters
         }
         return instance, None
     formal = Formal("i")
     (array,) = entry.parameters
     element = build.index(
-        low.graph, _parameter(low, array), low.graph.node("formal", INT, (), formal)
+        ctx.graph, _parameter(ctx, array), ctx.graph.node("formal", INT, (), formal)
     )
     assert isinstance(array.type, Array) and isinstance(array.type.element, Struct)
     instance.parameters = {
-        name: build.member(low.graph, element, name) for name, _ in array.type.element.members
+        name: build.member(ctx.graph, element, name) for name, _ in array.type.element.members
     }
     return instance, formal
 
 
-def _parameter(low: Lowering, parameter: Parameter) -> Node:
-    return low.graph.node("parameter", parameter.type, (), parameter)
+def _parameter(ctx: Context, parameter: Parameter) -> Node:
+    return ctx.graph.node("parameter", parameter.type, (), parameter)

@@ -6,8 +6,8 @@ compiling, from the ranges of what its bounds are computed from, or because it i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 
 from ....frozen import frozen
 from ....stdlib.builtins import BUILTINS
@@ -19,12 +19,11 @@ from ...ir.binding import Moved, close, substitute
 from ...ir.node import Folding, FoldOperator, Formal, Graph, Iterating, Node, reachable
 from ...ir.types import BOOL, INT, Scalar, Texture, Type, Vector, width
 from ...syntax import ast
-from ...trampoline import Step
-from ..state.scope import FAILURE, Failure, Scope, Value
+from ..declarations.fitting import fit
+from ..state.context import Context
+from ..state.evaluation import plain
+from ..state.scope import FAILURE, Failure, Inner, Scope, Value
 from ..types.coercion import coerce
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 LONGEST = 4096
 """Turns of a loop, at most."""
@@ -87,112 +86,132 @@ class _Turns:
         return self.count.op == "constant"
 
 
-def _turns(low: Lowering, written: ast.Turns, scope: Scope, span: Span) -> Step[_Turns | Failure]:
-    ends = []
-    for end in (written.start, written.end):
-        node = yield low.typed(end, scope, INT, "int")
-        ends.append(node)
+def _bounds(turns: ast.Turns) -> tuple[ast.Expression, ...]:
+    """What is written about how often a loop turns, in the order in which it is evaluated."""
+    ends = (turns.start, turns.end)
+    return ends if turns.most is None else (*ends, turns.most)
+
+
+def _turns(
+    ctx: Context, written: ast.Turns, values: Sequence[Value], span: Span
+) -> _Turns | Failure:
+    """How often a loop turns, by the values of its ``_bounds``."""
+    bounds = [
+        fit(ctx, plain(ctx, value, bound), INT, "int", bound.span)
+        for value, bound in zip(values, _bounds(written), strict=True)
+    ]
+    first, end = bounds[:2]
     most: int | None = LONGEST
     if written.most is not None:
-        limit = yield low.typed(written.most, scope, INT, "int")
-        if isinstance(limit, Node) and low.is_left_to_a_use(limit):
+        limit = bounds[2]
+        if isinstance(limit, Node) and ctx.is_left_to_a_use(limit):
             most = 1
         else:
-            most = low.constants.integer(limit, written.most.span)
-    first, end = ends
+            most = ctx.constants.integer(limit, written.most.span)
     if isinstance(first, Failure) or isinstance(end, Failure) or most is None:
         return FAILURE
-    found = _count(low, first, end, most, written, span)
+    found = _count(ctx, first, end, most, written, span)
     if found is None:
         return FAILURE
     count, bound = found
     formal = Formal(written.variable.text or "turn")
-    low.ranges.note_index(formal, bound)
-    turn = low.graph.node("formal", INT, (), formal)
+    ctx.ranges.note_index(formal, bound)
+    turn = ctx.graph.node("formal", INT, (), formal)
     index = turn
-    if low.constants.known_integer(first) != 0:
-        index = low.graph.node("call", INT, (turn, first), "add")
+    if ctx.constants.known_integer(first) != 0:
+        index = ctx.graph.node("call", INT, (turn, first), "add")
     return _Turns(count, bound, first, formal, index)
 
 
 def _count(
-    low: Lowering, first: Node, end: Node, most: int, written: ast.Turns, span: Span
+    ctx: Context, first: Node, end: Node, most: int, written: ast.Turns, span: Span
 ) -> tuple[Node, int] | None:
     """How often a loop turns, and at most; reported where nothing says that."""
-    known = [low.constants.known_integer(node) for node in (first, end)]
+    known = [ctx.constants.known_integer(node) for node in (first, end)]
     if known[0] is not None and known[1] is not None:
         turns = max(known[1] - known[0], 0)
         turns = turns if written.most is None else max(min(turns, most), 0)
         if turns > LONGEST:
-            low.report.add(rules.FOLD_TOO_LONG, span, count=turns, most=LONGEST)
+            ctx.report.add(rules.FOLD_TOO_LONG, span, count=turns, most=LONGEST)
             return None
-        return build.constant(low.graph, INT, turns), turns
+        return build.constant(ctx.graph, INT, turns), turns
     if written.most is not None and most > LONGEST:
-        low.report.add(rules.FOLD_TOO_LONG, written.most.span, count=most, most=LONGEST)
+        ctx.report.add(rules.FOLD_TOO_LONG, written.most.span, count=most, most=LONGEST)
         return None
-    facts = low.ranges.of(first), low.ranges.of(end)
+    facts = ctx.ranges.of(first), ctx.ranges.of(end)
     bound = min(facts[1].hi - facts[0].lo, most if written.most is not None else float("inf"))
-    if bound > LONGEST and (low.is_left_to_a_use(first) or low.is_left_to_a_use(end)):
+    if bound > LONGEST and (ctx.is_left_to_a_use(first) or ctx.is_left_to_a_use(end)):
         bound = 1
     if bound > LONGEST:
         way = "write `up to 16` behind the bounds"
         if not written.variable.text:
             way = "write `for i in 0..n up to 16`"
         hint = f"give the parameter a range, `in 0..16`, or {way}"
-        low.report.add(rules.UNBOUNDED_LOOP, written.end.span, hint=hint)
+        ctx.report.add(rules.UNBOUNDED_LOOP, written.end.span, hint=hint)
         return None
     count = end
     if known[0] != 0:
-        count = low.graph.node("call", INT, (end, first), "sub")
+        count = ctx.graph.node("call", INT, (end, first), "sub")
     return count, max(int(bound), 0)
 
 
 # --- folds ---------------------------------------------------------------------------------------
 
 
-def fold(low: Lowering, e: ast.Fold, scope: Scope) -> Step[Value]:
+def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
+    """What is evaluated outside of the loop."""
+    return _bounds(e.turns) if e.initial is None else (*_bounds(e.turns), e.initial)
+
+
+def fold(ctx: Context, e: ast.Fold, operands: Sequence[Value], scope: Scope) -> Value | Inner:
     """``sum i in a..b from x : e`` and its like."""
-    operator = OPERATORS[e.operator]
-    turns = yield _turns(low, e.turns, scope, e.span)
-    initial = None
-    if e.initial is not None:
-        initial = yield low.node(e.initial, scope)
+    outside = list(operands)
+    initial = None if e.initial is None else plain(ctx, outside.pop(), e.initial)
+    turns = _turns(ctx, e.turns, outside, e.span)
     if isinstance(turns, Failure) or isinstance(initial, Failure):
         return FAILURE
     inner = scope.binding({e.turns.variable.text: turns.index})
-    body = yield low.node(e.body, inner)
-    body = _term(low, e, operator, body)
+    return Inner((e.body,), inner, partial(_folded, ctx, e, turns, initial))
+
+
+def _folded(
+    ctx: Context, e: ast.Fold, turns: _Turns, initial: Node | None, values: Sequence[Value]
+) -> Value:
+    """The fold over a body whose value is known."""
+    operator = OPERATORS[e.operator]
+    body = _term(ctx, e, operator, plain(ctx, values[0], e.body))
     if isinstance(body, Failure):
         return FAILURE
     if initial is not None:
-        fitted = coerce(low.graph, initial, body.type)
-        if fitted is None and (adapted := coerce(low.graph, body, initial.type)) is not None:
-            body, fitted = adapted, initial
         assert e.initial is not None
-        initial = fitted or low.fit(initial, body.type, str(body.type), e.initial.span)
-        if isinstance(initial, Failure):
+        fitted: Node | Failure | None = coerce(ctx.graph, initial, body.type)
+        if fitted is None and (adapted := coerce(ctx.graph, body, initial.type)) is not None:
+            body, fitted = adapted, initial
+        fitted = fitted or fit(ctx, initial, body.type, str(body.type), e.initial.span)
+        if isinstance(fitted, Failure):
             return FAILURE
-    if not _allowed(low, turns, (body,), {turns.formal}, e.span, waits=False):
+        initial = fitted
+    if not _allowed(ctx, turns, (body,), {turns.formal}, e.span, waits=False):
         return FAILURE
-    return _combined(low, e, operator, turns, body, initial)
+    return _combined(ctx, e, operator, turns, body, initial)
 
 
 def _term(
-    low: Lowering, e: ast.Fold, operator: FoldOperator, body: Node | Failure
+    ctx: Context, e: ast.Fold, operator: FoldOperator, body: Node | Failure
 ) -> Node | Failure:
     """A term as one that the fold can take."""
     if isinstance(body, Failure):
         return FAILURE
     if operator in ("and", "or"):
-        return low.fit(body, BOOL, "bool", e.body.span)
+        return fit(ctx, body, BOOL, "bool", e.body.span)
     if not isinstance(body.type, Scalar | Vector) or body.type.kind == "bool":
-        low.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
+        ctx.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
         return FAILURE
     return body
 
 
 def _combined(
-    low: Lowering,
+    ctx: Context,
     e: ast.Fold,
     operator: FoldOperator,
     turns: _Turns,
@@ -202,103 +221,131 @@ def _combined(
     crosses = any(node.op == "cross" for node in changing((body,), {turns.formal}))
     if initial is None and operator in ("min", "max"):
         if not turns.known or turns.bound == 0:
-            low.report.add(rules.NO_INITIAL, e.span, word=e.operator)
+            ctx.report.add(rules.NO_INITIAL, e.span, word=e.operator)
             return FAILURE
-        return _written_out(low, operator, turns, body, None) if crosses else _from_first(
-            low, operator, turns, body
+        return _written_out(ctx, operator, turns, body, None) if crosses else _from_first(
+            ctx, operator, turns, body
         )  # fmt: skip
     if crosses:
-        return _written_out(low, operator, turns, body, initial)
+        return _written_out(ctx, operator, turns, body, initial)
     result = folded(
-        low.graph, operator, turns.bound, body, turns.formal, low.notes.follow, turns.count, initial
+        ctx.graph, operator, turns.bound, body, turns.formal, ctx.notes.follow, turns.count, initial
     )
-    low.notes.variables.setdefault(result.id, (e.turns.variable.text,))
+    ctx.notes.variables.setdefault(result.id, (e.turns.variable.text,))
     return result
 
 
-def _from_first(low: Lowering, operator: FoldOperator, turns: _Turns, body: Node) -> Node:
+def _from_first(ctx: Context, operator: FoldOperator, turns: _Turns, body: Node) -> Node:
     """A fold that begins with its first term."""
-    first = _at(low, body, turns.formal, 0)
-    turn = low.graph.node("formal", INT, (), turns.formal)
-    one = build.constant(low.graph, INT, 1)
-    later = low.graph.node("call", INT, (turn, one), "add")
-    rest = substitute(low.graph, body, {turns.formal: later}, low.notes.follow)
+    first = _at(ctx, body, turns.formal, 0)
+    turn = ctx.graph.node("formal", INT, (), turns.formal)
+    one = build.constant(ctx.graph, INT, 1)
+    later = ctx.graph.node("call", INT, (turn, one), "add")
+    rest = substitute(ctx.graph, body, {turns.formal: later}, ctx.notes.follow)
     return folded(
-        low.graph, operator, turns.bound - 1, rest, turns.formal, low.notes.follow, start=first
+        ctx.graph, operator, turns.bound - 1, rest, turns.formal, ctx.notes.follow, start=first
     )
 
 
 def _written_out(
-    low: Lowering, operator: FoldOperator, turns: _Turns, body: Node, initial: Node | None
+    ctx: Context, operator: FoldOperator, turns: _Turns, body: Node, initial: Node | None
 ) -> Node:
     """A fold turn by turn."""
-    terms = [_at(low, body, turns.formal, turn) for turn in range(turns.bound)]
+    terms = [_at(ctx, body, turns.formal, turn) for turn in range(turns.bound)]
     if operator not in ("min", "max") or initial is not None:
-        terms.insert(0, initial or _of_nothing(low.graph, operator, body.type))
+        terms.insert(0, initial or _of_nothing(ctx.graph, operator, body.type))
     total = terms[0]
     for term in terms[1:]:
-        total = low.graph.node("call", body.type, (total, term), operator)
+        total = ctx.graph.node("call", body.type, (total, term), operator)
     return total
 
 
-def _at(low: Lowering, body: Node, formal: Formal, turn: int) -> Node:
-    number = build.constant(low.graph, INT, turn)
-    return substitute(low.graph, body, {formal: number}, low.notes.follow)
+def _at(ctx: Context, body: Node, formal: Formal, turn: int) -> Node:
+    number = build.constant(ctx.graph, INT, turn)
+    return substitute(ctx.graph, body, {formal: number}, ctx.notes.follow)
 
 
 # --- states --------------------------------------------------------------------------------------
 
 
-def iterate(low: Lowering, e: ast.Iterate, scope: Scope) -> Step[Value]:
+def bounds_of_iterate(e: ast.Iterate, _scope: Scope) -> tuple[ast.Expression, ...]:
+    """What is evaluated outside of the loop."""
+    return (e.initial, *_bounds(e.turns))
+
+
+@frozen
+class _States:
+    """The states of a loop: what they are as a whole, and each as a variable with its start."""
+
+    initial: Node
+    starts: tuple[Node, ...]
+    formals: tuple[Formal, ...]
+    variables: tuple[Node, ...]
+
+
+def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Value], scope: Scope) -> Value | Inner:
     """``iterate x from e up to n while c : next``: a structure is several states."""
-    initial = yield low.node(e.initial, scope)
-    turns = yield _turns(low, e.turns, scope, e.span)
+    initial = plain(ctx, operands[0], e.initial)
+    turns = _turns(ctx, e.turns, operands[1:], e.span)
     if isinstance(initial, Failure) or isinstance(turns, Failure):
         return FAILURE
+    states = _states(ctx, e, initial)
+    if isinstance(states, Failure):
+        return FAILURE
+    whole = build.assembled(ctx.graph, initial.type, iter(states.variables))
+    inner = scope.binding({e.turns.variable.text: turns.index, e.state.text: whole})
+    written = (e.body,) if e.condition is None else (e.condition, e.body)
+    return Inner(written, inner, partial(_iterated, ctx, e, turns, states))
+
+
+def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:
+    """Variables for the states that a loop begins with."""
     if isinstance(initial.type, Texture):
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_TYPE, e.initial.span, expected="a value", found=initial.type,
             hint="a texture cannot change from turn to turn",
         )  # fmt: skip
         return FAILURE
-    starts = tuple(build.flattened(low.graph, initial))
+    starts = tuple(build.flattened(ctx.graph, initial))
     if len(starts) > LARGEST_STATE:
-        low.report.add(rules.STATE_TOO_LARGE, e.initial.span, count=len(starts), most=LARGEST_STATE)
+        ctx.report.add(rules.STATE_TOO_LARGE, e.initial.span, count=len(starts), most=LARGEST_STATE)
         return FAILURE
     names = tuple(name for name, _ in build.named_parts(e.state.text, initial.type))
     formals = tuple(map(Formal, names))
-    variables = [
-        low.graph.node("formal", start.type, (), formal)
+    variables = tuple(
+        ctx.graph.node("formal", start.type, (), formal)
         for start, formal in zip(starts, formals, strict=True)
-    ]
-    whole = build.assembled(low.graph, initial.type, iter(variables))
-    inner = scope.binding({e.turns.variable.text: turns.index, e.state.text: whole})
-    going: Node | Failure = build.constant(low.graph, BOOL, True)
+    )
+    return _States(initial, starts, formals, variables)
+
+
+def _iterated(
+    ctx: Context, e: ast.Iterate, turns: _Turns, states: _States, values: Sequence[Value]
+) -> Value:
+    """The last state of a loop of which condition and body are known."""
+    going: Node | Failure = build.constant(ctx.graph, BOOL, True)
     if e.condition is not None:
-        going = yield low.typed(e.condition, inner, BOOL, "bool")
-    body = yield low.node(e.body, inner)
-    body = _following(low, e, body, initial)
+        condition = plain(ctx, values[0], e.condition)
+        going = fit(ctx, condition, BOOL, "bool", e.condition.span)
+    body = _following(ctx, e, plain(ctx, values[-1], e.body), states.initial)
     if isinstance(going, Failure) or isinstance(body, Failure):
         return FAILURE
-    nexts = tuple(build.flattened(low.graph, body))
+    nexts = tuple(build.flattened(ctx.graph, body))
     waits = e.condition is not None
-    if not _allowed(
-        low, turns, (going, *nexts), {turns.formal, *formals}, e.span, waits=waits, states=True
-    ):
+    formals = {turns.formal, *states.formals}
+    if not _allowed(ctx, turns, (going, *nexts), formals, e.span, waits=waits, states=True):
         return FAILURE
-    states = list(zip(formals, variables, starts, nexts, strict=True))
-    return build.assembled(low.graph, initial.type, iter(_looped(low, turns, states, going)))
+    rows = list(zip(states.formals, states.variables, states.starts, nexts, strict=True))
+    return build.assembled(ctx.graph, states.initial.type, iter(_looped(ctx, turns, rows, going)))
 
 
-def _following(
-    low: Lowering, e: ast.Iterate, body: Node | Failure, initial: Node
-) -> Node | Failure:
+def _following(ctx: Context, e: ast.Iterate, body: Node | Failure, initial: Node) -> Node | Failure:
     """What a turn makes of the state, as a state."""
     if isinstance(body, Failure):
         return FAILURE
-    fitted = coerce(low.graph, body, initial.type)
+    fitted = coerce(ctx.graph, body, initial.type)
     if fitted is None:
-        low.report.add(
+        ctx.report.add(
             rules.STATE_CHANGES, e.body.span, name=e.state.text, before=initial.type,
             after=body.type, labels=[Label(e.initial.span, f"this is `{initial.type}`")],
         )  # fmt: skip
@@ -307,13 +354,13 @@ def _following(
 
 
 def _looped(
-    low: Lowering,
+    ctx: Context,
     turns: _Turns,
     states: list[tuple[Formal, Node, Node, Node]],
     going: Node,
 ) -> list[Node]:
     """The last states of a loop; what no turn changes is no part of it."""
-    graph, moved = low.graph, low.notes.follow
+    graph, moved = ctx.graph, ctx.notes.follow
     fixed = {f: start for f, variable, start, following in states if following is variable}
     kept = [state for state in states if state[0] not in fixed]
     if not kept:
@@ -331,7 +378,7 @@ def _looped(
         closed(going),
         tuple(closed(following) for _, _, _, following in kept),
     )
-    low.notes.variables.setdefault(loop.id, tuple(formal.name for formal in formals))
+    ctx.notes.variables.setdefault(loop.id, tuple(formal.name for formal in formals))
     last = {formal: build.state(graph, loop, k) for k, (formal, *_) in enumerate(kept)}
     return [fixed.get(formal) or last[formal] for formal, *_ in states]
 
@@ -352,7 +399,7 @@ def changing(bodies: Iterable[Node], formals: set[Formal]) -> Iterator[Node]:
 
 
 def _allowed(
-    low: Lowering,
+    ctx: Context,
     turns: _Turns,
     bodies: tuple[Node, ...],
     formals: set[Formal],
@@ -365,14 +412,14 @@ def _allowed(
     inside = list(changing(bodies, formals))
     crossing = next((node for node in inside if node.op == "cross"), None)
     if crossing is not None and (states or not turns.known or turns.bound > CROSSING_TURNS):
-        low.report.add(rules.CROSSING_IN_LOOP, low.notes.spans.get(crossing.id, span))
+        ctx.report.add(rules.CROSSING_IN_LOOP, ctx.notes.spans.get(crossing.id, span))
         return False
     read = next((node for node in inside if _compares_neighbours(node)), None)
     if read is None or not (waits or _varies(turns.count)):
         return True
     what = "a texture read" if read.data == "sample" else f"`{read.data}`"
     labels = [Label(span, "pixels leave this loop at different turns")]
-    low.report.add(rules.READ_IN_LOOP, low.notes.spans.get(read.id, span), what=what, labels=labels)
+    ctx.report.add(rules.READ_IN_LOOP, ctx.notes.spans.get(read.id, span), what=what, labels=labels)
     return False
 
 

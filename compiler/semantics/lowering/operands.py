@@ -6,10 +6,10 @@ An edit is offered where the builtin is known to take what comes of it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics import rules
+from ...diagnostics.fixes import FixIt, Hint, either, fix_it
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...ir.signatures import FAMILIES
@@ -26,21 +26,20 @@ from ...ir.types import (
     with_width,
 )
 from ...syntax import ast
+from ...syntax.quoting import closed, counted, operand, spanned
+from ...syntax.rewriting import rewritten, together
 from ..hints import advice
-from ..hints.wording import counted, operand, spanned
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from ..types import overloads
 from ..types.overloads import Operand
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 _INTEGERS = frozenset(FAMILIES["I"].kinds)
 _LANES = "xyzw"
 
 Written = Sequence[ast.Expression]
-Edit = tuple[Operand, str]
-"""An operand as it would be, and how that is written; the text is empty where nothing changes."""
+Edited = tuple[Operand, FixIt | None]
+"""An operand as it would be, and how that is written; ``None`` where nothing changes."""
 
 
 def listed(operands: Sequence[Node]) -> str:
@@ -49,40 +48,44 @@ def listed(operands: Sequence[Node]) -> str:
 
 
 def no_signature(
-    low: Lowering, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
+    ctx: Context, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
 ) -> Failure:
     """Report operands that no signature of a builtin takes."""
-    row = BUILTINS[name]
+    row, places = BUILTINS[name], [each.span for each in written]
     if row.operator:
         types = [str(node.type) for node in operands]
-        low.report.add(
+        ctx.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
-            hint=advice.cut_quotient(operands) or _operator_hint(low, name, operands, written),
+            hint=advice.cut_quotient(operands, places)
+            or _operator_hint(ctx, name, operands, written),
         )  # fmt: skip
         return FAILURE
     candidates = f"candidates: {overloads.signatures(row)}"
     if not overloads.takes(name, len(operands)):
         counts = sorted({len(s.split("->")[0].split(",")) for s in row.signatures})
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_COUNT, span, name=shown,
             expected=counted(" or ".join(map(str, counts)), "argument"), found=len(operands),
-            hint=_of_another_count(name, written) or candidates,
+            hint=_of_another_count(name, span, written) or candidates,
         )  # fmt: skip
         return FAILURE
-    edit = _parts(operands) or advice.cut_quotient(operands) or _edited(name, operands, written)
-    hint = edit or candidates
-    low.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
+    cut = advice.cut_quotient(operands, places)
+    hint = _parts(operands) or cut or _edited(name, operands, written) or candidates
+    ctx.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
     return FAILURE
 
 
-def _of_another_count(name: str, written: Written) -> str:
+def _of_another_count(name: str, span: Span, written: Written) -> Hint:
     """The builtin for two operands of which this one is for one, as ``atan2`` is of ``atan``."""
     other = f"{name}{len(written)}"
     if other not in BUILTINS or not overloads.takes(other, len(written)):
         return ""
     arguments = ", ".join(spanned(each.span) for each in written)
-    return f"of {len(written)} arguments it is `{other}({arguments})`"
+    said = f"of {len(written)} arguments it is `{other}({arguments})`"
+    is_named = span.text.startswith(f"{name}(")
+    place = Span(span.source, span.start, span.start + len(name))
+    return fix_it(said, (place, other)) if is_named else said
 
 
 def _parts(operands: Sequence[Node]) -> str:
@@ -100,56 +103,58 @@ def _parts(operands: Sequence[Node]) -> str:
 # --- edits ---------------------------------------------------------------------------------------
 
 
-def _edited(name: str, operands: Sequence[Node], written: Written) -> str:
+def _edited(name: str, operands: Sequence[Node], written: Written) -> Hint:
     """The smallest edits after which a builtin takes the operands."""
     if len(written) != len(operands):
         return ""
     for edit in (_as_floats, _of_one_length):
         edits = edit(operands, written)
-        if any(text for _, text in edits) and overloads.resolve(name, tuple(o for o, _ in edits)):
-            return f"write {' and '.join(f'`{text}`' for _, text in edits if text)}"
+        parts = [part for _, part in edits if part is not None]
+        if parts and overloads.resolve(name, tuple(o for o, _ in edits)):
+            return together("write {}", parts)
     return ""
 
 
-def _as_floats(operands: Sequence[Node], written: Written) -> list[Edit]:
+def _as_floats(operands: Sequence[Node], written: Written) -> list[Edited]:
     """Every integer as a float, but for literals, which adapt by themselves."""
-    edits = []
+    edits: list[Edited] = []
     for node, expression in zip(operands, written, strict=True):
         known = overloads.operand(node)
         if known.constant or scalar_kind(node.type) not in _INTEGERS:
-            edits.append((known, ""))
+            edits.append((known, None))
             continue
         type_ = with_width("float", width(node.type))
-        edits.append((Operand(type_), f"{type_}({spanned(expression.span)})"))
+        edits.append((Operand(type_), rewritten(expression.span, f"{type_}({{text}})", "`{}`")))
     return edits
 
 
-def _of_one_length(operands: Sequence[Node], written: Written) -> list[Edit]:
+def _of_one_length(operands: Sequence[Node], written: Written) -> list[Edited]:
     """Every vector with as many lanes as the shortest."""
     sizes = [node.type.size for node in operands if isinstance(node.type, Vector)]
-    edits = []
+    edits: list[Edited] = []
     for node, expression in zip(operands, written, strict=True):
         known = overloads.operand(node)
         if not isinstance(node.type, Vector) or node.type.size == min(sizes):
-            edits.append((known, ""))
+            edits.append((known, None))
             continue
         type_ = with_width(node.type.kind, min(sizes))
-        edits.append((Operand(type_), f"{operand(expression.span)}.{_LANES[: min(sizes)]}"))
+        lanes = rewritten(expression.span, f"{{operand}}.{_LANES[: min(sizes)]}", "`{}`")
+        edits.append((Operand(type_), lanes))
     return edits
 
 
 # --- operators -----------------------------------------------------------------------------------
 
 
-def _operator_hint(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> str:
+def _operator_hint(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> Hint:
     """How to mend ``x * i`` between a float and an integer, and the like."""
     of_bits = all(signature.startswith("I") for signature in BUILTINS[name].signatures)
-    ways: tuple[Callable[[], str], ...] = (
+    ways: tuple[Callable[[], Hint], ...] = (
         lambda: _parts(operands),
         lambda: _bits(name, operands) if of_bits else "",
         lambda: _edited(name, operands, written),
         lambda: _integers(operands, written),
-        lambda: _of_matrices(low, name, operands, written),
+        lambda: _of_matrices(ctx, name, operands, written),
         lambda: advice.joined_types(name, operands[0].type, operands[-1].type),
     )
     return next((hint for way in ways if (hint := way())), "")
@@ -162,30 +167,35 @@ def _bits(name: str, operands: Sequence[Node]) -> str:
         power = "a power is written `pow(x, y)`; " if name == "bit_xor" else ""
         return f"{power}bits are those of integers: convert with `int(…)`, or see `bits_of`"
     if "bool" in kinds:
-        return "truths are joined by `and` and `or`, and turned over by `not`"
+        return "bools are combined by `and` and `or`, and negated by `not`"
     return ""
 
 
-def _integers(operands: Sequence[Node], written: Written) -> str:
+def _integers(operands: Sequence[Node], written: Written) -> Hint:
     """How to mend an operator between an ``int`` and a ``uint``."""
     if {scalar_kind(node.type) for node in operands} != _INTEGERS:
         return ""
     types = [node.type for node in operands]
     if len(written) != 2 or not all(isinstance(type_, Scalar) for type_ in types):
         return "convert one with `int(…)` or `uint(…)`, which keep the bits"
-    left, right = (spanned(each.span) for each in written)
-    return f"write `{types[1]}({left})` or `{types[0]}({right})`, which keeps the bits"
+    left = rewritten(written[0].span, f"{types[1]}({{text}})", "`{}`")
+    right = rewritten(written[1].span, f"{types[0]}({{text}})", "`{}`")
+    said = f"write {left.text} or {right.text}, which keeps the bits"
+    return FixIt(said, (*left.fixes, *right.fixes))
 
 
-def _of_matrices(low: Lowering, name: str, operands: Sequence[Node], written: Written) -> str:
+def _of_matrices(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> Hint:
     """How to mend ``matrix * vector`` of different sizes, and ``matrix / number``."""
     if len(operands) != 2 or not isinstance(operands[0].type, Matrix):
         return ""
     matrix, vector = (operand(each.span) for each in written) if written else ("m", "v")
     size, type_ = operands[0].type.size, operands[1].type
     if name == "div" and isinstance(type_, Scalar):
-        return f"a matrix is multiplied: `{matrix} * (1.0 / {vector})`"
-    by = low.meanings.of(operands[0])
+        said = f"a matrix is multiplied: `{matrix} * (1.0 / {vector})`"
+        whole = [written[0].span.to(each.span) for each in written[1:]]
+        exact = " * (1.0 / ".join(closed(each.span.text) for each in written) + ")"
+        return fix_it(said, (whole[0], exact)) if whole else said
+    by = ctx.meanings.of(operands[0])
     if type_ == VEC3 and by is not None and by.kind == "transform":
         space = by.spaces[0]
         return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
@@ -194,4 +204,10 @@ def _of_matrices(low: Lowering, name: str, operands: Sequence[Node], written: Wr
     longer = ", 0" * (size - type_.size - 1) + ", 1"
     place = f"({matrix} * vec{size}({vector}{longer})).{_LANES[: type_.size]}"
     along = f"mat{type_.size}({matrix}) * {vector}"
-    return f"a place is moved by `{place}`, a direction turned by `{along}`"
+    said = f"a place is moved by `{place}`, a direction turned by `{along}`"
+    is_short = "…" not in place
+    return (
+        either(said, written[0].span.to(written[1].span), place, along)
+        if written and is_short
+        else said
+    )

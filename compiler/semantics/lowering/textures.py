@@ -6,24 +6,24 @@ Each is a row of ``stdlib/builtins/texture.py``, found by how it is written and 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from ....frozen import frozen
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.row import Builtin
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.fixes import fix_it
+from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.node import Node
 from ...ir.signatures import FIXED, TEXTURE_FAMILIES, dependent, meaning, parsed
 from ...ir.types import INT, Texture, Type
 from ...syntax import ast
-from ..hints.wording import counted, spanned
+from ...syntax.quoting import counted, spanned
+from ..declarations.fitting import fit
+from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Value
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+from .builtin_calls import builtin_call
 
 _READS = tuple(row for row in BUILTINS.values() if row.method is not None)
 
@@ -45,7 +45,7 @@ class _Way:
 
 
 def read(
-    low: Lowering,
+    ctx: Context,
     texture: Value,
     arguments: tuple[Node, ...],
     e: ast.Call,
@@ -55,24 +55,26 @@ def read(
     if isinstance(texture, Failure):
         return FAILURE
     if not isinstance(texture, Node) or not isinstance(texture.type, Texture):
-        hint = f"a product is written `{spanned(e.callee.span)} * (…)`"
-        low.report.add(rules.NOT_CALLABLE, e.callee.span, found="this", hint=hint)
+        place = Span(e.callee.span.source, e.callee.span.end, e.callee.span.end)
+        said = f"a product is written `{spanned(e.callee.span)} * (…)`"
+        hint = fix_it(said, (place, " * "))
+        ctx.report.add(rules.NOT_CALLABLE, e.callee.span, found="this", hint=hint)
         return FAILURE
     name = "" if method is None else method.text
     way = next(_ways(texture.type, name), None)
     if way is None:
-        _no_way(low, texture.type, name, e.callee.span if method is None else method.span)
+        _no_way(ctx, texture.type, name, e.callee.span if method is None else method.span)
         return FAILURE
-    operands = _operands(low, way, arguments, e)
+    operands = _operands(ctx, way, arguments, e)
     if operands is None:
         return FAILURE
-    return low.builtin(way.row.name, (texture, *operands), e.span, "a texture read")
+    return builtin_call(ctx, way.row.name, (texture, *operands), e.span, "a texture read")
 
 
-def can_read(low: Lowering, type_: Texture, method: ast.Name) -> bool:
+def can_read(ctx: Context, type_: Texture, method: ast.Name) -> bool:
     """Whether textures of a type have a read; reports if they have not."""
     if next(_ways(type_, method.text), None) is None:
-        _no_way(low, type_, method.text, method.span)
+        _no_way(ctx, type_, method.text, method.span)
         return False
     return True
 
@@ -92,19 +94,19 @@ def _ways(type_: Texture, method: str) -> Iterator[_Way]:
                 yield _Way(row, tuple(names), operands, meaning(result, bound))
 
 
-def _no_way(low: Lowering, type_: Texture, method: str, span: Span) -> None:
+def _no_way(ctx: Context, type_: Texture, method: str, span: Span) -> None:
     known = {str(row.method): None for row in _READS if next(_ways(type_, str(row.method)), None)}
     listed = ", ".join(f"`{name}`" for name in known if name)
     if "" in known:
         listed = f"a read by coordinate, {listed}"
     if method and all(row.method != method for row in _READS):
-        low.report.add(
+        ctx.report.add(
             rules.UNKNOWN_NAME, span, kind=f"read of `{type_}`", name=method,
-            hint=_foreign(method) or suggestion(method, known) or f"it has {listed}",
+            hint=_foreign(method) or respelling(method, span, known) or f"it has {listed}",
         )  # fmt: skip
         return
     what = f"`{method}`" if method else "read by coordinate"
-    low.report.add(rules.TEXTURE_LACKS_READ, span, type=type_, read=what, hint=f"it has {listed}")
+    ctx.report.add(rules.TEXTURE_LACKS_READ, span, type=type_, read=what, hint=f"it has {listed}")
 
 
 def _foreign(method: str) -> str:
@@ -115,14 +117,14 @@ def _foreign(method: str) -> str:
 
 
 def _operands(
-    low: Lowering, way: _Way, arguments: tuple[Node, ...], e: ast.Call
+    ctx: Context, way: _Way, arguments: tuple[Node, ...], e: ast.Call
 ) -> tuple[Node, ...] | None:
     """The operands behind the texture as the read takes them."""
     least = len(way.operands) - len(way.row.optional)
     if not least <= len(arguments) <= len(way.operands):
         span = e.callee.span
         written = span.source.text[span.start : span.end]
-        low.report.add(
+        ctx.report.add(
             rules.WRONG_COUNT, e.span, name=written,
             expected=counted(
                 f"{least} or {len(way.operands)}" if way.row.optional else least, "argument"
@@ -131,19 +133,19 @@ def _operands(
         )  # fmt: skip
         return None
     left_out = way.row.optional[len(arguments) - least :]
-    fitted = [build.constant(low.graph, INT, value) for value in left_out]
+    fitted = [build.constant(ctx.graph, INT, value) for value in left_out]
     given = []
     for node, type_, argument in zip(arguments, way.operands, e.arguments, strict=False):
-        operand = low.fit(node, type_, str(type_), argument.span)
+        operand = fit(ctx, node, type_, str(type_), argument.span)
         if isinstance(operand, Failure):
             return None
         given.append(operand)
     operands = (*given, *fitted)
     for place in way.row.constants:
-        lane = low.constants.known_integer(operands[place])
-        if lane is None and low.is_left_to_a_use(operands[place]):
+        lane = ctx.constants.known_integer(operands[place])
+        if lane is None and ctx.is_left_to_a_use(operands[place]):
             continue
         if lane is None or not 0 <= lane <= 3:
-            low.report.add(rules.NOT_A_LANE, e.arguments[place].span)
+            ctx.report.add(rules.NOT_A_LANE, e.arguments[place].span)
             return None
     return operands

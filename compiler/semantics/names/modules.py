@@ -7,6 +7,7 @@ lead out of the folder they start from.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -16,9 +17,11 @@ from typing import Protocol
 from ....frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
-from ...diagnostics.nearest import nearest, suggestion
+from ...diagnostics.fixes import Hint, fix_it
+from ...diagnostics.nearest import nearest, respelling
 from ...diagnostics.source import Source, Span
 from ...syntax import ast
+from ...syntax.rewriting import inserted_on_top
 from ..types.generics import FAMILIES, unfounded, untold
 from ..types.typenames import described
 from .duplicates import check_once
@@ -75,10 +78,13 @@ class Module:
             found = self.prelude.declared.get(name)
         return found or ()
 
-    def hint(self, name: str, known: Iterable[str]) -> str:
+    def hint(self, name: ast.Name, known: Iterable[str]) -> Hint:
         """What to do about an unknown name: import it, or write the nearest known one."""
-        path = self.offered(name)
-        return f"add `import {path}.{{{name}}}`" if path else suggestion(name, known)
+        path = self.offered(name.text)
+        if not path:
+            return respelling(name.text, name.span, known)
+        declaration = f"import {path}.{{{name.text}}}"
+        return inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
 
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
@@ -102,6 +108,19 @@ class Looked(Protocol):
 
     def __call__(self, root: Path, path: Path, /, *, found: bool) -> None:
         """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
+
+
+@dataclass(slots=True)
+class _Linking:
+    """A module whose imports are being read."""
+
+    module: Module
+    imports: list[ast.Import]
+    """Those that are left, the last one first."""
+    path: Path | None = None
+    """Where it was read from, if another module imports it."""
+    wanted: ast.Import | None = None
+    """By what that module does."""
 
 
 class Loader:
@@ -156,6 +175,31 @@ class Loader:
         return module
 
     def _link(self, module: Module) -> None:
+        """Give a module its names, and those that it imports, file after file.
+
+        Files import each other without limit, so those whose imports are not all known yet wait in
+        a list.
+        """
+        pending = [_Linking(module, self._declared(module))]
+        while pending:
+            top = pending[-1]
+            if top.imports:
+                wanted = top.imports.pop()
+                found = self._resolve(top.module, wanted)
+                if isinstance(found, _Linking):
+                    pending.append(found)
+                else:
+                    self._import(top.module, wanted, found)
+                continue
+            pending.pop()
+            if top.path is not None:
+                assert top.wanted is not None
+                self._loading.pop()
+                self._modules[top.path] = top.module
+                self._import(pending[-1].module, top.wanted, top.module)
+
+    def _declared(self, module: Module) -> list[ast.Import]:
+        """Give a module its own names; its imports, the last one first."""
         imports: list[ast.Import] = []
         for declaration in module.file.declarations:
             if isinstance(declaration, ast.Import):
@@ -163,8 +207,7 @@ class Loader:
             else:
                 self._declare(module, declaration)
         # Names that are asked for come first: they decide between files that are imported whole.
-        for wanted in sorted(imports, key=lambda wanted: wanted.names is None):
-            self._import(module, wanted)
+        return sorted(imports, key=lambda wanted: wanted.names is None)[::-1]
 
     def _declare(self, module: Module, declaration: Named) -> None:
         _check_readable(self._report, declaration)
@@ -193,14 +236,15 @@ class Loader:
         if function.per is not None and function.per.text != "light":
             self._report.add(
                 rules.UNKNOWN_NAME, function.per.span, kind="summation", name=function.per.text,
-                hint="terms are summed `per light`",
+                hint=fix_it("terms are summed `per light`", (function.per.span, "light")),
             )  # fmt: skip
         for parameter in unfounded(function):
             listed = ", ".join(f"`{family}`" for family in FAMILIES)
             self._report.add(
                 rules.UNKNOWN_NAME, parameter.family.span, kind="family of types",
                 name=parameter.family.text,
-                hint=suggestion(parameter.family.text, FAMILIES) or f"one of {listed}",
+                hint=respelling(parameter.family.text, parameter.family.span, FAMILIES)
+                or f"one of {listed}",
             )  # fmt: skip
         for parameter in untold(function):
             self._report.add(
@@ -214,8 +258,8 @@ class Loader:
                     labels=[Label(other.declaration.name.span, "with the same arguments here")],
                 )  # fmt: skip
 
-    def _import(self, module: Module, wanted: ast.Import) -> None:
-        found = self._resolve(module, wanted)
+    def _import(self, module: Module, wanted: ast.Import, found: Module | None) -> None:
+        """Give a module the names that it imports from one that was ``found``."""
         names = wanted.names
         if found is None:
             module.missing.update(name.text for name in names or ())
@@ -231,7 +275,7 @@ class Loader:
                 module.missing.update((name.text, meant or name.text))
                 self._report.add(
                     rules.UNKNOWN_EXPORT, name.span, name=name.text, path=found.file.source.name,
-                    hint=suggestion(name.text, found.declared),
+                    hint=respelling(name.text, name.span, found.declared),
                 )  # fmt: skip
             else:
                 known = module.imported.setdefault(name.text, symbols)
@@ -255,7 +299,8 @@ class Loader:
             hint=f"ask for the one that is meant: `import ….{{{other.name}}}`",
         )  # fmt: skip
 
-    def _resolve(self, module: Module, wanted: ast.Import) -> Module | None:
+    def _resolve(self, module: Module, wanted: ast.Import) -> Module | _Linking | None:
+        """The module that an import is about, if need be before it is linked."""
         relative = wanted.path[0] if wanted.quoted else "/".join(wanted.path) + ".burnish"
         if PurePosixPath(relative).is_absolute() or ".." in PurePosixPath(relative).parts:
             self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
@@ -269,7 +314,7 @@ class Loader:
             is_file = path.is_file()
             self._looked(root, found, found=is_file)
             if is_file:
-                return self._load(found, path, wanted.span)
+                return self._load(found, path, wanted)
         self._report.add(
             rules.MISSING_IMPORT, wanted.span, path=relative, hint=self._suggest(wanted)
         )
@@ -297,28 +342,35 @@ class Loader:
                     return f"std.{path.stem}"
         return ""
 
-    def _suggest(self, wanted: ast.Import) -> str:
+    def _suggest(self, wanted: ast.Import) -> Hint:
         if wanted.quoted:
             path = wanted.path[0]
             whole = path.endswith(".burnish")
-            return "" if whole else f'the ending belongs to the path: `"{path}.burnish"`'
+            ending = f'"{path}.burnish"'
+            return (
+                ""
+                if whole
+                else _instead(f"the ending belongs to the path: `{ending}`", wanted, ending)
+            )
         *folder, name = wanted.path
         if folder and self._offering(name) == ".".join(folder):
-            return f"write `import {'.'.join(folder)}.{{{name}}}`"
+            declaration = f"{'.'.join(folder)}.{{{name}}}"
+            return _instead(f"write `import {declaration}`", wanted, declaration)
         if wanted.path[0] != "std":
             return ""
         stems = {path.stem for path in self._library.glob("*.burnish")} - _NOT_IMPORTED
         modules = (f"std.{stem}" for stem in stems)
-        return suggestion(".".join(wanted.path), sorted(modules))
+        near = nearest(".".join(wanted.path), sorted(modules))
+        return "" if near is None else _instead(f"did you mean `{near}`?", wanted, near)
 
-    def _load(self, found: Path, path: Path, span: Span) -> Module | None:
+    def _load(self, found: Path, path: Path, wanted: ast.Import) -> Module | _Linking | None:
         if path in self._modules:
             return self._modules[path]
         pending = [loading for loading, _ in self._loading]
         if path in pending:
             cycle = [*pending[pending.index(path) :], path]
             self._report.add(
-                rules.IMPORT_CYCLE, span, cycle=" → ".join(step.name for step in cycle)
+                rules.IMPORT_CYCLE, wanted.span, cycle=" → ".join(step.name for step in cycle)
             )
             return None
         library = path.is_relative_to(self._library.resolve())
@@ -326,13 +378,20 @@ class Loader:
         source = self._read(path, self._report, shown)
         if source is None:
             return None
-        self._loading.append((path, span))
+        self._loading.append((path, wanted.span))
         parse = self._parse_library if library else self._parse
-        linked = Module(parse(source, self._report), path, prelude=self.prelude())
-        self._link(linked)
-        self._loading.pop()
-        self._modules[path] = linked
-        return linked
+        module = Module(parse(source, self._report), path, prelude=self.prelude())
+        return _Linking(module, self._declared(module), path, wanted)
+
+
+def _instead(said: str, wanted: ast.Import, path: str) -> Hint:
+    """A hint to import ``path``; the names that are wanted of it stay."""
+    span = wanted.span
+    written = re.match(r"import\s+(\"[^\"\n]*\"|[\w.]*\w)", span.text)
+    if written is None:
+        return said
+    place = Span(span.source, span.start + written.start(1), span.start + written.end(1))
+    return fix_it(said, (place, path))
 
 
 _MEANT_OTHERWISE: Mapping[str, str] = {

@@ -10,11 +10,12 @@ from ...diagnostics.diagnostic import Label, Report
 from ...ir.leaves import Parameter, Resource
 from ...syntax import ast
 from ..declarations.parameters import Leaves, leaves_of
-from ..inheritance.records import Record, Records
+from ..inheritance.flattening import Records
+from ..inheritance.records import Record
+from ..lowering.expressions import RULES
 from ..names.modules import Module, Symbol
-from ..state.context import Lowering
+from ..state.context import Context
 from ..state.scope import Instance, Replacement
-from ..types.typenames import TypeResolver
 from .instances import instance_of
 from .placeholders import stand_in
 from .rigs import Entry, entries_of
@@ -36,7 +37,7 @@ class Parts:
 class Setting:
     """Instances of the parts, and the leaves that they read."""
 
-    low: Lowering
+    ctx: Context
     parts: Parts
     entries: list[Entry]
     leaves: tuple[Leaves, Leaves]
@@ -47,10 +48,10 @@ class Setting:
 
 def set_up(parts: Parts, report: Report, records: Records) -> Setting:
     """The parts put together; what they lack because they are abstract has stand-ins."""
-    low = Lowering(report, records, TypeResolver(report))
-    entries = entries_of(low, parts.rig)
-    low.rig = tuple(entry for entry, _, _ in entries)
-    return _put_together(low, parts, entries, None)
+    ctx = Context(report, records, RULES)
+    entries = entries_of(ctx, parts.rig)
+    ctx.rig = tuple(entry for entry, _, _ in entries)
+    return _put_together(ctx, parts, entries, None)
 
 
 def set_up_beside(setting: Setting, parts: Parts) -> Setting:
@@ -58,28 +59,28 @@ def set_up_beside(setting: Setting, parts: Parts) -> Setting:
     if parts == setting.parts:
         return setting
     same = parts.material == setting.parts.material and not setting.surface.replaced
-    return _put_together(setting.low, parts, setting.entries, setting.surface if same else None)
+    return _put_together(setting.ctx, parts, setting.entries, setting.surface if same else None)
 
 
 def _put_together(
-    low: Lowering, parts: Parts, entries: list[Entry], known: Instance | None
+    ctx: Context, parts: Parts, entries: list[Entry], known: Instance | None
 ) -> Setting:
     """``known`` is an instance of the material as it is under a pass that overrides nothing."""
-    material, drawn = low.records.of(parts.material), low.records.of(parts.pass_)
-    material_leaves, pass_leaves = leaves_of(low, material), leaves_of(low, drawn)
+    material, drawn = ctx.records.of(parts.material), ctx.records.of(parts.pass_)
+    material_leaves, pass_leaves = leaves_of(ctx, material), leaves_of(ctx, drawn)
     pass_leaves = _apart(pass_leaves, material_leaves, drawn)
-    _check_attributes(low, pass_leaves, material_leaves, material)
-    passing = instance_of(low, drawn, pass_leaves)
+    _check_attributes(ctx, pass_leaves, material_leaves, material)
+    passing = instance_of(ctx, drawn, pass_leaves)
     overrides = _overrides(material, drawn, passing)
     reused = known is not None and not overrides
-    surface = known if known is not None and reused else instance_of(low, material, material_leaves)
+    surface = known if known is not None and reused else instance_of(ctx, material, material_leaves)
     surface.replaced.update(overrides)
     passing.surface = surface
-    low.passing = passing
+    ctx.passing = passing
     for instance in (passing,) if reused else (surface, passing):
         if is_declared_abstract(instance.record):
-            stand_in(low, instance)
-    return Setting(low, parts, entries, (pass_leaves, material_leaves), surface, passing)
+            stand_in(ctx, instance)
+    return Setting(ctx, parts, entries, (pass_leaves, material_leaves), surface, passing)
 
 
 def is_declared_abstract(record: Record) -> bool:
@@ -114,13 +115,13 @@ def _prefixed(leaf: Leaf, drawn: Record) -> Leaf:
     return changed(leaf, name=f"{drawn.name}.{leaf.name}")
 
 
-def _check_attributes(low: Lowering, leaves: Leaves, others: Leaves, material: Record) -> None:
+def _check_attributes(ctx: Context, leaves: Leaves, others: Leaves, material: Record) -> None:
     """A vertex input that a pass and its material declare is one."""
     known = {info.attribute.name: info for info in others.attributes}
     for info in leaves.attributes:
         other = known.get(info.attribute.name)
         if other is not None and other.attribute != info.attribute:
-            low.report.add(
+            ctx.report.add(
                 rules.OVERRIDE_CHANGES_TYPE, info.span,
                 name=info.attribute.name, base=material.name,
                 expected=other.declared_type, found=info.declared_type,

@@ -11,12 +11,14 @@ from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT, TARGET, VERTEX
 from ...ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ...syntax import ast
-from ...trampoline import run
+from ..declarations.externs import read_externs
+from ..declarations.fitting import fit, typed
 from ..declarations.parameters import Leaves
 from ..inheritance.records import Record
-from ..lowering import lookup
+from ..lowering.slots import slot
+from ..lowering.unknown_names import unknown
 from ..names.modules import Symbol
-from ..state.context import Lowering
+from ..state.context import Context
 from ..state.scope import Failure, Instance, Scope
 from .assembly import Setting, is_declared_abstract
 from .host_names import check_host_names
@@ -40,15 +42,15 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 
     What is wrong has been reported, and is not among the results.
     """
-    low, surface, passing = setting.low, setting.surface, setting.passing
+    ctx, surface, passing = setting.ctx, setting.surface, setting.passing
     found = (
-        *_clip_position(low, passing, surface),
-        *_targets(low, passing.record, passing),
-        *_discard(low, passing.record, passing),
+        *_clip_position(ctx, passing, surface),
+        *_targets(ctx, passing.record, passing),
+        *_discard(ctx, passing.record, passing),
     )
-    check_slots(low, surface, passing)
-    low.externs.learn(setting.parts.module)
-    check_host_names(low.report, setting.leaves, setting.entries, low.externs.blocks)
+    check_slots(ctx, surface, passing)
+    read_externs(ctx, setting.parts.module)
+    check_host_names(ctx.report, setting.leaves, setting.entries, ctx.externs.infos)
     return found
 
 
@@ -58,29 +60,29 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     ``reached`` gets every declaration that was checked on the way. The setting can be used on:
     what is lowered in it later is no part of the shader's graph.
     """
-    low, parts = setting.low, setting.parts
+    ctx, parts = setting.ctx, setting.parts
     results = results_of(setting)
-    check_rig(low, setting.surface)
-    reached.update((parts.material, parts.rig, parts.pass_, *low.reached()))
-    if low.report.failed or not places_vertices(results):
+    check_rig(ctx, setting.surface)
+    reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
+    if ctx.report.failed or not places_vertices(results):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     leaves, entries = setting.leaves, setting.entries
-    values = shared(low, [result.value for result in results])
+    values = shared(ctx, [result.value for result in results])
     return Shader(
         name=setting.surface.record.name,
         doc=declaration.doc,
         pass_name=setting.passing.record.name,
         rig_name=parts.rig.name,
-        graph=low.graph.copy(),
-        notes=low.notes.copy(),
-        parameters=_all_parameters(leaves, entries, low.externs.blocks),
+        graph=ctx.graph.copy(),
+        notes=ctx.notes.copy(),
+        parameters=_all_parameters(leaves, entries, ctx.externs.infos),
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
-        externs=low.externs.blocks,
+        externs=ctx.externs.infos,
     )
 
 
@@ -103,49 +105,47 @@ def _scope(symbol: Symbol, passing: Instance, level: int) -> Scope:
     return Scope(symbol.module, passing, level, surface, {"material": surface})
 
 
-def _clip_position(low: Lowering, passing: Instance, surface: Instance) -> Iterator[Result]:
+def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result]:
     """The slot that every pass (or its material) has to define."""
     holder = passing if passing.has(CLIP_POSITION) else surface
     declared = passing.record.symbol.declaration.name.span
     if not holder.has(CLIP_POSITION):
         if not is_declared_abstract(passing.record):
-            low.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
+            ctx.report.add(rules.NO_CLIP_POSITION, declared, name=passing.record.name)
         return
     span = holder.record.definitions[CLIP_POSITION][0].member.name.span
-    node = low.fit(run(lookup.slot(low, holder, CLIP_POSITION, declared)), VEC4, "vec4", span)
-    placed = node if isinstance(node, Failure) else low.stages.checked_at_vertex(node, span)
+    node = fit(ctx, slot(ctx, holder, CLIP_POSITION, declared), VEC4, "vec4", span)
+    placed = node if isinstance(node, Failure) else ctx.crossings.checked_at_vertex(node, span)
     if isinstance(placed, Node):
         yield Result(CLIP_POSITION, VERTEX, placed)
 
 
-def _targets(low: Lowering, drawn: Record, passing: Instance) -> Iterator[Result]:
+def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
     if not written and not drawn.baseless and not is_declared_abstract(drawn):
-        low.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
-    found = (_target(low, drawn, passing, *row) for row in written)
+        ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
+    found = (_target(ctx, drawn, passing, *row) for row in written)
     return (target for target in found if target is not None)
 
 
 def _target(
-    low: Lowering, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
+    ctx: Context, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
 ) -> Result | None:
-    format_, blend = target.format.text, _blend(low, drawn, target)
+    format_, blend = target.format.text, _blend(ctx, drawn, target)
     if format_ not in FORMATS:
-        lookup.unknown(low, "format", format_, target.format.span, FORMATS)
+        unknown(ctx, "format", format_, target.format.span, FORMATS)
         return None
     scope = _scope(owner, passing, level)
-    value = run(
-        low.typed(target.value, scope, FORMATS[format_], f"{FORMATS[format_]} for {format_}")
-    )
+    type_ = FORMATS[format_]
+    value = typed(ctx, target.value, scope, type_, f"{type_} for {format_}")
     if isinstance(value, Failure):
         return None
     name = target.name.text
-    low.notes.names.setdefault(value.id, name)
-    state = RenderTarget(name, format_, blend, target.doc, target.span)
-    return Result(TARGET, FRAGMENT, value, state)
+    ctx.notes.names.setdefault(value.id, name)
+    return Result(TARGET, FRAGMENT, value, name, target.doc, RenderTarget(format_, blend))
 
 
-def _blend(low: Lowering, drawn: Record, target: ast.Target) -> str:
+def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:
     """The target's own blending, or the nearest that its pass's header names."""
     headers = (symbol.declaration for symbol in drawn.chain)
     named = [target.blend, *(h.blend for h in headers if isinstance(h, ast.Record))]
@@ -153,18 +153,18 @@ def _blend(low: Lowering, drawn: Record, target: ast.Target) -> str:
     if chosen is None:
         return BLENDS[0]
     if chosen.text not in BLENDS:
-        lookup.unknown(low, "blending", chosen.text, chosen.span, BLENDS)
+        unknown(ctx, "blending", chosen.text, chosen.span, BLENDS)
     return chosen.text
 
 
-def _discard(low: Lowering, drawn: Record, passing: Instance) -> Iterator[Result]:
+def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     combined: Node | None = None
     for discard, owner, level in drawn.every(ast.Discard):
         scope = _scope(owner, passing, level)
-        condition = run(low.typed(discard.condition, scope, BOOL, "bool"))
+        condition = typed(ctx, discard.condition, scope, BOOL, "bool")
         if isinstance(condition, Failure):
             continue
-        combined = condition if combined is None else low.graph.node(
+        combined = condition if combined is None else ctx.graph.node(
             "call", BOOL, (combined, condition), "or"
         )  # fmt: skip
     if combined is not None:

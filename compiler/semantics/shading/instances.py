@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from ...ir.node import Node
 from ...ir.shader import AttributeInfo
@@ -11,38 +10,36 @@ from ...ir.types import Matrix
 from ..declarations.overrides import check_overrides
 from ..declarations.parameters import Leaves
 from ..inheritance.records import Record
+from ..state.context import Context
 from ..state.scope import Instance
 
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
-
-def instance_of(low: Lowering, record: Record, leaves: Leaves) -> Instance:
+def instance_of(ctx: Context, record: Record, leaves: Leaves) -> Instance:
     """A material or pass whose parameters, textures and vertex inputs are ``leaves``."""
     nodes: dict[str, Node] = {}
     for info in leaves.parameters:
         short = info.parameter.name.rpartition(".")[2]
-        nodes[short] = low.graph.node("parameter", info.parameter.type, (), info.parameter)
+        nodes[short] = ctx.graph.node("parameter", info.parameter.type, (), info.parameter)
     resources = {}
     for texture in leaves.resources:
         read = texture.resource
         short = read.name.rpartition(".")[2]
-        resources[short] = low.graph.node("resource", read.type, (), read)
-    inputs = dict(_vertex_inputs(low, leaves.attributes))
+        resources[short] = ctx.graph.node("resource", read.type, (), read)
+    inputs = dict(_vertex_inputs(ctx, leaves.attributes))
     instance = Instance(record, parameters=nodes, resources=resources, attributes=inputs)
-    check_overrides(low, instance)
+    check_overrides(ctx, instance)
     return instance
 
 
-def _vertex_inputs(low: Lowering, infos: Iterable[AttributeInfo]) -> Iterator[tuple[str, Node]]:
+def _vertex_inputs(ctx: Context, infos: Iterable[AttributeInfo]) -> Iterator[tuple[str, Node]]:
     """What reads each declared vertex input; a matrix is put together from its columns."""
     columns: dict[str, list[Node]] = {}
     for info in infos:
         leaf = info.attribute
-        node = low.graph.node("attribute", leaf.type, (), leaf)
+        node = ctx.graph.node("attribute", leaf.type, (), leaf)
         if info.matrix:
             columns.setdefault(info.matrix, []).append(node)
         else:
             yield leaf.name, node
     for name, nodes in columns.items():
-        yield name, low.graph.node("matrix", Matrix(len(nodes)), tuple(nodes))
+        yield name, ctx.graph.node("matrix", Matrix(len(nodes)), tuple(nodes))

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 from ...ir import build
 from ...ir.binding import close, freed, open_body
@@ -21,21 +21,18 @@ from ...ir.node import Formal, Graph, Node, reachable
 from ...ir.operations import MEMBER
 from ...ir.rewrite import rewrite
 from ...syntax import ast
-from ...trampoline import run
 from ..lowering.applications import apply_body
 from ..lowering.call_marks import Callee
+from ..state.context import Context
 from ..types.meanings import erased
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
 Fixed: TypeAlias = tuple[Node | None, ...]
 """For each argument of a call the constant that it is in the body, if it is one there."""
 
 
-def shared(low: Lowering, roots: Iterable[Node]) -> list[Node]:
+def shared(ctx: Context, roots: Iterable[Node]) -> list[Node]:
     """The roots as bare numbers, in which functions that are called repeatedly are applied."""
-    return _Sharing(low).roots(list(roots))
+    return _Sharing(ctx).roots(list(roots))
 
 
 @dataclass(slots=True, eq=False)
@@ -56,10 +53,10 @@ class _Group:
 
 
 class _Sharing:
-    def __init__(self, low: Lowering) -> None:
-        self._low = low
-        self._graph = low.graph
-        self._moved = low.notes.follow
+    def __init__(self, ctx: Context) -> None:
+        self._ctx = ctx
+        self._graph = ctx.graph
+        self._moved = ctx.notes.follow
         self._groups: dict[tuple[Callee, Fixed], _Group] = {}
         """Callees before those that call them: a mark is younger than the marks in its value."""
         self._group_of: dict[int, _Group] = {}
@@ -90,13 +87,13 @@ class _Sharing:
 
     def _add(self, callee: Callee, fixed: Fixed) -> bool:
         """Lower the body of a group; whatever is wrong with it has been reported of its calls."""
-        low, found = self._low, self._low.report.count
+        ctx, found = self._ctx, self._ctx.report.count
         formals: list[Formal] = []
         arguments = tuple(self._stand_ins(callee, fixed, formals))
         span = callee.symbol.declaration.name.span
-        value = run(apply_body(low, callee.symbol, arguments, span))
-        failed = low.report.count > found
-        low.report.forget(found)
+        value = apply_body(ctx, callee.symbol, arguments, span)
+        failed = ctx.report.count > found
+        ctx.report.forget(found)
         if failed or not isinstance(value, Node) or not formals:
             return False
         body = value.operands[0] if value.op == "called" else value
@@ -121,13 +118,13 @@ class _Sharing:
                     leaf = self._graph.node("formal", inner, (), formals[-1])
                 leaves.append(leaf)
             whole = build.assembled(self._graph, type_, iter(leaves))
-            yield self._low.meanings.ascribed(whole, meaning)
+            yield self._ctx.meanings.ascribed(whole, meaning)
 
     def _at_rest(self, group: _Group) -> Node:
         """The body of a group, closed, with what texts show of the function."""
         (body,) = self._rewritten([group.body])
         closed = close(self._graph, body, group.formals, self._moved)
-        notes, function = self._low.notes, group.callee.symbol.declaration
+        notes, function = self._ctx.notes, group.callee.symbol.declaration
         notes.functions.setdefault(closed.id, self._name(group))
         notes.arguments.setdefault(closed.id, tuple(formal.name for formal in group.formals))
         if function.doc:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
@@ -13,24 +11,21 @@ from ..declarations.parameters import DEFAULT_GROUPS, as_array, count_parameter,
 from ..declarations.written_types import count_of
 from ..hints.advice import nearest_or_all
 from ..inheritance.records import Definition, Record
-from ..lowering import lookup
 from ..names.modules import Symbol
-from ..state.scope import Replacement, RigEntry
-
-if TYPE_CHECKING:
-    from ..state.context import Lowering
+from ..state.context import Context
+from ..state.scope import OUTERMOST, Replacement, RigEntry
 
 Entry = tuple[RigEntry, tuple[ParameterInfo, ...], tuple[ResourceInfo, ...]]
 
 
-def entries_of(low: Lowering, rig: Symbol) -> list[Entry]:
+def entries_of(ctx: Context, rig: Symbol) -> list[Entry]:
     """The lights of a rig, in order; what is wrong with one is reported and leaves it out.
 
     A light stands for a rig that has nothing else.
     """
     declaration = rig.declaration
     if not isinstance(declaration, ast.Rig):
-        alone = light_entry(low, low.records.of(rig))
+        alone = light_entry(ctx, ctx.records.of(rig))
         return [] if alone is None else [alone]
     entries: list[Entry] = []
     seen: dict[str, ast.Name] = {}
@@ -38,23 +33,23 @@ def entries_of(low: Lowering, rig: Symbol) -> list[Entry]:
         name = written.name
         if name.text in seen:
             first = Label(seen[name.text].span, "first defined here")
-            low.report.add(rules.DUPLICATE_NAME, name.span, name=name.text, labels=[first])
+            ctx.report.add(rules.DUPLICATE_NAME, name.span, name=name.text, labels=[first])
             continue
         seen[name.text] = name
-        record = _light(low, rig, written.light)
-        entry = None if record is None else _entry(low, rig, written, record)
+        record = _light(ctx, rig, written.light)
+        entry = None if record is None else _entry(ctx, rig, written, record)
         if entry is not None:
             entries.append(entry)
     return entries
 
 
-def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
+def _light(ctx: Context, rig: Symbol, name: ast.Name) -> Record | None:
     found = rig.module.find(name.text)
     declaration = found[0].declaration if found else None
     if not isinstance(declaration, ast.Record) or declaration.kind != "light":
         if declaration is not None:
             labels = [Label(declaration.name.span, "declared here")]
-            low.report.add(rules.UNKNOWN_LIGHT, name.span, name=name.text, labels=labels)
+            ctx.report.add(rules.UNKNOWN_LIGHT, name.span, name=name.text, labels=labels)
             return None
         lights = [
             visible
@@ -64,32 +59,32 @@ def _light(low: Lowering, rig: Symbol, name: ast.Name) -> Record | None:
         ]
         if name.text in rig.module.missing:
             return None
-        low.report.add(
+        ctx.report.add(
             rules.UNKNOWN_NAME, name.span, kind="light", name=name.text,
-            hint=rig.module.hint(name.text, lights),
+            hint=rig.module.hint(name, lights),
         )  # fmt: skip
         return None
     if declaration.abstract:
-        low.report.add(
+        ctx.report.add(
             rules.ABSTRACT_USE, name.span, name=name.text,
             labels=[Label(declaration.name.span, "declared abstract here")],
         )  # fmt: skip
         return None
-    return low.records.of(found[0])
+    return ctx.records.of(found[0])
 
 
-def light_entry(low: Lowering, light: Record) -> Entry | None:
+def light_entry(ctx: Context, light: Record) -> Entry | None:
     """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
     name = light.symbol.declaration.name
     written = ast.RigEntry(name.span, "", name, name, None, at_most=False, overrides=())
-    return _entry(low, light.symbol, written, light)
+    return _entry(ctx, light.symbol, written, light)
 
 
-def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:
-    given = _overrides(low, rig, written, record)
+def _entry(ctx: Context, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:
+    given = _overrides(ctx, rig, written, record)
     replaced = {slot: Replacement(definition=definition) for slot, definition in given.items()}
     name = written.name.text
-    leaves = leaves_of(low, record, f"{name}.", given)
+    leaves = leaves_of(ctx, record, f"{name}.", given)
     infos = tuple(changed(info, light=name) for info in leaves.parameters)
     resources = tuple(info.resource for info in leaves.resources)
     if written.count is None:
@@ -98,14 +93,14 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
             name, written.name.span, record, "single", parameters, resources, replaced=replaced
         )
         return entry, infos, leaves.resources
-    bound = count_of(low, written.count, rig.module)
+    bound = count_of(ctx, written.count, rig.module)
     if bound is None:
         return None
     if leaves.resources or not leaves.parameters:
-        low.report.add(rules.NO_ARRAY_OF, written.name.span, light=record.name)
+        ctx.report.add(rules.NO_ARRAY_OF, written.name.span, light=record.name)
         return None
     group = DEFAULT_GROUPS["light"]
-    array = as_array(low, name, record.name, leaves.parameters, bound, group)
+    array = as_array(ctx, name, record.name, leaves.parameters, bound, group)
     array = changed(array, span=written.name.span, light=name)
     count = count_parameter(name, bound, group, array) if written.at_most else None
     entry = RigEntry(
@@ -116,17 +111,17 @@ def _entry(low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record) ->
 
 
 def _overrides(
-    low: Lowering, rig: Symbol, written: ast.RigEntry, record: Record
+    ctx: Context, rig: Symbol, written: ast.RigEntry, record: Record
 ) -> dict[str, Definition]:
     """``torch : Beam { inner = 10deg }``: equations lowered as the light's own."""
     given: dict[str, Definition] = {}
     for slot in written.overrides:
         if slot.name.text not in record.definitions:
-            low.report.add(
+            ctx.report.add(
                 rules.UNKNOWN_NAME, slot.name.span,
                 kind=f"slot of light `{record.name}`", name=slot.name.text,
-                hint=nearest_or_all(slot.name.text, record.definitions),
+                hint=nearest_or_all(slot.name.text, slot.name.span, record.definitions),
             )  # fmt: skip
             continue
-        given[slot.name.text] = Definition(slot, rig, lookup.OUTERMOST)
+        given[slot.name.text] = Definition(slot, rig, OUTERMOST)
     return given

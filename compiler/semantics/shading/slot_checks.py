@@ -2,51 +2,52 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ...diagnostics import rules
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.nearest import respelling
 from ...syntax import ast
-from ...trampoline import run
 from ..inheritance.records import Definition
-from ..lowering import lookup
 from ..lowering.lights import light_instance
+from ..lowering.slots import slot
+from ..state.context import Context
 from ..state.scope import Instance
 
-if TYPE_CHECKING:
-    from ..state.context import Lowering
 
-
-def check_slots(low: Lowering, surface: Instance, passing: Instance) -> None:
+def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     """Lower every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
     for instance in (surface, passing):
-        check_instance(low, instance)
-    for name, definitions in surface.record.definitions.items():
+        check_instance(ctx, instance)
+    known, root = surface.record.definitions, surface.record.root
+    inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]
+    for name, definitions in known.items():
         if name not in read:
-            _check_spelling(low, surface, name, definitions)
+            _check_spelling(ctx, surface, name, definitions, inherited)
 
 
-def check_rig(low: Lowering, surface: Instance) -> None:
+def check_rig(ctx: Context, surface: Instance) -> None:
     """Lower what a rig sets of its lights, whether a term asks for it or not."""
-    for entry in low.rig:
-        instance, _ = light_instance(low, entry, surface)
+    for entry in ctx.rig:
+        instance, _ = light_instance(ctx, entry, surface)
         for name, replacement in entry.replaced.items():
             if replacement.definition is not None:
-                run(lookup.slot(low, instance, name, replacement.definition.member.name.span))
+                slot(ctx, instance, name, replacement.definition.member.name.span)
 
 
-def check_instance(low: Lowering, instance: Instance) -> None:
+def check_instance(ctx: Context, instance: Instance) -> None:
     """Lower every slot of an instance."""
     for name, definitions in instance.record.definitions.items():
         if isinstance(definitions[0].member, ast.Slot):
-            run(lookup.slot(low, instance, name, definitions[0].member.name.span))
+            slot(ctx, instance, name, definitions[0].member.name.span)
 
 
 def _check_spelling(
-    low: Lowering, surface: Instance, name: str, definitions: tuple[Definition, ...]
+    ctx: Context,
+    surface: Instance,
+    name: str,
+    definitions: tuple[Definition, ...],
+    inherited: list[str],
 ) -> None:
-    """Warn of an own slot that nothing reads and that is nearly called like an inherited one.
+    """Warn of an own slot that nothing reads and that is nearly called like an ``inherited`` one.
 
     What an imported file declares is an offer, and its names are for that file to check.
     """
@@ -56,7 +57,6 @@ def _check_spelling(
         return
     if owner.module is not surface.record.symbol.module:
         return
-    inherited = [n for n, ds in surface.record.definitions.items() if ds[-1].owner is root]
-    hint = suggestion(name, inherited)
+    hint = respelling(name, member.name.span, inherited)
     if hint and not surface.record.baseless:
-        low.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)
+        ctx.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)

@@ -16,14 +16,16 @@ from ...diagnostics.diagnostic import Diagnostic, Report
 from ...ir.node import Node
 from ...ir.types import BOOL
 from ...syntax import ast
-from ...trampoline import run
+from ..declarations.externs import read_externs
+from ..declarations.fitting import typed
 from ..declarations.parameters import leaves_of
 from ..declarations.written_types import struct_of
-from ..inheritance.records import Records
+from ..inheritance.flattening import Records
 from ..lowering import lookup
 from ..lowering.applications import apply_body
 from ..lowering.lights import light_instance, per_light
 from ..names.modules import Module, Symbol
+from ..state.evaluation import node_of
 from ..state.scope import Scope
 from ..types.generics import examples, unfounded, untold
 from ..types.typenames import Variables
@@ -195,7 +197,7 @@ class _Trial:
 
     def __init__(self, setting: Setting) -> None:
         self._setting = setting
-        self._report = setting.low.report
+        self._report = setting.ctx.report
         self._from_start = self._report.since(0)
 
     def attempt(self, check: Check, whole: bool = False) -> Attempt:
@@ -204,7 +206,7 @@ class _Trial:
         As a ``whole``, what was wrong with the setting from the start belongs to it.
         """
         before = self._report.count
-        self._setting.low.passing = self._setting.passing
+        self._setting.ctx.passing = self._setting.passing
         came_to_values = check(self._setting)
         found = self._report.since(before)
         if whole:
@@ -214,10 +216,10 @@ class _Trial:
 
     def beside(self, parts: Parts) -> Attempt:
         """What is wrong with other parts under the same lights."""
-        known = set(self._setting.low.reached())
+        known = set(self._setting.ctx.reached())
         check = partial(_check_parts, parts)
         attempt = self.attempt(check, whole=parts == self._setting.parts)
-        found = (parts.material, parts.pass_, *self._setting.low.reached())
+        found = (parts.material, parts.pass_, *self._setting.ctx.reached())
         return changed(attempt, reached=frozenset(found) - known)
 
 
@@ -229,58 +231,58 @@ def _check_parts(parts: Parts, setting: Setting) -> bool:
 
 def _check_constant(symbol: Symbol, setting: Setting) -> bool:
     span = symbol.declaration.name.span
-    value = run(lookup.value(setting.low, symbol.name, span, Scope(symbol.module)))
+    value = lookup.value(setting.ctx, symbol.name, span, Scope(symbol.module))
     return isinstance(value, Node)
 
 
 def _check_structure(symbol: Symbol, setting: Setting) -> bool:
-    return struct_of(setting.low, symbol) is not None
+    return struct_of(setting.ctx, symbol) is not None
 
 
 def _check_block(symbol: Symbol, setting: Setting) -> bool:
-    setting.low.externs.learn(symbol.module)
+    read_externs(setting.ctx, symbol.module)
     return True
 
 
 def _check_rig(setting: Setting) -> bool:
-    check_rig(setting.low, setting.surface)
+    check_rig(setting.ctx, setting.surface)
     return True
 
 
 def _check_light(symbol: Symbol, setting: Setting) -> bool:
-    low = setting.low
-    record = low.records.of(symbol)
-    entry = light_entry(low, record)
+    ctx = setting.ctx
+    record = ctx.records.of(symbol)
+    entry = light_entry(ctx, record)
     if entry is None:
         return False
-    instance = light_instance(low, entry[0], setting.surface)[0]
+    instance = light_instance(ctx, entry[0], setting.surface)[0]
     if is_declared_abstract(record):
-        stand_in(low, instance)
-    check_instance(low, instance)
+        stand_in(ctx, instance)
+    check_instance(ctx, instance)
     return True
 
 
 def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
     """Lower what a mixin says, with stand-ins for what it needs of the records it is for."""
-    low, surface = setting.low, setting.surface
-    record = low.records.alone(symbol)
+    ctx, surface = setting.ctx, setting.surface
+    record = ctx.records.alone(symbol)
     if mixin.kind == "light":
-        entry = light_entry(low, record)
+        entry = light_entry(ctx, record)
         if entry is None:
             return False
-        instance = light_instance(low, entry[0], surface)[0]
+        instance = light_instance(ctx, entry[0], surface)[0]
     else:
-        instance = instance_of(low, record, leaves_of(low, record))
+        instance = instance_of(ctx, record, leaves_of(ctx, record))
         instance.surface = surface if mixin.kind == "pass" else None
-    stand_in(low, instance)
-    check_instance(low, instance)
+    stand_in(ctx, instance)
+    check_instance(ctx, instance)
     scope = Scope(symbol.module, instance, 0, surface, {"material": surface})
     for target, _, level in record.every(ast.Target):
         if level == 0:
-            run(low.node(target.value, scope))
+            node_of(ctx, target.value, scope)
     for discard, _, level in record.every(ast.Discard):
         if level == 0:
-            run(low.typed(discard.condition, scope, BOOL, "bool"))
+            typed(ctx, discard.condition, scope, BOOL, "bool")
     return True
 
 
@@ -288,9 +290,9 @@ def _check_function(
     symbol: Symbol, function: ast.Function, variables: Variables, setting: Setting
 ) -> bool:
     """Lower a body for arguments of the declared types."""
-    low, span = setting.low, function.name.span
+    ctx, span = setting.ctx, function.name.span
     found = [
-        some(low, argument.name, argument.type, symbol.module, variables)
+        some(ctx, argument.name, argument.type, symbol.module, variables)
         for argument in function.arguments
     ]
     arguments = tuple(argument for argument in found if isinstance(argument, Node))
@@ -298,7 +300,7 @@ def _check_function(
         return False
     if function.per is not None:
         scope = Scope(symbol.module, surface=setting.surface)
-        return isinstance(run(per_light(low, symbol, arguments, span, scope)), Node)
+        return isinstance(per_light(ctx, symbol, arguments, span, scope), Node)
     within = setting.surface if function.kind == "term" else None
-    value = run(apply_body(low, symbol, arguments, span, within, "for example"))
+    value = apply_body(ctx, symbol, arguments, span, within, "for example")
     return isinstance(value, Node)

@@ -16,12 +16,12 @@ from ...ir.domains import Domains
 from ...ir.node import Graph, Node, reachable
 from ...ir.operations import INPUT
 from ...ir.shader import Notes
-from ...ir.stages import FLAT, SMOOTH, VERTEX, VERTICES, SystemInput
+from ...ir.stages import FLAT, SMOOTH, VERTEX, VERTICES, StageRow, SystemInput
 from ...ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
 
 
-class Stages:
+class Crossings:
     """Makes and removes crossings in one graph."""
 
     def __init__(self, graph: Graph, report: Report, notes: Notes) -> None:
@@ -58,7 +58,8 @@ class Stages:
     def checked_at_vertex(self, root: Node, span: Span) -> Node | Failure:
         """``root`` as the vertex stage computes it, or a report of what it cannot compute."""
         inner = self.at_vertex(root)
-        found = next(filter(_fragment_only, reachable((inner,))), None)
+        missing = (node for node in reachable((inner,)) if not _exists_in(VERTEX, node))
+        found = next(missing, None)
         if found is None:
             return inner
         read = found.op == "call" and BUILTINS[str(found.data)].sampler is not None
@@ -103,8 +104,8 @@ class Stages:
         return build.vector(self._graph, tuple(lanes))
 
 
-def _fragment_only(node: Node) -> bool:
-    """Whether a value exists in the fragment stage alone."""
+def _exists_in(stage: StageRow, node: Node) -> bool:
+    """Whether a stage has what an operation needs, besides its operands."""
     if node.op == "call":
-        return BUILTINS[str(node.data)].uniform_control_flow
-    return node.op == "input" and INPUT.data(node) not in VERTEX.inputs
+        return stage.has_derivatives or not BUILTINS[str(node.data)].uniform_control_flow
+    return node.op != "input" or INPUT.data(node) in stage.inputs

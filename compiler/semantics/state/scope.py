@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -22,6 +22,10 @@ class Failure:
 
 
 FAILURE = Failure()
+
+OUTERMOST = -1
+"""Level −1: a name means what was given from outside (by a pass, `with` or a rig's entry), which
+wins over the record's own definitions."""
 
 
 @dataclass(slots=True, eq=False)
@@ -115,6 +119,15 @@ class Scope:
     def binding(self, locals_: Mapping[str, Value]) -> Scope:
         """This scope with further local names."""
         return changed(self, locals={**self.locals, **locals_})
+
+
+@dataclass(frozen=True, slots=True)
+class Inner:
+    """What a loop leaves to be evaluated under names of its own, and what is made of it then."""
+
+    expressions: tuple[ast.Expression, ...]
+    scope: Scope
+    then: Callable[[Sequence[Value]], Value]
 
 
 @dataclass(frozen=True, slots=True)

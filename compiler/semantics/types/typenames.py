@@ -12,7 +12,8 @@ from ....frozen import changed, frozen
 from ....stdlib.builtins.facts import UNIT, UNKNOWN, Fact
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
-from ...diagnostics.nearest import suggestion
+from ...diagnostics.fixes import Hint, fix_it
+from ...diagnostics.nearest import respelling
 from ...ir.meaning import Meaning, MeaningKind
 from ...ir.types import (
     BOOL,
@@ -31,7 +32,8 @@ from ...ir.types import (
     Vector,
 )
 from ...syntax import ast
-from ..hints.wording import counted
+from ...syntax.quoting import counted
+from ...syntax.rewriting import called_here, declared_space
 
 SCALAR_KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 SPACES = frozenset({"object", "world", "view", "clip", "tangent", "light"})
@@ -94,6 +96,9 @@ class Declared:
 
 Variable = Declared | str | int
 """What a type parameter stands for: a type, a space (empty where none is known), or a number."""
+_RENAMED: Mapping[str, str] = {"frame": "basis"}
+"""Types that had another name in an earlier version of the language."""
+
 Variables = Mapping[str, Variable]
 
 
@@ -129,7 +134,7 @@ class TypeResolver:
         named = NAMED.get(text)
         if named is None:
             visible = [*NAMED, *structs, *variables]
-            self._unknown("type", name.name, visible, _elsewhere(text))
+            self._unknown("type", name.name, visible, _elsewhere(name.name))
             return None
         if not self._check_spaces(name, named, spaces, variables):
             return None
@@ -162,15 +167,16 @@ class TypeResolver:
             is_variable = isinstance(variables.get(argument.text), str)
             if not is_variable and argument.text not in SPACES | spaces:
                 known = [*SPACES, *spaces]
-                near = suggestion(argument.text, known) or f"declare it: `space {argument.text}`"
-                self._unknown("space", argument, known, near)
+                near = respelling(argument.text, argument.span, known)
+                declared = near or declared_space(argument.text, argument.span)
+                self._unknown("space", argument, known, declared)
                 return False
         return True
 
     def _unknown(
-        self, kind: str, name: ast.Name, known: Iterable[str], elsewhere: str = ""
+        self, kind: str, name: ast.Name, known: Iterable[str], elsewhere: Hint = ""
     ) -> None:
-        hint = elsewhere or suggestion(name.text, known)
+        hint = elsewhere or respelling(name.text, name.span, known)
         self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
 
 
@@ -194,11 +200,15 @@ def structure(type_: Struct, name: str, members: tuple[tuple[str, Declared], ...
     return Declared(type_, name, meaning=meaning, members=members)
 
 
-def _elsewhere(name: str) -> str:
-    """What a type of another shading language is called here."""
+def _elsewhere(name: ast.Name) -> Hint:
+    """What a type is called here that has its name in another language, or had it before."""
     from ....stdlib.builtins.elsewhere import TYPES
 
-    return f"it is `{TYPES[name]}` here" if name in TYPES else ""
+    if name.text in _RENAMED:
+        now = _RENAMED[name.text]
+        said = f"the type `{name.text}<A, B>` is called `{now}<A, B>` now"
+        return fix_it(said, (name.span, now), sure=True)
+    return called_here(name.text, name.span, TYPES[name.text]) if name.text in TYPES else ""
 
 
 def array_of(declared: Declared, count: int) -> Declared:

@@ -1,7 +1,7 @@
-"""Whether a job fits together, asked before a driver sees it.
+"""Checks that a job is consistent, before a driver sees it; every driver calls this first.
 
-Drivers read past the end of a short buffer, or quietly take zeros for what nobody has bound, so
-none of this can be left to them.
+A driver may read past the end of a short buffer, or silently read zeros where nothing is bound, so
+the driver itself cannot be relied on.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .draw import (
 
 
 def check(job: Job) -> None:
-    """Raises ``DriverError`` where a draw's bytes do not fit the pipeline."""
+    """Raise ``DriverError`` if a draw's bytes do not fit the pipeline."""
     for target in job.pipeline.targets:
         if target.format not in get_args(TargetFormat):
             raise DriverError(f"there is no render target of the format {target.format!r}")
@@ -36,9 +36,9 @@ def check(job: Job) -> None:
 
 
 def check_names(pipeline: Pipeline) -> None:
-    """Raises ``DriverError`` where the text does not contain a name by which the job binds.
+    """Raise ``DriverError`` if a name by which the job binds is not in the text.
 
-    A driver cannot tell this from a block or texture that its linker has optimised away.
+    A driver cannot distinguish this from a block or texture that its linker has removed.
     """
     inputs = [slot.identifier for slot in pipeline.inputs]
     blocks = [slot.place.identifier for slot in pipeline.blocks]
@@ -57,7 +57,7 @@ def _find(what: str, identifiers: Sequence[str], text: str) -> None:
 
 
 def check_block_size(slot: BlockSlot, in_shader: int) -> None:
-    """Raises ``DriverError`` where a shader's block, as its driver lays it out, is the larger."""
+    """Raise ``DriverError`` if the block in the shader, as its driver lays it out, is larger."""
     if in_shader > slot.size:
         raise DriverError(
             f"uniform block {slot.place.identifier!r} has {in_shader} bytes in the shader,"
@@ -66,7 +66,7 @@ def check_block_size(slot: BlockSlot, in_shader: int) -> None:
 
 
 def lane_count(format: str) -> int:
-    """How many lanes a ``VertexFormat`` has."""
+    """The number of lanes of a ``VertexFormat``."""
     return int(format.partition("x")[2] or 1)
 
 
@@ -126,7 +126,7 @@ def _check_image(what: str, image: Image) -> None:
 
 
 def level_size(image: Image, level: int) -> tuple[int, int, int]:
-    """Width and height of a mip level, and its layers, faces or slices."""
+    """The width and height of a mip level, and its number of layers, faces or slices."""
     depth = max(image.depth >> level, 1) if image.dimension == "3d" else image.depth
     return max(image.width >> level, 1), max(image.height >> level, 1), depth
 

@@ -1,11 +1,11 @@
-"""What a driver is asked to draw and what it answers: plain data, the same for every API.
+"""Jobs and pictures: what a driver is asked to draw, and its answer, as plain data for every API.
 
-A job is one pipeline and several draws with it, because making a pipeline costs a driver far more
-than drawing with it. Everything is as the shader wants it: who fills this in has resolved names to
-bindings and values to bytes.
+A job is one pipeline and several draws with it, because making a pipeline takes a driver much
+longer than drawing. ``runner.py`` sends jobs; names have already been resolved to bindings, and
+values to bytes.
 
-Pictures have their first row on top, whatever the API's framebuffer does, and each draw starts from
-a cleared picture and a depth of 1; the nearer fragment wins (``less``).
+The first row of a picture is the top one, whatever the API's framebuffer does. Each draw starts
+with a cleared picture and a depth of 1; the nearer fragment wins (``less``).
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ VertexFormat = Literal[
     "sint32", "sint32x2", "sint32x3", "sint32x4",
     "uint32", "uint32x2", "uint32x3", "uint32x4",
 ]  # fmt: skip
-"""WebGPU's names: kind of a lane and number of lanes, tightly packed."""
+"""WebGPU's names: the type of a lane and the number of lanes, tightly packed."""
 
 Step = Literal["vertex", "instance"]
-"""How often an attribute goes on to its next value."""
+"""When an attribute advances to its next value."""
 
 TextureFormat = Literal[
     "rgba8unorm", "rgba8unorm-srgb", "rgba32float", "depth32float",
@@ -35,7 +35,7 @@ TargetFormat = Literal[
 
 Dimension = Literal["2d", "2d_array", "3d", "cube"]
 Sample = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
-"""What a shader reads from a texture; the second is a promise that nothing filters it."""
+"""What a shader reads from a texture; ``unfilterable-float`` promises that it never filters."""
 Sampling = Literal["filtering", "non-filtering", "comparison"]
 """How a shader uses a sampler."""
 
@@ -45,24 +45,24 @@ Wrap = Literal["repeat", "clamp", "mirror"]
 Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
 ]
-"""The reference, on the left, with a depth."""
+"""How the reference, on the left, is compared with a depth."""
 Blend = Literal["none", "alpha", "premultiplied", "add", "multiply"]
 Cull = Literal["none", "back", "front"]
 
 
 @dataclass(frozen=True, slots=True)
 class Texel:
-    """How a ``TextureFormat`` lies in memory."""
+    """The memory layout of a ``TextureFormat``."""
 
     lanes: int
-    """1 or 4; the others of a single one read as 0, 0, 1."""
+    """1 or 4; if it is 1, a shader reads 0, 0, 1 for the others."""
     kind: Literal["u1", "<u4", "<i4", "<f4"]
-    """Of a lane, in NumPy's words."""
+    """The type of a lane, as NumPy spells it."""
     sample: Sample
 
     @property
     def size(self) -> int:
-        """Bytes."""
+        """The number of bytes."""
         return self.lanes * int(self.kind[-1])
 
 
@@ -82,7 +82,7 @@ TEXELS: Mapping[TextureFormat, Texel] = {
 
 @dataclass(frozen=True, slots=True)
 class Code:
-    """One stage as a driver takes it: SPIR-V for Vulkan, else text."""
+    """One stage in the form that a driver takes: SPIR-V for Vulkan, otherwise text."""
 
     entry: str
     text: str = ""
@@ -91,7 +91,7 @@ class Code:
 
 @dataclass(frozen=True, slots=True)
 class VertexInput:
-    """A vertex attribute of the pipeline; each is given by itself."""
+    """A vertex attribute of the pipeline; each has a buffer of its own."""
 
     identifier: str
     """Its name in the text."""
@@ -105,9 +105,9 @@ class Place:
     """Where a block, texture or sampler is bound."""
 
     identifier: str
-    """Its name in the text, by which GL binds."""
+    """Its name in the text; OpenGL binds by it."""
     group: int | None
-    """Descriptor set or bind group; ``None`` where there is only the name."""
+    """The descriptor set or bind group; ``None`` if it is bound by name."""
     binding: int | None
 
 
@@ -117,7 +117,7 @@ class BlockSlot:
 
     place: Place
     size: int
-    """Bytes."""
+    """The number of bytes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,17 +126,17 @@ class TextureSlot:
 
     texture: Place
     sampler: Place | None
-    """``None`` where texture and sampler are one object, bound at ``texture``; and where there is
-    no sampler."""
+    """``None`` if texture and sampler are one object, bound at ``texture``, or if there is no
+    sampler."""
     filter: Filter = "linear"
     mip: Mip = "linear"
     wrap: Wrap = "repeat"
     compare: Compare | None = None
-    """How the sampler compares a reference with depths; ``None`` where it does not."""
+    """How the sampler compares a reference with depths; ``None`` if it does not."""
     dimension: Dimension = "2d"
     sample: Sample = "float"
     sampling: Sampling | None = "filtering"
-    """``None`` where texels are only loaded, without a sampler."""
+    """``None`` if texels are only loaded, without a sampler."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,10 +149,10 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class Pipeline:
-    """Everything about drawing that is the same for all draws of a job."""
+    """The state that all draws of a job share."""
 
     stages: Mapping[str, Code]
-    """By the name of the stage, in pipeline order."""
+    """By the names of the stages, in pipeline order."""
     inputs: tuple[VertexInput, ...]
     blocks: tuple[BlockSlot, ...]
     textures: tuple[TextureSlot, ...]
@@ -160,44 +160,45 @@ class Pipeline:
     """In the order of their locations."""
     cull: Cull = "none"
     flip_y: bool = False
-    """Whether the text negates clip y; by this a Vulkan driver chooses its viewport."""
+    """Whether the text negates clip y; a Vulkan driver chooses its viewport by it."""
     front_face: Literal["ccw", "cw"] = "ccw"
-    """The winding to be set as front, as the API judges it."""
+    """The winding to set as front, in the API's own terms."""
     first_row: Literal["top", "bottom"] = "top"
     """Which row of the picture comes first in the framebuffer's memory."""
     host_uniforms: tuple[str, ...] = ()
-    """Loose float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
+    """Single float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Image:
-    """A texture's texels, mip levels and all.
+    """The texels of a texture with all its mip levels.
 
-    Row by row, the first on top (at v = 0); then layer by layer, or slice by slice of a volume, or
-    face by face of a cube: +x, -x, +y, -y, +z, -z, each as all APIs turn it.
+    They are stored row by row, the first at the top (v = 0), then layer by layer, slice by slice of
+    a 3D texture, or face by face of a cube: +x, -x, +y, -y, +z, -z, each oriented as in all APIs.
     """
 
     format: TextureFormat
     width: int
-    """Of the first level; each further one halves both, rounding down, to no less than 1."""
+    """The width of the first level. Each further level halves both sides, rounded down, but not
+    below 1."""
     height: int
     levels: tuple[bytes, ...]
     dimension: Dimension = "2d"
     depth: int = 1
-    """Layers, faces, or the slices of a volume's first level, which are halved likewise."""
+    """Layers, faces, or slices of the first level, which are halved like the sides."""
 
 
 @dataclass(frozen=True, slots=True)
 class Draw:
-    """One picture: the bytes for every slot of the pipeline, in its order."""
+    """One picture: the bytes for every slot of the pipeline, in the pipeline's order."""
 
     width: int
     height: int
     vertex_count: int
     vertices: tuple[bytes, ...]
-    """For each of ``Pipeline.inputs`` the values of all vertices, or of all instances."""
+    """For each of ``Pipeline.inputs``, the values of all vertices or of all instances."""
     indices: bytes
-    """uint32, three for each triangle; their first is the provoking vertex."""
+    """Three uint32 for each triangle; the first is the provoking vertex."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     clear: tuple[tuple[float, float, float, float], ...]
@@ -215,29 +216,30 @@ class Job:
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """What one draw left in the targets."""
+    """The contents of the targets after one draw."""
 
     width: int
     height: int
     targets: tuple[bytes, ...]
-    """For each target float32 RGBA, row by row from the top; lanes the format lacks are 0, 0, 1."""
+    """For each target float32 RGBA, row by row from the top; lanes that the format lacks are 0, 0,
+    1."""
 
 
 @dataclass(frozen=True, slots=True)
 class Device:
-    """What a driver says of itself."""
+    """A driver's description of itself."""
 
     name: str
-    """``llvmpipe (LLVM 15.0.6, 256 bits)``."""
+    """For example ``llvmpipe (LLVM 15.0.6, 256 bits)``."""
     version: str
-    """Of the driver: ``Mesa 22.3.6``."""
+    """The driver's version, for example ``Mesa 22.3.6``."""
     subpixel_bits: int
     """To how many binary places of a pixel vertices are snapped."""
     subtexel_bits: int
-    """Binary places of a linear filter's weights; 0 where the API does not tell."""
+    """The binary places of a linear filter's weights; 0 if the API does not tell."""
     mip_bits: int
-    """Likewise, of the weights between mip levels."""
+    """The binary places of the weights between mip levels; 0 if the API does not tell."""
 
 
 class DriverError(Exception):
-    """A driver could not draw; the text says why, for people."""
+    """A driver could not draw; the text tells people why."""

@@ -1,4 +1,4 @@
-"""From the texels of a render target to the float32 RGBA of a ``Picture``."""
+"""Converts the texels of a render target to the float32 RGBA of a ``Picture``."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LANES: dict[TargetFormat, Lane] = {
     "rgba8unorm": (4, np.dtype("u1")),
     "rgba8unorm-srgb": (4, np.dtype("u1")),
 }
-"""How many lanes a texel has, and what each one is."""
+"""The number of lanes of a texel, and their type."""
 
 
 def to_float(
@@ -46,7 +46,7 @@ def to_float(
 
 
 def arrays(picture: Picture) -> tuple[NDArray[np.float64], ...]:
-    """Each target of a picture, (height, width, 4)."""
+    """The targets of a picture, each of shape (height, width, 4)."""
     shape = (picture.height, picture.width, 4)
     return tuple(
         np.frombuffer(data, "<f4").reshape(shape).astype(np.float64) for data in picture.targets

@@ -1,6 +1,7 @@
-"""The driver's side of the pipe: a JSON request a line in, a JSON answer a line out.
+"""The driver's side of the pipe: reads a JSON request per line and writes a JSON answer per line.
 
-A driver may crash or hang, and a worker process is what it may take with it.
+Each driver's ``__main__`` calls ``serve``. A driver may crash or hang, so it runs in a process of
+its own.
 """
 
 from __future__ import annotations
@@ -16,22 +17,22 @@ from .draw import Device, DriverError, Job, Picture
 from .wire import from_json, to_json
 
 ORPHAN_LIMIT = 900.0
-"""Seconds after which a request ends the process. Who asked has a shorter patience, unless it has
-died, and a driver that hangs does not see that."""
+"""After how many seconds a request ends the process. The sender waits for less time; so this
+happens only if the sender has died, which a driver that hangs does not notice."""
 
 
 class Driver(Protocol):
-    """What draws."""
+    """The interface of a driver."""
 
     def device(self) -> Device:
-        """What it draws with."""
+        """The device with which it draws."""
 
     def draw(self, job: Job) -> Sequence[Picture]:
         """A picture for each draw of the job. Raises ``DriverError``."""
 
 
 def serve(driver: Driver) -> None:
-    """Answers requests until the input ends. What libraries print goes to standard error."""
+    """Answer requests until the input ends. Whatever libraries print goes to standard error."""
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
         for line in sys.stdin:
@@ -42,7 +43,8 @@ def serve(driver: Driver) -> None:
 
 
 def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
-    """``{"job": …}`` is answered by ``pictures``, ``{}`` by ``device``; or either by ``error``."""
+    """The answer to ``{"job": …}`` has ``pictures``, that to ``{}`` has ``device``; or it has
+    ``error``."""
     try:
         if "job" not in request:
             return {"device": to_json(driver.device())}

@@ -1,4 +1,4 @@
-"""Jobs and pictures as JSON, for the way to a driver's own process and back."""
+"""Converts jobs and pictures to JSON and back, for the pipe to a driver's process."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def to_json(value: Any) -> Any:
 
 
 def from_json(kind: type[T], data: Mapping[str, Any]) -> T:
-    """The record of class ``kind`` that ``to_json`` made ``data`` of."""
+    """The record of class ``kind`` from which ``to_json`` has made ``data``."""
     hints = typing.get_type_hints(kind)
     return kind(**{name: _read(hints[name], value) for name, value in data.items()})
 

@@ -1,4 +1,4 @@
-"""A value's bytes in a uniform block."""
+"""Writes a value into the bytes of a uniform block, where the reflection says that it lies."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _CODES: dict[Kind, str] = {"float": "f", "int": "i", "uint": "I", "bool": "I"}
 
 
 def write(block: bytearray, offset: int, shape: Shape, value: Any) -> None:
-    """Writes a value, all of which is set, to where it lies; gaps stay as they are."""
+    """Write a complete value at an offset; gaps keep their bytes."""
     if isinstance(shape, Numbers):
         _write_numbers(block, offset, shape, value)
         return
@@ -21,7 +21,7 @@ def write(block: bytearray, offset: int, shape: Shape, value: Any) -> None:
 
 
 def _write_numbers(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
-    """Little-endian lanes of 32 bits side by side; of a matrix, column after column."""
+    """Write little-endian lanes of 32 bits next to each other; a matrix column after column."""
     code = f"<{shape.lanes}{_CODES[shape.kind]}"
     for number, column in enumerate(lanes if shape.columns else (lanes,)):
         struct.pack_into(code, block, offset + number * shape.column_stride, *column)

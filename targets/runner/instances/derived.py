@@ -1,6 +1,7 @@
-"""Derived values: the steps of the reflection, computed in double precision.
+"""Computes derived values in double precision, from the steps in the reflection.
 
-The functions are those of the reference, so a value means here what it means everywhere.
+``Instance.blocks`` calls it. The functions are those of the reference, so a value means the same
+here as everywhere.
 """
 
 from __future__ import annotations
@@ -13,14 +14,14 @@ from ....compiler.trampoline import Step, run
 from .shapes import Elements, Members, Numbers, Shape, kind_of
 
 Row = Mapping[str, Any]
-"""One of ``steps``."""
+"""One row of ``steps``."""
 
 Named = Any
-"""A value in the form of ``shapes``, but a structure is a mapping of its members by name."""
+"""A value in the form of ``shapes``, in which a structure is a mapping of its members by name."""
 
 
 class Inputs:
-    """The parameters' values with names in them, each made once."""
+    """The values of the parameters, converted to ``Named`` when a step first reads them."""
 
     def __init__(self, shapes: Mapping[str, Shape], values: Mapping[str, Any]) -> None:
         self._shapes = shapes
@@ -28,7 +29,7 @@ class Inputs:
         self._known: dict[str, Named] = {}
 
     def __getitem__(self, parameter: str) -> Named:
-        """The value of a parameter, as stored."""
+        """The stored value of a parameter."""
         if parameter not in self._known:
             value = named(self._shapes[parameter], self._values[parameter])
             self._known[parameter] = value
@@ -41,23 +42,23 @@ def compute(steps: Sequence[Row], inputs: Inputs) -> Named:
 
 
 def compute_elements(steps: Sequence[Row], inputs: Inputs, count: int) -> tuple[Named, ...]:
-    """The same for each element of an array, whose number is the one variable that is free.
+    """The last step's value for each element of an array; its number is the only free variable.
 
-    Elements that are not in use are computed too; no function traps, whatever is in them.
+    Elements that are not in use are computed as well; no function raises, whatever they contain.
     """
     computation = _Computation(steps, inputs)
     return tuple(run(computation.value(len(steps) - 1, ((i,),))) for i in range(count))
 
 
 class _Computation:
-    """Steps stand in order, so that all but the bodies under binders is one loop."""
+    """Evaluates steps. They are in order, so one loop computes all but the bodies of binders."""
 
     def __init__(self, steps: Sequence[Row], inputs: Inputs) -> None:
         self._steps = steps
         self._inputs = inputs
         self._depths = _depths(steps)
         self._constant: dict[int, Named] = {}
-        """Values of the steps in which no variable occurs."""
+        """The values of steps that use no variable."""
 
     def value(self, last: int, bound: tuple[Named, ...]) -> Step[Named]:
         """The value of a step; ``bound`` are the variables around it, the innermost first."""
@@ -73,7 +74,7 @@ class _Computation:
         return (varying if self._depths[last] else self._constant)[last]
 
     def _needed(self, last: int) -> list[int]:
-        """The steps that ``last`` needs, itself included, without bodies and what is known."""
+        """The steps that ``last`` needs, including itself, without bodies and known values."""
         needed: set[int] = set()
         pending = [last]
         while pending:
@@ -122,7 +123,7 @@ def _outside(row: Row) -> Sequence[int]:
 
 
 def _depths(steps: Sequence[Row]) -> list[int]:
-    """How many binders around it each step needs."""
+    """For each step, how many of the binders around it bind a variable that it uses."""
     depths: list[int] = []
     for row in steps:
         depth = max((depths[number] for number in _outside(row)), default=0)
@@ -157,11 +158,11 @@ _PLAIN: Mapping[str, Callable[[Row, list[Named]], Named]] = {
     "member": lambda row, arguments: arguments[0][row["member"]],
     "select": _select,
 }
-"""What each operation without variables yields from its arguments' values."""
+"""The value of each operation without variables, from the values of its arguments."""
 
 
 def named(shape: Shape, value: Any) -> Named:
-    """A value in the form of ``shapes`` with the members of structures under their names."""
+    """A value in the form of ``shapes``, converted to ``Named``."""
     match shape:
         case Numbers():
             return value

@@ -1,7 +1,8 @@
-"""A material instance: named values for one compiled material, as the bytes that a GPU reads.
+"""Material instances: named values for one compiled material, as the bytes that a GPU reads.
 
-Everything that is known of the material comes from its reflection, so a host can read that from
-its file and needs nothing of the compiler's work. Nothing here imports NumPy.
+This is the runtime that users call as ``burnish.Instance``. Everything that it knows about the
+material comes from its reflection, so a host can read that from its file and needs nothing else of
+the compiler. Nothing here imports NumPy.
 """
 
 from __future__ import annotations
@@ -22,9 +23,9 @@ if TYPE_CHECKING:
     from ..textures.texture import Texture
 
 FORMAT = 1
-"""The reflection's format that is read here."""
+"""The version of the reflection that this code reads."""
 _PARTS = ("material", "blocks", "parameters", "derived", "lights", "textures")
-"""What is read of it."""
+"""The keys that the reflection must have."""
 
 
 class MissingValuesError(ValueError):
@@ -42,16 +43,16 @@ class MissingValuesError(ValueError):
 class Instance:
     """Named values for one compiled material.
 
-    Names are the reflection's: ``power``, ``torch.axis``, ``lamps[2].place``. Values start as the
-    declared defaults. Colours are linear, or literals such as ``"#b5651d"``; angles are radians, or
-    texts such as ``"30deg"``; a matrix is a sequence of its columns. A ``direction`` has to have
-    length one up to a thousandth, and then is given it.
+    Names are those of the reflection: ``power``, ``torch.axis``, ``lamps[2].place``. The first
+    values are the declared defaults. Colours are linear, or literals such as ``"#b5651d"``; angles
+    are radians, or texts such as ``"30deg"``; a matrix is a sequence of its columns. The length of
+    a ``direction`` may differ from one by a thousandth, and is then set to one.
 
-    Parameters are attributes too, parts and all: ``instance.torch.axis = (0, -1, 0)``.
+    Parameters and their parts are also attributes: ``instance.torch.axis = (0, -1, 0)``.
     """
 
     def __init__(self, reflection: Mapping[str, Any]) -> None:
-        """Raises ``ValueError`` for a reflection of another format, or one that is not whole."""
+        """Raises ``ValueError`` for a reflection of another format, or one that is not complete."""
         expect("reflection", reflection, Mapping, "a mapping")
         if reflection.get("format") != FORMAT:
             raise ValueError(f"this is no reflection of format {FORMAT}")
@@ -64,7 +65,7 @@ class Instance:
 
     @property
     def reflection(self) -> Mapping[str, Any]:
-        """What the instance was made from."""
+        """The reflection from which the instance was made."""
         return self._reflection
 
     @property
@@ -75,12 +76,12 @@ class Instance:
     def set(self, name: str, value: object) -> None:
         """Set a parameter, a part of one, a light or a texture.
 
-        A light takes a mapping of its parameters, an array of lights a list of such; where their
-        number is counted at run time, the list also sets the count. What a mapping does not name
-        stays as it is.
+        A light takes a mapping of its parameters, and an array of lights a list of mappings. If the
+        lights are counted at run time, the list also sets the count. Members that a mapping does
+        not name keep their values.
 
-        Raises ``ParameterError`` if there is no such parameter, or it cannot have the value; then
-        nothing has changed.
+        Raises ``ParameterError`` if there is no such parameter, or if it cannot have the value;
+        then nothing changes.
         """
         _check_name(name)
         if name in self._names.textures:
@@ -89,11 +90,11 @@ class Instance:
             self._values |= self._changes(name, value)
 
     def set_text(self, name: str, text: str) -> None:
-        """Set a parameter or texture to what a text says, as on a command line.
+        """Set a parameter or texture from a text, as on a command line.
 
-        ``texts`` says how values are written; a texture is a picture's file, whose colours are
-        taken as sRGB if ``srgb:`` stands before its name, or a colour such as ``#b5651d``. Layers,
-        slices or faces are files with commas between them.
+        ``texts`` explains how values are written. A texture is a colour such as ``#b5651d``, or the
+        file of a picture, whose colours are taken as sRGB if its name begins with ``srgb:``.
+        Layers, slices or faces are files separated by commas.
 
         Raises ``ParameterError`` as ``set`` does, and ``PictureError`` for a picture that cannot be
         read.
@@ -111,9 +112,9 @@ class Instance:
             self.set(name, parse(text, self._names.place(name).shape, name))
 
     def get(self, name: str) -> Any:
-        """The value as stored, floats rounded to float32; ``None`` where there is none yet.
+        """The stored value, with floats rounded to float32; ``None`` if there is none yet.
 
-        Vectors, matrices (columns) and arrays are tuples; structures and lights are mappings.
+        Vectors, matrices (as columns) and arrays are tuples; structures and lights are mappings.
         Raises ``ParameterError`` if there is no such parameter.
         """
         _check_name(name)
@@ -129,15 +130,15 @@ class Instance:
 
     @property
     def missing(self) -> tuple[str, ...]:
-        """Names of what the blocks need and has no value."""
+        """The names of values that the blocks need and that nobody has set."""
         return tuple(self._missing())
 
     def values(self) -> dict[str, Any]:
-        """Every parameter's value in the reference evaluator's form, as the GPU will see it.
+        """The values of all parameters in the reference evaluator's form, as the GPU will see them.
 
-        A tuple of lanes (of one, for a number), of a matrix's columns, an array's elements or a
-        structure's members; floats are rounded to float32. What no shader reads, and has no value,
-        is zero. Raises ``MissingValuesError``.
+        A value is a tuple: of lanes (of one lane, for a number), of a matrix's columns, of an
+        array's elements or of a structure's members. Floats are rounded to float32. A parameter
+        that no shader reads and that has no value is zero. Raises ``MissingValuesError``.
         """
         missing = self._missing()
         if missing:
@@ -146,7 +147,7 @@ class Instance:
         return {name: filled(shapes[name], value) for name, value in self._values.items()}
 
     def blocks(self) -> dict[str, bytes]:
-        """The bytes of every block by name, derived ones included.
+        """The bytes of every block by name, including blocks of derived values.
 
         Raises ``MissingValuesError``.
         """
@@ -168,7 +169,8 @@ class Instance:
         return {name: bytes(block) for name, block in blocks.items()}
 
     def textures(self) -> dict[str, Texture]:
-        """Every texture by name; what was not set is the declared default, of one texel."""
+        """Every texture by name; one that was not set is the declared default, of a single
+        texel."""
         from ..textures.texture import default_texture
 
         return {
@@ -178,7 +180,7 @@ class Instance:
         }
 
     def __getattr__(self, name: str) -> Any:
-        """A parameter's value, or a ``Part`` if it has parts of its own."""
+        """The value of a parameter, or a ``Part`` if it has parts of its own."""
         if name.startswith("_"):  # Copying asks for names before there are any attributes.
             raise AttributeError(name)
         return self._attribute(name)
@@ -195,7 +197,8 @@ class Instance:
     # --- inside ----------------------------------------------------------------------------------
 
     def _attribute(self, name: str) -> Any:
-        """What stands for a name in Python. Raises ``AttributeError`` if nothing does."""
+        """The object that a name means as an attribute. Raises ``AttributeError`` if there is
+        none."""
         if self._names.light(name):
             return Part(self, name)
         if name in self._names.textures:
@@ -213,7 +216,7 @@ class Instance:
         return next(row for row in rows if row["name"] == name)
 
     def _changes(self, name: str, value: object) -> dict[str, Any]:
-        """The new values of the parameters that setting ``name`` changes."""
+        """The new values of all parameters that change if ``name`` is set."""
         if members := self._names.light(name):
             return self._light_changes(name, members, value)
         place = self._names.place(name)

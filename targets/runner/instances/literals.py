@@ -1,4 +1,4 @@
-"""Literals as the language has them: colours such as ``#b5651d``, and angles: ``30deg``."""
+"""Reads the language's literals: colours such as ``#b5651d``, and angles such as ``30deg``."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _ANGLE_UNITS = {"deg": math.pi / 180.0, "rad": 1.0}
 
 
 def color_channels(text: str) -> tuple[int, ...] | None:
-    """Three or four channels in 0..255, the colours sRGB-encoded; ``None`` if it is no literal."""
+    """Three or four channels in 0..255, the colours as sRGB; ``None`` if it is not a literal."""
     literal = _LITERAL.fullmatch(text)
     if literal is None:
         return None
@@ -23,7 +23,7 @@ def color_channels(text: str) -> tuple[int, ...] | None:
 
 
 def color_lanes(text: str) -> tuple[float, ...] | None:
-    """Three or four lanes in 0..1, the colours in linear light; ``None`` if it is no literal."""
+    """Three or four lanes in 0..1, the colours in linear light; ``None`` if it is not a literal."""
     from ....compiler.semantics.lowering.expressions import linear
 
     channels = color_channels(text)
@@ -33,7 +33,7 @@ def color_lanes(text: str) -> tuple[float, ...] | None:
 
 
 def angle(text: str) -> float | None:
-    """An angle in radians; ``None`` if the text is no number with a unit."""
+    """An angle in radians; ``None`` if the text is not a number with a unit."""
     unit = _ANGLE_UNITS.get(text[-3:])
     try:
         return None if unit is None else float(text[:-3]) * unit

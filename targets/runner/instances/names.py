@@ -1,4 +1,4 @@
-"""What a host's names stand for: parameters, parts of parameters, lights, textures."""
+"""Resolves a host's names to parameters, parts of parameters, lights and textures."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ _STEP = re.compile(r"\w+|\[\d+\]")
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where in the values something stands."""
+    """A parameter or a part of one."""
 
     parameter: str
     path: tuple[int, ...]
-    """Elements and members to go to, by their positions."""
+    """The positions of elements and members on the way from the parameter to the part."""
     shape: Shape
 
 
 class Names:
-    """The names of one reflection."""
+    """All names of one reflection."""
 
     def __init__(self, reflection: Mapping[str, Any]) -> None:
         self.shapes: Mapping[str, Shape] = {
@@ -42,18 +42,19 @@ class Names:
         read = {name for inputs in self._derived.values() for name in inputs}
         rows = reflection["parameters"]
         self.needed = tuple(r["name"] for r in rows if r["block"] is not None or r["name"] in read)
-        """The parameters whose bytes, or derived values, a shader reads."""
+        """The parameters that a shader reads, or of which it reads derived values."""
         self.rig = frozenset(row["name"] for row in reflection["lights"]) | {
             row["name"] for row in rows if row["group"] == "rig"
         }
-        """The lights, and the parameters beside them."""
+        """The lights, and all other parameters that are set per rig."""
 
     def light(self, name: str) -> tuple[str, ...]:
-        """The parameters of a single light, without its own name; none of anything else."""
+        """The parameters of a single light, without its own name; empty for any other name."""
         return self._lights.get(name, ())
 
     def place(self, name: str) -> Place:
-        """The parameter, or the part of one. Raises ``ParameterError`` if there is none."""
+        """The parameter, or the part of one, with a name. Raises ``ParameterError`` if there is
+        none."""
         steps = _STEP.findall(name) if _NAME.fullmatch(name) else []
         for end in range(len(steps), 0, -1):
             parameter = ".".join(steps[:end])
@@ -91,7 +92,7 @@ def _inputs(row: Mapping[str, Any]) -> tuple[str, ...]:
 
 
 def _position(shape: Shape, step: str, owner: str, name: str) -> int:
-    """Which element or member of ``owner`` a step goes to."""
+    """The position of the element or member of ``owner`` that a step of a name means."""
     if isinstance(shape, Elements) and step.startswith("["):
         position = int(step[1:-1])
         if position < shape.count:

@@ -23,7 +23,7 @@ class Owner(Protocol):
 
 
 class Part:
-    """A light, a structure or an array, whose parts are read and set by their names."""
+    """A light, a structure or an array, whose parts can be read and set by their names."""
 
     __slots__ = ("_count", "_instance", "_name")
 
@@ -33,7 +33,7 @@ class Part:
         object.__setattr__(self, "_count", count)
 
     def __getattr__(self, member: str) -> Any:
-        """A member, or of an array of lights the ``count``."""
+        """A member; for an array of lights, also its ``count``."""
         if member.startswith("_"):  # Copying asks for names before there are any attributes.
             raise AttributeError(member)
         return self._instance._attribute(f"{self._name}.{member}")
@@ -51,7 +51,7 @@ class Part:
         self._instance.set(f"{self._name}[{position}]", value)
 
     def __len__(self) -> int:
-        """How many elements there are, whether in use or not."""
+        """The number of elements, including those that are not in use."""
         if self._count is None:
             raise TypeError(f"`{self._name}` is no array")
         length: int = self._count
@@ -62,12 +62,12 @@ class Part:
         return (self[position] for position in range(len(self)))
 
     def __repr__(self) -> str:
-        """The name, and the value as it is."""
+        """The name and the current value."""
         return f"<{self._name}: {self._instance.get(self._name)}>"
 
 
 class Rig:
-    """The lights of an instance, and what else is set per rig."""
+    """The lights of an instance, and all other parameters that are set per rig."""
 
     __slots__ = ("_instance", "_names")
 
@@ -76,7 +76,7 @@ class Rig:
         object.__setattr__(self, "_names", names)
 
     def __getattr__(self, name: str) -> Any:
-        """A light, or a parameter's value."""
+        """A light, or the value of a parameter."""
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self._names:

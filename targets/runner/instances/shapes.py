@@ -1,8 +1,8 @@
-"""What a parameter's value has to be, and where its lanes lie: a row of the reflection, read.
+"""The shape of a parameter's value, and where its lanes lie: a row of the reflection, parsed.
 
-A value has the form in which the reference evaluator takes it: a number is a tuple of one lane, a
-vector of its lanes, a matrix of its columns, an array of its elements, a structure of its members.
-Numbers, vectors and matrices that nobody has set are ``None``.
+A value has the form that the reference evaluator takes: a number is a tuple of one lane, a vector
+is a tuple of its lanes, a matrix of its columns, an array of its elements, a structure of its
+members. Numbers, vectors and matrices that nobody has set are ``None``.
 """
 
 from __future__ import annotations
@@ -24,27 +24,27 @@ class Numbers:
     """A number, a vector or a matrix."""
 
     type: str
-    """As written: ``rgb``, ``direction<world>``."""
+    """The type as written: ``rgb``, ``direction<world>``."""
     kind: Kind
     lanes: int
-    """Of a number, a vector, or a column."""
+    """The lanes of a number, a vector, or a column."""
     columns: int = 0
-    """Of a matrix; 0 of anything else."""
+    """The columns of a matrix; 0 for anything else."""
     column_stride: int = 0
-    """Bytes from column to column."""
+    """The distance between columns, in bytes."""
     range: tuple[float, float] | None = None
-    """Lowest and highest value of each lane."""
+    """The lowest and the highest value that each lane may have."""
     default: Any = None
     doc: str = ""
 
     @property
     def meaning(self) -> str:
-        """The written type without the spaces that it names: ``direction``."""
+        """The written type without the names of spaces: ``direction``."""
         return self.type.partition("<")[0]
 
     @property
     def is_color(self) -> bool:
-        """Whether a colour literal can stand for it; as in the language, that is a vector."""
+        """Whether it accepts a colour literal; as in the language, vectors do."""
         return self.kind == "float" and not self.columns and self.lanes in (3, 4)
 
 
@@ -56,10 +56,10 @@ class Elements:
     element: Shape
     count: int
     stride: int
-    """Bytes from element to element."""
+    """The distance between elements, in bytes."""
     default: Any = None
     counter: str | None = None
-    """The parameter that says how many elements are in use; ``None`` where all are."""
+    """The parameter that holds the number of elements in use; ``None`` if all are."""
     doc: str = ""
 
 
@@ -74,7 +74,7 @@ class Members:
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A structure's member, ``offset`` bytes into it."""
+    """A member of a structure, ``offset`` bytes after the start of the structure."""
 
     name: str
     offset: int
@@ -95,7 +95,7 @@ def shape_of(row: Mapping[str, Any]) -> Shape:
 
 
 def _one(row: Mapping[str, Any], type_: str) -> Numbers | Members:
-    """The shape of a row, or of the elements where it is an array's."""
+    """The shape of a row; if it is an array's, that of its elements."""
     layout, members = row["layout"], row.get("members")
     if members:
         parts = (Member(each["name"], each["offset"], shape_of(each)) for each in members)
@@ -114,13 +114,13 @@ def _one(row: Mapping[str, Any], type_: str) -> Numbers | Members:
 
 
 def kind_of(representation: str) -> Kind:
-    """The kind of the lanes of a number, vector or matrix; ``float`` for all other types."""
+    """The type of the lanes of a number, vector or matrix; ``float`` for all other types."""
     vector = _VECTOR.fullmatch(representation)
     return _PREFIXES[vector[1]] if vector else _SCALARS.get(representation, "float")
 
 
 def part(shape: Shape, position: int) -> tuple[str, int, Shape]:
-    """Name behind its owner's (``[2]``, ``.place``), offset in bytes and shape of a part."""
+    """The suffix of a part's name (``[2]``, ``.place``), its offset in bytes, and its shape."""
     if isinstance(shape, Elements):
         return f"[{position}]", position * shape.stride, shape.element
     assert isinstance(shape, Members)

@@ -1,7 +1,7 @@
-"""Values written as text, as on a command line: ``32``, ``0,-1,0``, ``true``, ``#ff8800``.
+"""Parses values that are written as text on a command line, such as ``0,-1,0`` or ``#ff8800``.
 
-The numbers of a matrix stand column after column, those of an array element after element. What a
-text cannot mean is left as it is, for the check of the value to complain about.
+The numbers of a matrix are written column after column, those of an array element after element. A
+word that has no meaning is returned unchanged, so that the check of the value reports it.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ _WORDS = {"true": True, "false": False, "1": True, "0": False}
 
 
 def parse(text: str, shape: Shape, name: str) -> object:
-    """What ``text`` says, in a form that ``values.accepted`` takes.
+    """The value of ``text`` in a form that ``values.accepted`` takes.
 
-    Raises ``ParameterError`` for what has no textual form, or another number of numbers.
+    Raises ``ParameterError`` for types that have no textual form, or a wrong number of numbers.
     """
     words = re.split(r"[\s,]+", re.sub(r"^\((.*)\)$", r"\1", text.strip()).strip())
     if isinstance(shape, Numbers):

@@ -1,7 +1,7 @@
-"""From what a host hands in to lanes as a GPU will see them: shapes, kinds and contracts checked.
+"""Converts what a host passes into lanes as the GPU will see them, and checks that they fit.
 
-Hosts are given the benefit of no doubt: a declared range, the length of a direction and the bounds
-of an array are promises on which the compiler has left guards away.
+The checks are strict: a declared range, the length of a direction and the bounds of an array are
+promises because of which the compiler has left out guards.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from .literals import angle, color_lanes
 from .shapes import Elements, Kind, Members, Numbers, Shape, part
 
 Value = Any
-"""Nested tuples; see ``shapes``."""
+"""Nested tuples, as ``shapes`` explains."""
 
 UNIT_TOLERANCE = 1e-3
-"""How far the length of a direction may be from one. It is stored with length one."""
+"""By how much the length of a direction may differ from one. It is stored with length one."""
 
 UNIT_TYPES = frozenset({"direction", "normal"})
-"""Written types whose values have length one."""
+"""Declared types whose values have length one."""
 
 _ROUNDING = 2.0**-22
-"""How far rounding three lanes to float32 may take a length of one from it, with some room."""
+"""By how much rounding three lanes to float32 may change a length of one, and a little more."""
 
 _LIMITS: Mapping[Kind, tuple[int, int]] = {"int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1)}
 
@@ -36,7 +36,7 @@ class ParameterError(ValueError):
     def __init__(self, name: str, message: str) -> None:
         super().__init__(message)
         self.name = name
-        """The parameter, or the part of one: ``lamps[2].place``."""
+        """The name of the parameter, or of a part of one: ``lamps[2].place``."""
 
 
 class UnknownParameterError(ParameterError):
@@ -44,7 +44,7 @@ class UnknownParameterError(ParameterError):
 
 
 def initial(shape: Shape, default: Any = None) -> Value:
-    """The value before a host sets one: what has a default has that, or its part of ``default``."""
+    """The value before a host sets one: the declared default, or its part of ``default``."""
     default = shape.default if default is None else default
     match shape:
         case Numbers():
@@ -59,7 +59,8 @@ def initial(shape: Shape, default: Any = None) -> Value:
 
 
 def changed(shape: Shape, old: Value, path: tuple[int, ...], given: object, name: str) -> Value:
-    """``old`` with the part at ``path`` set. Raises ``ParameterError`` as ``accepted`` does."""
+    """``old`` with the part at ``path`` replaced. Raises ``ParameterError`` as ``accepted``
+    does."""
     if not path:
         return accepted(shape, given, old, name)
     position, *further = path
@@ -68,13 +69,14 @@ def changed(shape: Shape, old: Value, path: tuple[int, ...], given: object, name
 
 
 def accepted(shape: Shape, given: object, old: Value, name: str) -> Value:
-    """The value of ``shape`` that a host means by ``given``, floats rounded to float32.
+    """The value of ``shape`` that a host means by ``given``, with floats rounded to float32.
 
-    Sequences, mappings (for structures), arrays that have ``tolist`` and numbers of all kinds are
-    taken. What a mapping does not name, and elements beyond the end of a shorter list of an array
-    whose elements are counted, keep their ``old`` value.
+    Hosts may pass sequences, mappings (for structures), arrays that have ``tolist``, and numbers of
+    all kinds. Members that a mapping does not name keep their ``old`` value, and so do the elements
+    after the end of a shorter list, if the array's elements are counted.
 
-    Raises ``ParameterError`` for what does not fit, and for what breaks a contract.
+    Raises ``ParameterError`` for a value of another shape or type, and for one that breaks a
+    promise.
     """
     match shape:
         case Numbers():
@@ -141,7 +143,7 @@ def _vector(shape: Numbers, given: object, name: str) -> Value:
 
 
 def _lane(shape: Numbers, given: object, name: str) -> Any:
-    """A lane of the kind that ``shape`` wants, within its range."""
+    """A lane of the type that ``shape`` requires, within its range."""
     given = _plain(given)
     if shape.kind == "bool":
         return _bool(given, shape, name)
@@ -187,7 +189,7 @@ def _float(given: object, shape: Numbers, name: str) -> float:
 
 
 def _unit(lanes: tuple[float, ...], meaning: str, name: str) -> tuple[float, ...]:
-    """A vector of length one; one that already is, up to rounding, is left as it is."""
+    """A vector of length one; one that already has this length, up to rounding, stays unchanged."""
     length = math.hypot(*lanes)
     if abs(length - 1.0) <= _ROUNDING:
         return lanes
@@ -200,7 +202,8 @@ def _unit(lanes: tuple[float, ...], meaning: str, name: str) -> tuple[float, ...
 
 
 def unset(shape: Shape, value: Value, name: str) -> Iterator[tuple[str, Numbers | Elements]]:
-    """What has no value yet, by name; an array of numbers without any as a whole."""
+    """The parts without a value, by name; an array of numbers without any value counts as one
+    part."""
     if isinstance(shape, Numbers):
         if value is None:
             yield name, shape
@@ -213,7 +216,7 @@ def unset(shape: Shape, value: Value, name: str) -> Iterator[tuple[str, Numbers 
 
 
 def filled(shape: Shape, value: Value) -> Value:
-    """The value with zeros for what has none."""
+    """The value with zeros in place of missing parts."""
     if not isinstance(shape, Numbers):
         return tuple(filled(part(shape, i)[2], inner) for i, inner in enumerate(value))
     if value is not None:
@@ -224,7 +227,7 @@ def filled(shape: Shape, value: Value) -> Value:
 
 
 def plain(shape: Shape, value: Value) -> Any:
-    """The value as hosts write it: numbers, tuples, and mappings for structures."""
+    """The value in the form that hosts use: numbers, tuples, and mappings for structures."""
     match shape:
         case Numbers():
             return value[0] if value is not None and shape.lanes == 1 else value
@@ -236,14 +239,14 @@ def plain(shape: Shape, value: Value) -> Any:
 
 
 def rounded(value: Value) -> Value:
-    """Every float in a value as the nearest float32."""
+    """The value with every float replaced by the nearest float32."""
     if isinstance(value, tuple):
         return tuple(map(rounded, value))
     return single(value) if isinstance(value, float) else value
 
 
 def single(value: float) -> float:
-    """The nearest float32; infinite where there is none."""
+    """The nearest float32; infinite if the number is too large."""
     try:
         rounded: float = struct.unpack("<f", struct.pack("<f", value))[0]
     except OverflowError:
@@ -252,7 +255,7 @@ def single(value: float) -> float:
 
 
 def _literal(shape: Numbers, text: str, name: str) -> object:
-    """What a text stands for where the language has a literal of its own: a colour, or an angle."""
+    """The value of a literal text: a colour or an angle."""
     if shape.is_color and text.startswith("#"):
         lanes = color_lanes(text)
         if lanes is None:
@@ -268,7 +271,7 @@ def _literal(shape: Numbers, text: str, name: str) -> object:
 
 
 def shown(given: object) -> str:
-    """A value in a message, cut short where it is long."""
+    """A value as text for a message, shortened if it is long."""
     given = _plain(given)
     if isinstance(given, float) and given.is_integer() and abs(given) < 1e15:
         return str(int(given))
@@ -292,12 +295,12 @@ def _plural(noun: str, count: int) -> str:
 
 
 def _plain(given: object) -> object:
-    """Arrays and their scalars, of whatever library, as lists and numbers of Python's own."""
+    """Arrays of any library as lists, and their scalars as Python's numbers."""
     return given.tolist() if hasattr(given, "tolist") else given
 
 
 def _items(given: object) -> tuple[Any, ...] | None:
-    """The items of what has them in an order."""
+    """The items of an ordered collection; ``None`` for anything else."""
     given = _plain(given)
     if isinstance(given, str | bytes | bytearray | Mapping | Set):
         return None

@@ -1,4 +1,4 @@
-"""Arrays as the texels that a texture stores, (depth, height, width, lanes)."""
+"""Converts arrays to the texels that a texture stores, of shape (depth, height, width, lanes)."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from .kinds import FACES, Kind, PictureError
 from .mipmaps import Texels
 
 MAX_SIDE = 8192
-"""Texels; the largest texture that WebGPU promises."""
+"""The longest side of a texture that every WebGPU device supports, in texels."""
 MAX_VOLUME_SIDE = 2048
 MAX_LAYERS = 256
-"""Likewise."""
+"""The same limits for 3D textures and for layers."""
 
 
 def texel_array(
     array: Any, srgb: bool, dimension: Dimension, sample: Kind
 ) -> tuple[Texels, TextureFormat]:
-    """The texels that ``Texture.of_array`` makes of an array, and their format.
+    """The texels and the format of the texture that ``Texture.of_array`` makes of an array.
 
-    Raises ``PictureError`` for arrays of other shapes and kinds.
+    Raises ``PictureError`` for arrays of other shapes and types.
     """
     given = np.asarray(array)
     if srgb and sample != "float":
@@ -40,7 +40,7 @@ def texel_array(
 def check_level(
     first: Texels, array: Any, number: int, srgb: bool, dimension: Dimension, sample: Kind
 ) -> Texels:
-    """The texels of a smaller level that somebody has made. Raises ``PictureError``."""
+    """The texels of a smaller level that the caller has made. Raises ``PictureError``."""
     texels, _ = texel_array(array, srgb, dimension, sample)
     halved = [max(side >> number, 1) for side in first.shape[:3]]
     if dimension != "3d":
@@ -77,7 +77,7 @@ def _single(given: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def _depths(given: NDArray[Any]) -> NDArray[np.float32]:
-    """Depths in 0..1, as which the numbers of 8 and 16 bits count."""
+    """Depths in 0..1; integers of 8 and 16 bits are scaled to this range."""
     if given.dtype in (np.uint8, np.uint16):
         return (given / np.iinfo(given.dtype).max).astype(np.float32)
     if not np.issubdtype(given.dtype, np.floating):
@@ -108,7 +108,7 @@ def _integers(
 
 
 def _shaped(given: NDArray[Any], dimension: Dimension, lanes: tuple[int, ...]) -> NDArray[Any]:
-    """(depth, height, width, lanes)."""
+    """The array in the shape (depth, height, width, lanes)."""
     flat = dimension == "2d"
     texels = given[..., np.newaxis] if given.ndim == 3 - flat else given
     if texels.ndim != 4 - flat or texels.shape[-1] not in lanes or 0 in texels.shape:
@@ -137,7 +137,7 @@ def _check_size(texels: NDArray[Any], dimension: Dimension) -> None:
 
 
 def check_sides(width: int, height: int, what: str) -> None:
-    """Raises ``PictureError`` for a picture that is too large."""
+    """Raise ``PictureError`` for a picture that is too large."""
     if max(width, height) > MAX_SIDE:
         size = f"{width} x {height} texels"
         raise PictureError(f"{what} has {size}, and no side may have more than {MAX_SIDE}")
@@ -149,7 +149,7 @@ def _size(texels: NDArray[Any]) -> str:
 
 
 def _four_lanes(texels: NDArray[Any], opaque: int) -> NDArray[Any]:
-    """Grey in three lanes, and opaque where there is no alpha."""
+    """Texels with four lanes: grey becomes three equal lanes, a missing alpha is opaque."""
     whole = np.full((*texels.shape[:3], 4), opaque, texels.dtype)
     whole[..., : max(texels.shape[3], 3)] = texels
     return whole

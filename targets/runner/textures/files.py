@@ -1,4 +1,4 @@
-"""Pictures in files as arrays."""
+"""Reads pictures from files into arrays."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .kinds import FACES, Kind, PictureError
 
 
 def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> NDArray[Any]:
-    """The array for ``texel_array`` of a picture for each layer. Raises ``PictureError``."""
+    """The array of a texture from one picture for each layer. Raises ``PictureError``."""
     if dimension == "cube" and len(paths) != len(FACES):
         wanted = f"a cube takes six pictures, {', '.join(FACES)}"
         raise PictureError(f"{wanted}; there {_are(len(paths))}")
@@ -36,10 +36,10 @@ def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> 
 
 
 def read_picture(path: Path, sample: Kind = "float") -> NDArray[Any]:
-    """The picture in a file as an array for ``texel_array``. Raises ``PictureError``."""
+    """The array of the picture in a file, for ``texel_array``. Raises ``PictureError``."""
     try:
         with warnings.catch_warnings():
-            # The size is checked below, before anything is unpacked, and more strictly.
+            # The size is checked below, before anything is decoded, and more strictly.
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             with Image.open(path) as picture:
                 check_sides(*picture.size, str(path))
@@ -57,7 +57,7 @@ def read_picture(path: Path, sample: Kind = "float") -> NDArray[Any]:
 
 
 def _colors(picture: Image.Image) -> NDArray[Any]:
-    """The lanes as they are where they have more than 8 bits, else RGBA."""
+    """The lanes of the picture unchanged if they have more than 8 bits, else RGBA."""
     if picture.mode == "F":
         return np.asarray(picture, np.float32)
     if picture.mode.startswith("I"):
@@ -66,7 +66,7 @@ def _colors(picture: Image.Image) -> NDArray[Any]:
 
 
 def _depths(picture: Image.Image) -> NDArray[Any]:
-    """How bright it is."""
+    """The brightness of the picture."""
     if picture.mode == "F":
         return np.asarray(picture, np.float32)
     if picture.mode.startswith("I"):
@@ -75,7 +75,7 @@ def _depths(picture: Image.Image) -> NDArray[Any]:
 
 
 def _integers(picture: Image.Image) -> NDArray[Any]:
-    """The numbers in the file: of a palette's colours, which one."""
+    """The numbers in the file; with a palette, the indices of the colours."""
     if picture.mode == "1":
         return np.asarray(picture).astype(np.uint8)
     if picture.mode in ("P", "L", "RGB", "RGBA") or picture.mode.startswith("I"):

@@ -1,6 +1,6 @@
-"""Texels to numbers and back, and the levels below them.
+"""Computes mip levels, and converts texels to numbers and back.
 
-The levels are made here and not by a driver, because drivers filter each in their own way.
+The levels are made here and not by a driver, because each driver filters in its own way.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from ..drivers.draw import TEXELS, Dimension, TextureFormat
 from .srgb import decode_srgb, encode_srgb
 
 Texels = NDArray[np.uint8 | np.float32 | np.uint32 | np.int32]
-"""(depth, height, width, lanes), as stored."""
+"""Texels as stored, of shape (depth, height, width, lanes)."""
 
 Linear = NDArray[np.float64]
-"""(depth, height, width, 4), as a shader reads it."""
+"""Texels as a shader reads them, of shape (depth, height, width, 4)."""
 
 _BAND = 256
-"""Rows that are worked on at a time."""
+"""How many rows are converted at once."""
 
 
 def decoded(texels: Texels, format: TextureFormat) -> Linear:
-    """What a GPU reads from stored texels: 8-bit lanes over 255, sRGB-encoded ones made linear."""
+    """The numbers that a GPU reads: 8-bit lanes are divided by 255, and sRGB is decoded."""
     if format == "rgba32float":
         return texels.astype(np.float64)
     table = np.arange(256) / 255.0
@@ -38,7 +38,7 @@ def decoded(texels: Texels, format: TextureFormat) -> Linear:
 
 
 def encoded(lanes: Linear, format: TextureFormat) -> Texels:
-    """The nearest texels; lanes of 8 bits are limited to 0..1."""
+    """The nearest texels; lanes of 8 bits are clamped to 0..1."""
     if format == "rgba32float":
         return lanes.astype(np.float32)
     limited = np.clip(lanes, 0.0, 1.0)
@@ -50,9 +50,9 @@ def encoded(lanes: Linear, format: TextureFormat) -> Texels:
 def stored_levels(
     format: TextureFormat, levels: Sequence[bytes], size: Callable[[int], tuple[int, int, int]]
 ) -> list[NDArray[np.float64] | NDArray[np.int64]]:
-    """Each level as a shader reads it: of depths one lane, else four, 0, 0, 1 where there are not.
+    """Each level as a shader reads it. Depths have one lane; missing lanes of others are 0, 0, 1.
 
-    ``size`` is a level's depth, height and width.
+    ``size`` returns a level's depth, height and width.
     """
     texel = TEXELS[format]
     found: list[NDArray[np.float64] | NDArray[np.int64]] = []
@@ -71,16 +71,17 @@ def stored_levels(
 
 
 def smaller(texels: Texels, format: TextureFormat, dimension: Dimension) -> list[Texels]:
-    """All levels below one of colours, down to a single texel, or one in each layer.
+    """All smaller levels of a colour texture, down to a single texel, or to one in each layer.
 
-    Each halves width and height, and a volume's depth, rounding down, and averages what its texels
-    cover, in linear light.
+    Each level halves width and height, and the depth of a 3D texture, and rounds them down. Its
+    texels are the means, in linear light, of what they cover.
     """
     axes = (2, 1, 0) if dimension == "3d" else (2, 1)
     found: list[Texels] = []
     if all(texels.shape[axis] == 1 for axis in axes):
         return found
-    # The whole first level as float64 would be gigabytes; half of its columns are bearable.
+    # The whole first level as float64 would take gigabytes, so half of its columns are made at a
+    # time.
     bands = (texels[:, start : start + _BAND] for start in range(0, texels.shape[1], _BAND))
     lanes = np.concatenate([_halved(decoded(band, format), 2) for band in bands], axis=1)
     for axis in axes[1:]:
@@ -94,10 +95,11 @@ def smaller(texels: Texels, format: TextureFormat, dimension: Dimension) -> list
 
 
 def _halved(lanes: Linear, axis: int) -> Linear:
-    """Half as many slices (axis 0), rows or columns, each the mean of those it covers.
+    """Half as many slices (axis 0), rows or columns; each is the mean of what it covers.
 
-    Half of an odd number covers two and a bit: of 2n + 1, the i-th covers n - i parts of the first,
-    n of the second, and i + 1 of the third, of which there are 2n + 1 altogether.
+    If the number is odd, 2n + 1, each of the n results covers a bit more than two. The i-th covers
+    n - i parts of the first, n parts of the second and i + 1 parts of the third, out of 2n + 1
+    parts.
     """
     rows = np.moveaxis(lanes, axis, 0)
     half = len(rows) // 2

@@ -1,12 +1,13 @@
-"""Textures that a host hands to an instance: from pictures, arrays and single colours.
+"""Textures that a host gives to an instance: made of pictures, arrays and single colours.
 
-A texture's numbers are what its file says, unless the caller calls them sRGB: only the caller knows
-whether a picture shows colours or holds data, such as normals or roughness.
+This is what users call as ``burnish.Texture``. A texture's numbers are those in its file, unless
+the caller says that they are sRGB: only the caller knows whether a picture shows colours or holds
+data, such as normals or roughness.
 
-An array of textures has layers, a volume has slices, a cube has the faces +x, -x, +y, -y, +z, -z.
-Seen from inside a cube with y up, the first row of a side's face is on top, and a face is reversed
-where the world is right-handed: that is how Direct3D, Vulkan, OpenGL, WebGPU and files of cube
-maps turn them.
+An array of textures has layers, a 3D texture has slices, and a cube has the faces +x, -x, +y, -y,
++z, -z. Seen from inside a cube with y upwards, the first row of a side's face is at the top. In a
+right-handed world, a face is reversed. Direct3D, Vulkan, OpenGL, WebGPU and files of cube maps all
+do it this way.
 """
 
 from __future__ import annotations
@@ -40,17 +41,18 @@ _DEPTHS = {"far": 1.0, "near": 0.0}
 
 @dataclass(frozen=True, slots=True)
 class Texture:
-    """Texels with all their mip levels, the first row on top."""
+    """Texels with all their mip levels; the first row is the top one."""
 
     format: TextureFormat
     width: int
-    """Of the first level; each further one halves both, rounding down, to no less than 1."""
+    """The width of the first level. Each further level halves both sides, rounded down, but not
+    below 1."""
     height: int
     levels: tuple[bytes, ...]
-    """Row by row, layer by layer."""
+    """The bytes of each level, row by row, layer by layer."""
     dimension: Dimension = "2d"
     depth: int = 1
-    """Layers, faces, or the slices of a volume's first level, which are halved likewise."""
+    """Layers, faces, or slices of the first level, which are halved like the sides."""
 
     @classmethod
     def load(
@@ -61,17 +63,17 @@ class Texture:
         dimension: Dimension = "2d",
         sample: Kind = "float",
     ) -> Texture:
-        """The first picture of a file, turned as its camera noted; or of a file for each layer.
+        """The first picture of a file, rotated as its camera noted; or one file for each layer.
 
-        Colours have 8 bits a lane: palettes are looked up, grey becomes three equal lanes, what has
-        no alpha is opaque, and of 16 bits 8 are left. A file of floats keeps them. With ``srgb``
-        the colours (not alpha) are decoded when a shader reads them. Of integers (``sample``
-        ``int`` or ``uint``) a file holds the numbers themselves, one with a palette the numbers
-        that point into it; depths are grey.
+        Colours get 8 bits a lane: palettes are looked up, grey becomes three equal lanes, a missing
+        alpha is opaque, and 16 bits are reduced to 8. A file of floats keeps its floats. With
+        ``srgb``, the colours (not alpha) are decoded when a shader reads them. For integers
+        (``sample`` is ``int`` or ``uint``), the texture has the numbers in the file, which are
+        indices if it has a palette. Depths are the brightness.
 
-        Raises ``PictureError`` if there is no picture, if it is damaged, if pictures differ in size
-        or number from what they have to be, or if one is larger than WebGPU promises: no side may
-        have more than 8192 texels, of volumes more than 2048.
+        Raises ``PictureError`` if there is no picture, if it is damaged, if the pictures have a
+        wrong size or number, or if one is larger than every WebGPU device supports: no side may
+        have more than 8192 texels, or 2048 for 3D textures.
         """
         from .files import read_pictures
 
@@ -91,15 +93,16 @@ class Texture:
         sample: Kind = "float",
         levels: Sequence[Any] = (),
     ) -> Texture:
-        """The texture of an array: (height, width), or with 1, 3 or 4 lanes (height, width, lanes).
+        """The texture of an array (height, width), or (height, width, lanes) with 1, 3 or 4 lanes.
 
-        Of other dimensions than ``2d``, layers, slices or faces come first: (6, size, size, 4).
+        If the dimension is not ``2d``, layers, slices or faces come first: (6, size, size, 4).
 
-        Colours: ``uint8`` and ``uint16`` mean 0..1, and are kept with 8 bits; floats are kept as
-        they are, and are linear. Integers are kept as they are, up to 32 bits; depths have one lane
-        and lie in 0..1. Smaller levels are made of colours, unless there are ``levels`` to take.
+        Colours: ``uint8`` and ``uint16`` mean 0..1, and are stored with 8 bits; floats are linear,
+        and stored unchanged. Integers of up to 32 bits are stored unchanged. Depths have one lane
+        and are in 0..1. Smaller levels of colours are computed, unless the caller passes
+        ``levels``.
 
-        Raises ``PictureError`` for arrays of other shapes and kinds.
+        Raises ``PictureError`` for arrays of other shapes and types.
         """
         from .arrays import check_level, texel_array
         from .mipmaps import smaller
@@ -120,7 +123,7 @@ class Texture:
     def solid(cls, color: str | Sequence[float], *, dimension: Dimension = "2d") -> Texture:
         """One texel of a colour: ``"#b5651d"``, which is sRGB, or 3 or 4 linear lanes in 0..1.
 
-        A cube has such a texel on each face. Raises ``PictureError`` for what is neither.
+        A cube has one such texel on each face. Raises ``PictureError`` for any other value.
         """
         import numpy as np
 
@@ -139,10 +142,10 @@ class Texture:
 
     @classmethod
     def parse(cls, text: str, *, dimension: Dimension = "2d", sample: Kind = "float") -> Texture:
-        """What a command line says: ``picture.png``, ``srgb:picture.png`` or ``#b5651d``.
+        """A texture from a command line: ``picture.png``, ``srgb:picture.png`` or ``#b5651d``.
 
-        Of other dimensions than ``2d``, pictures for each layer, slice or face, with commas
-        between them: ``srgb:px.png,nx.png,py.png,ny.png,pz.png,nz.png``. Raises ``PictureError``.
+        If the dimension is not ``2d``, the pictures of layers, slices or faces are separated by
+        commas: ``srgb:px.png,nx.png,py.png,ny.png,pz.png,nz.png``. Raises ``PictureError``.
         """
         expect("text", text, str, "a text")
         _check_kind(dimension, sample)
@@ -159,23 +162,23 @@ class Texture:
 
     @property
     def sample(self) -> Kind:
-        """What it holds."""
+        """What the texture holds."""
         held: dict[str, Kind] = {"float": "float", "depth": "depth", "sint": "int", "uint": "uint"}
         return held[TEXELS[self.format].sample]
 
     def _size(self, level: int) -> tuple[int, int, int]:
-        """Layers, faces or slices of a level, its height and its width."""
+        """The number of layers, faces or slices of a level, its height and its width."""
         height, width = max(self.height >> level, 1), max(self.width >> level, 1)
         return max(self.depth >> level, 1) if self.dimension == "3d" else self.depth, height, width
 
     def image(self) -> Image:
-        """The texture as drivers take it."""
+        """The texture in the form that drivers take."""
         return Image(self.format, self.width, self.height, self.levels, self.dimension, self.depth)
 
     def linear(self) -> list[NDArray[np.float64] | NDArray[np.int64]]:
-        """Each level as a shader reads it, exactly: (height, width, 4), or (height, width, 1).
+        """Each level as a shader reads it: (height, width, 4), or (height, width, 1) for depths.
 
-        The latter of depths. Of other dimensions than ``2d`` with the layers first.
+        If the dimension is not ``2d``, the layers come first.
         """
         from .mipmaps import stored_levels
 
@@ -189,7 +192,7 @@ _HELD: dict[Kind, str] = {
 
 
 def _check_kind(dimension: Dimension, sample: Kind) -> None:
-    """Raises ``ValueError`` for what types rule out."""
+    """Raise ``ValueError`` for a combination that no type has."""
     for argument, value, known in (
         ("dimension", dimension, get_args(Dimension)), ("sample", sample, get_args(Kind))
     ):  # fmt: skip
@@ -198,7 +201,7 @@ def _check_kind(dimension: Dimension, sample: Kind) -> None:
 
 
 def described(dimension: Dimension, sample: Kind) -> str:
-    """A kind of texture in words: ``an array of textures of integers``."""
+    """A type of texture in words: ``an array of textures of integers``."""
     shapes: dict[Dimension, str] = {
         "2d": "a flat texture", "2d_array": "an array of textures",
         "3d": "a volume", "cube": "a cube",
@@ -207,7 +210,7 @@ def described(dimension: Dimension, sample: Kind) -> str:
 
 
 def default_texture(name: str, dimension: Dimension = "2d", sample: Kind = "float") -> Texture:
-    """One of the textures that a ``map`` can have until a host sets one; not sRGB."""
+    """A default texture of a ``map``, by its name in the language; not sRGB."""
     import numpy as np
 
     if sample == "float":

@@ -1,4 +1,4 @@
-"""Errors in the passes: guards that are missing, ranges and rewritings that do not hold."""
+"""Planted errors in the passes: missing guards, wrong ranges, wrong rewrites."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .planting import QUICKEST, Plant, Planted, replaced
 
 
 def unguarded(builtin: str) -> Plant:
-    """The hardware's own operation, whatever the operands."""
+    """Use the hardware's operation for a builtin, whatever the operands."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         row = replace(BUILTINS[builtin], domain=everywhere)
@@ -27,7 +27,7 @@ def unguarded(builtin: str) -> Plant:
 
 
 def claimed(builtin: str, rule: RangeRule) -> Plant:
-    """A range that a builtin's values do not keep to."""
+    """Give a builtin a range rule that its values do not obey."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         row = replace(BUILTINS[builtin], range=rule)
@@ -58,7 +58,7 @@ GUARDS = [
     ("to_uint", "integers: Converted", "hlsl"),
     ("float_of_bits", "bits: Floats", "glsl"),
 ]
-"""Builtin, material and language."""
+"""A builtin, a material that needs its guard, and a language."""
 
 PLANTED = [
     *(

@@ -1,4 +1,4 @@
-"""Errors in the reference, which every route then contradicts."""
+"""Planted errors in the reference, so that every route must differ from it."""
 
 from __future__ import annotations
 
@@ -38,16 +38,17 @@ from .planting import QUICKEST, Plant, Planted, replaced
 
 GLSL, HLSL, WGSL = QUICKEST["glsl"], QUICKEST["hlsl"], QUICKEST["wgsl"]
 SNAPPING = "swiftshader:glsl"
-"""Its grid is coarse, so that vertices and edges often fall on pixel centres."""
+"""The grid of this route's driver is coarse, so that vertices and edges are often on pixel
+centres."""
 
 
 def in_table(table: str, name: str, wrong: Callable[..., Any]) -> Plant:
-    """Another function in one of the tables by name."""
+    """Put another function into one of the tables of functions."""
     return edited(functions, table, name, wrong)
 
 
 def edited(owner: Any, table: str, name: Any, wrong: Any) -> Plant:
-    """A table with another row."""
+    """Put another row into a table."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         patch.setattr(owner, table, {**getattr(owner, table), name: wrong})
@@ -130,7 +131,7 @@ _FLOATS: list[tuple[str, str, str, Callable[..., Any]]] = [
     ("atan2", "swapped", "Angles", lambda xp, y, x: floats.atan2(xp, x, y)),
     ("acos", "of half", "Angles", lambda xp, x: floats.acos(xp, 0.999 * x)),
 ]  # fmt: skip
-"""Builtin, what is wrong, pass of ``operations``, and how it is then computed."""
+"""The builtin, what is wrong, the pass of ``operations`` that shows it, and the wrong function."""
 
 _WHOLE: list[tuple[str, str, str, Callable[..., Any]]] = [
     ("cross", "by the left hand", "operations: Geometry",
@@ -186,7 +187,7 @@ def _linear(place: Any, *about: Any, **named: Any) -> Any:
 
 
 def _last(place: Any, values: Any) -> Any:
-    """Flat values of the last vertex."""
+    """Take flat values from the last vertex."""
     corner = place._faces.corners[place._face, 2]
     return tuple(lane[corner][:, None, None] if np.ndim(lane) else lane for lane in values)
 
@@ -200,28 +201,28 @@ def _coarser(image: Any, coordinate: Any, ways: Any) -> Any:
 
 
 def _sixteenths(image: Any, coordinate: Any, ways: Any) -> Any:
-    """Half a level off."""
+    """Compute a level that is wrong by one half."""
     return np.clip(level(image, coordinate, ways) + 0.5, 0, image.levels - 1)
 
 
 def _repeated(index: Any, size: Any, wrap: str) -> Any:
-    """Mirroring without the mirror."""
+    """Repeat where it should mirror."""
     return wrapped(index, size, "repeat" if wrap == "mirror" else wrap)
 
 
 def _within_faces(place: Any, face: Any, size: Any) -> Any:
-    """No face has neighbours."""
+    """Treat faces as if they had no neighbours."""
     return [np.clip(i, 0, size - 1) for i in place], face
 
 
 def _unprojected(where: Any, lanes: Any) -> Any:
-    """Gradients as they are, wherever they lead."""
+    """Use gradients without projecting them onto the face."""
     along = cube._turned(where.face, lanes)
     return [step / where.out / 2 for step in along[:2]]
 
 
 def _round_about(image: Any, place: Any, layer: Any, level: Any) -> Any:
-    """Texels beyond an edge are those at the other one."""
+    """Take texels beyond an edge from the opposite edge."""
     sizes = image.sizes(np.clip(level, 0, image.levels - 1))
     return load(image, [i % size for i, size in zip(place, sizes, strict=True)], layer, level)
 
@@ -285,7 +286,7 @@ _PICTURE = [
 
 
 def _drawn_anew(plant: Plant) -> Plant:
-    """The reference's own pictures are remembered by its code, which this does not change."""
+    """Draw the reference's pictures again: the cache's keys do not depend on what is planted."""
 
     def whole_plant(patch: pytest.MonkeyPatch, folder: Path) -> None:
         patch.setattr(plan, "remembered", lambda *about: expected(*about[:3]))

@@ -1,4 +1,4 @@
-"""Errors between named values and a driver: blocks, derived values, textures, and the pipeline."""
+"""Planted errors between named values and drivers: blocks, derived values, textures, pipelines."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ elements = derived.compute_elements
 
 
 def _shifted(block: bytearray, offset: int, shape: Shape, value: Any) -> None:
-    """A lane too far, where there is room."""
+    """Write one lane too far, if there is room."""
     whole = bytearray(len(block) + 4)
     write(whole, offset + 4, shape, value)
     held = whole[: len(block)]
@@ -31,13 +31,13 @@ def _shifted(block: bytearray, offset: int, shape: Shape, value: Any) -> None:
 
 
 def _rows(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
-    """Rows where columns belong."""
+    """Write rows instead of columns."""
     turned = tuple(zip(*lanes, strict=True)) if shape.columns else lanes
     write_numbers(block, offset, shape, turned)
 
 
 def _tight(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
-    """Columns without the gaps between them."""
+    """Write columns without the gaps between them."""
     write_numbers(block, offset, replace(shape, column_stride=4 * shape.lanes), lanes)
 
 
@@ -49,33 +49,33 @@ def _big_endian(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> No
 
 
 def _inverted(block: bytearray, offset: int, shape: Numbers, lanes: Any) -> None:
-    """Truths that are not."""
+    """Write the opposite of each bool."""
     values = tuple(not lane for lane in lanes) if shape.kind == "bool" else lanes
     write_numbers(block, offset, shape, values)
 
 
 def _without_stride(shape: Shape, position: int) -> tuple[str, int, Shape]:
-    """Elements right behind each other."""
+    """Place elements directly after each other."""
     name, offset, inner = shapes.part(shape, position)
     size = 4 * inner.lanes if isinstance(inner, Numbers) and not inner.columns else None
     return name, offset if size is None else position * size, inner
 
 
 def _of_the_operand(steps: Any, inputs: Any) -> Any:
-    """The value from before the last step."""
+    """Store the value before the last step."""
     last = steps[-1]
     alike = [number for number in last["args"] if steps[number]["type"] == last["type"]]
     return step(steps[: alike[0] + 1] if alike else steps, inputs)
 
 
 def _of_the_next(steps: Any, inputs: Any, count: int) -> Any:
-    """What belongs to the element behind."""
+    """Store the value of the next element."""
     first, *others = elements(steps, inputs, count)
     return (*others, first)
 
 
 class Stale:
-    """Derived values that are computed once, and kept while parameters change."""
+    """Compute derived values once, and keep them while parameters change."""
 
     def __init__(self) -> None:
         self._first: dict[int, Any] = {}
@@ -85,7 +85,7 @@ class Stale:
 
 
 def _mirrored(texture: Texture) -> Image:
-    """The first row at the bottom."""
+    """Put the first row at the bottom."""
     whole = image(texture)
     row = len(whole.levels[0]) // whole.height
     first = whole.levels[0]
@@ -94,14 +94,14 @@ def _mirrored(texture: Texture) -> Image:
 
 
 def _levels_of_another(texture: Texture) -> Image:
-    """Smaller levels with their texels in the wrong order."""
+    """Put the texels of smaller levels into the wrong order."""
     whole = image(texture)
     others = (np.frombuffer(level, "<u4")[::-1].tobytes() for level in whole.levels[1:])
     return replace(whole, levels=(whole.levels[0], *others))
 
 
 def _backwards(texture: Texture) -> Image:
-    """The last layer, slice or face first."""
+    """Put the last layer, slice or face first."""
     whole = image(texture)
     sizes = (level_size(whole, number)[2] for number in range(len(whole.levels)))
     turned = (
@@ -129,7 +129,7 @@ def _samplers(**state: Any) -> Callable[[Job], Job]:
 
 
 def _blended(asked: Job) -> Job:
-    """Every blend as ``add``."""
+    """Use the blend mode ``add`` for everything."""
     targets = tuple(replace(target, blend="add") for target in asked.pipeline.targets)
     return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
 

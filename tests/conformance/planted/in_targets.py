@@ -1,4 +1,4 @@
-"""Errors in the languages: spellings, forms, skeletons and what the pipeline supplies."""
+"""Planted errors in the languages: spellings, forms, templates and pipeline inputs."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ SPELLINGS: dict[str, list[tuple[str, str, str | Spelling]]] = {
         ("wgsl", "determinant", "(-determinant({0}))"),
     ],
 }
-"""For each material wrong spellings: language, builtin, and how it is written."""
+"""Wrong spellings for each material: the language, the builtin, and the wrong text."""
 
 
 def _spellings() -> Iterator[Planted]:
@@ -151,7 +151,7 @@ FLAT = "{% if field.flat %}flat {% endif %}"
 NOINTERPOLATION = "{% if field.flat %}nointerpolation {% endif %}"
 INTERPOLATE = "{% if field.flat %}@interpolate(flat) {% endif %}"
 BETWEEN = "{{% if field.flat %}}{} {{% elif field.crosses %}}{} {{% endif %}}"
-"""Instead, for all that crosses between the stages."""
+"""Replaces the interpolation qualifiers of everything that is passed between the stages."""
 GLSL, HLSL, WGSL = QUICKEST["glsl"], QUICKEST["hlsl"], QUICKEST["wgsl"]
 OPENGL, BROWSER = "llvmpipe:gl330", "chromium:webgl2"
 DISCARD = "{% for line in entry.discard %}\n    {{ line }}"
@@ -160,7 +160,7 @@ REWRITTEN_Z = "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;"
 
 
 def _reversed(expressions: Expressions, node: Node) -> Text:
-    """A swizzle with its lanes the wrong way round."""
+    """Print a swizzle with its lanes in reverse order."""
     operand = expressions.operand(node.operands[0]).within(Binding.POSTFIX)
     lanes = reversed(SWIZZLE.data(node))
     return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
@@ -170,7 +170,7 @@ crossings = leaves._crossings
 
 
 def _shifted(varyings: Iterable[Varying]) -> Iterator[Any]:
-    """Crossings whose first lanes are off by one where there is room."""
+    """Shift the lanes of varyings by one, if there is room."""
     for key, (slot, first, total) in crossings(varyings):
         yield key, (slot, max(first - 1, 0), total)
 

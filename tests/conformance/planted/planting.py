@@ -1,4 +1,4 @@
-"""What an error that is planted on purpose is, and ways to plant one in a copy of each part."""
+"""What a planted error is, and functions that plant one in each part of a copy of the compiler."""
 
 from __future__ import annotations
 
@@ -20,31 +20,31 @@ from burnish.targets.runner.routes import Route
 from burnish.targets.runner.runner import Runner
 
 Plant = Callable[[pytest.MonkeyPatch, Path], None]
-"""Plants an error until the patch is undone; the folder is for files."""
+"""Plants an error that lasts until the patch is undone; the folder is for files."""
 
 
 @dataclass(frozen=True, slots=True)
 class Planted:
-    """An error, and the material by which a route has to show it."""
+    """An error, and the material with which a route must show it."""
 
     name: str
     material: str
-    """``operations: Limits``: a file of ``materials``, and one of its passes."""
+    """A file of ``materials`` and one of its passes: ``operations: Limits``."""
     route: str
     plant: Plant
     status: Status = "differs"
-    """``failed`` where a compiler already refuses."""
+    """``failed`` if a compiler already refuses the text."""
 
     def __str__(self) -> str:
         return f"{self.route}, {self.name}"
 
 
 QUICKEST = {"glsl": "lavapipe:glsl", "hlsl": "lavapipe:hlsl-dxc", "wgsl": "lavapipe:wgsl-naga"}
-"""For each language its quickest route."""
+"""The fastest route of each language."""
 
 
 def replaced(owner: Any, name: str, value: Any) -> Plant:
-    """Another function, method or table in place of one."""
+    """Replace a function, method or table."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         patch.setattr(owner, name, value)
@@ -56,7 +56,7 @@ def replaced(owner: Any, name: str, value: Any) -> Plant:
 
 
 def target(language: str, change: Callable[[Target], Target]) -> Plant:
-    """A changed description of a language."""
+    """Change the description of a language."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         load = registry.load
@@ -67,12 +67,12 @@ def target(language: str, change: Callable[[Target], Target]) -> Plant:
 
 
 def spelling(language: str, builtin: str, text: str | Spelling) -> Plant:
-    """A builtin under a wrong name or template."""
+    """Give a builtin a wrong name or template."""
     return target(language, lambda t: changed(t, natives={**t.natives, builtin: text}))
 
 
 def form(language: str, **forms: Any) -> Plant:
-    """Expressions or statements of a wrong form."""
+    """Give expressions or statements a wrong form."""
 
     def change(whole: Target) -> Target:
         wrong: Forms = changed(whole.forms, **forms)
@@ -82,7 +82,7 @@ def form(language: str, **forms: Any) -> Plant:
 
 
 def supplied(language: str, name: str, read: str) -> Plant:
-    """A pipeline input that is read wrongly."""
+    """Read a pipeline input wrongly."""
 
     def change(whole: Target) -> Target:
         wrong = changed(whole.inputs[name], read=read)
@@ -92,7 +92,7 @@ def supplied(language: str, name: str, read: str) -> Plant:
 
 
 def framebuffer(language: str, name: str, **changes: Any) -> Plant:
-    """A profile of a language that is wrong about clip space or the rows of pictures."""
+    """Make a profile wrong about clip space or the order of rows."""
 
     def change(whole: Target) -> Target:
         profiles: tuple[Profile, ...] = tuple(
@@ -107,7 +107,7 @@ def framebuffer(language: str, name: str, **changes: Any) -> Plant:
 
 
 def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
-    """A skeleton, and the one that it extends, with other words in them."""
+    """Replace words in a template, and in the one that it extends."""
 
     def plant(patch: pytest.MonkeyPatch, folder: Path) -> None:
         whole = registry.load(language)
@@ -128,7 +128,7 @@ def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
 
 
 def job(change: Callable[[Job], Job]) -> Plant:
-    """Something else for the driver to draw."""
+    """Change the job that a driver gets."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         draw = Runner.draw

@@ -1,1 +1,4 @@
-"""Draws WGSL by WebGPU and GLSL ES 3.00 by WebGL 2, in one headless Chromium for many jobs."""
+"""Draws WGSL with WebGPU and GLSL ES 3.00 with WebGL 2, in a headless Chromium.
+
+One browser draws many jobs.
+"""

@@ -1,7 +1,7 @@
-"""A headless Chromium with one page, which reaches no network.
+"""A headless Chromium with one page, which cannot reach any network.
 
-The browser belongs to playwright's driver process. That ends it, and removes its folders, when this
-process is gone, however it went.
+The browser belongs to Playwright's driver process. This ends the browser and removes its folders
+when our process has ended, in whatever way.
 """
 
 from __future__ import annotations
@@ -16,19 +16,20 @@ from playwright.sync_api import Error, Route, sync_playwright
 from ....toolchain.tools import tool_named
 from ..draw import DriverError
 
-# Only a page from a secure place may use WebGPU. Nobody is asked for this one: `_serve` has it.
+# Only a page with a secure origin may use WebGPU. This address is never requested from the network,
+# because `_serve` answers.
 PAGE = "https://burnish.invalid/"
 START_LIMIT = 50_000.0
-"""Milliseconds that the browser may take to start: it is slow on a busy machine."""
+"""How many milliseconds the browser may take to start; it is slow on a busy machine."""
 
 FLAGS = (
     "--no-sandbox",  # without which it does not run as root; the page is our own
     "--enable-unsafe-webgpu",
-    # The software renderer even where there is a GPU, so that a picture is the same everywhere.
+    # Use the software renderer even if there is a GPU, so that pictures are the same everywhere.
     "--use-webgpu-adapter=swiftshader",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    # What a browser asks of the network by itself.
+    # Turn off what a browser requests from the network by itself.
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
@@ -40,7 +41,7 @@ class Chromium:
     """A browser whose page has loaded one of this package's modules."""
 
     def __init__(self, module: str) -> None:
-        """Starts the browser. Raises ``DriverError``."""
+        """Start the browser. Raises ``DriverError``."""
         paths = tool_named("chromium").find()
         if paths is None:
             install = tool_named("chromium").install
@@ -60,7 +61,7 @@ class Chromium:
         self.version = self._browser.version
 
     def call(self, function: str, argument: str) -> Mapping[str, Any]:
-        """What a function of the module answers. Raises ``DriverError`` when the page is lost."""
+        """The result of a function of the module. Raises ``DriverError`` if the page is lost."""
         try:
             answer: Mapping[str, Any] = self._page.evaluate(
                 "([module, name, argument]) => module[name](JSON.parse(argument))",
@@ -71,12 +72,12 @@ class Chromium:
         return answer
 
     def close(self) -> None:
-        """Ends the browser."""
+        """End the browser."""
         self._playwright.stop()
 
 
 def _serve(route: Route) -> None:
-    """Answers the page's requests: with an empty page, or a module of this package."""
+    """Answer the page's requests with an empty page, or with a module of this package."""
     name = urlsplit(route.request.url).path.removeprefix("/")
     if not name:
         route.fulfill(body="<!doctype html>", content_type="text/html")

@@ -1,4 +1,7 @@
-"""The driver: a page in Chromium that draws, opened when first asked and opened anew when lost."""
+"""The driver for browsers: a page in Chromium that draws.
+
+The first request opens the browser, and so does the first one after the page was lost.
+"""
 
 from __future__ import annotations
 
@@ -18,21 +21,21 @@ if TYPE_CHECKING:
 
 
 APIS: Mapping[str, str] = {"webgpu": "webgpu.mjs", "webgl2": "webgl2.mjs"}
-"""The ways in which a web page can draw, each with the module that does."""
+"""The APIs of a web page, each with the module that draws with it."""
 
 
 class Browser:
-    """Draws by one of the browser's APIs."""
+    """Draws with one of the browser's APIs."""
 
     def __init__(self, module: str) -> None:
         self._module = module
         self._chromium: Chromium | None = None
 
     def device(self) -> Device:
-        """What the page knows of its device, and the browser's version."""
+        """The page's description of its device, and the browser's version."""
         said = self._ask("device", None)
         assert self._chromium is not None
-        # Neither API tells with how many bits it filters textures.
+        # Neither API reports the precision of texture filters.
         return Device(
             name=said["name"],
             version=f"Chromium {self._chromium.version}",
@@ -52,13 +55,13 @@ class Browser:
         ]
 
     def close(self) -> None:
-        """Ends the browser, if there is one."""
+        """End the browser, if there is one."""
         if self._chromium is not None:
             self._chromium.close()
             self._chromium = None
 
     def _ask(self, function: str, argument: Any) -> Mapping[str, Any]:
-        """Calls a function of the page's module. Raises ``DriverError``."""
+        """Call a function of the page's module. Raises ``DriverError``."""
         chromium = self._chromium or self._open()
         try:
             answer = chromium.call(function, json.dumps(argument))
@@ -82,7 +85,7 @@ class Browser:
 
 
 def _picture(pipeline: Pipeline, draw: Draw, targets: Sequence[Mapping[str, str]]) -> Picture:
-    """The page hands out each target's texels in base64, and says how they are stored."""
+    """The picture of the texels that the page returns in base64, with their formats."""
     return Picture(draw.width, draw.height, tuple(_floats(pipeline, draw, t) for t in targets))
 
 

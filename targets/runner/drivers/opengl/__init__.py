@@ -1,1 +1,1 @@
-"""Draws GLSL 330 core with an OpenGL driver, off screen, on Mesa's llvmpipe by EGL."""
+"""Draws GLSL 3.30 core with OpenGL, off screen, on Mesa's llvmpipe through EGL."""

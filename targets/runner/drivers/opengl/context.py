@@ -1,4 +1,4 @@
-"""An OpenGL context without a window, and the functions that moderngl does not wrap."""
+"""Creates an OpenGL context without a window, and calls functions that moderngl does not wrap."""
 
 from __future__ import annotations
 
@@ -12,11 +12,12 @@ from ....toolchain.tools import tool_named
 from ..draw import DriverError
 
 ENVIRONMENT = {
-    # The software renderer even where there is a GPU, so that a picture is the same everywhere.
+    # Use the software renderer even if there is a GPU, so that pictures are the same everywhere.
     "LIBGL_ALWAYS_SOFTWARE": "1",
-    # llvmpipe's sampler takes short cuts unless told not to. In Mesa 22.3.6 the last one counts,
-    # filtering 8-bit textures in 8 bits, which is 0.004 off; the others made no difference in what
-    # was tried. Even so it finds the level with an approximate logarithm, up to 0.043 off.
+    # llvmpipe's sampler is less precise unless it is told not to be. In Mesa 22.3.6 the last word
+    # matters: without it, 8-bit textures are filtered with 8 bits, which is wrong by 0.004. The
+    # others made no difference in our tests. Even so, the level is found with an approximate
+    # logarithm, which is wrong by up to 0.043.
     "GALLIVM_PERF": "no_brilinear,no_rho_approx,no_quad_lod,no_aos_sampling",
 }
 
@@ -33,7 +34,7 @@ GL_DEPTH_COMPONENT32F = 0x8CAC
 class Functions:
     """OpenGL's own functions by their names: ``functions.glEnablei(GL_BLEND, 0)``.
 
-    Arguments are ints, ``ctypes`` values and arrays; nothing is checked.
+    Arguments are ints, ``ctypes`` values and arrays; they are not checked.
     """
 
     def __init__(self) -> None:
@@ -52,11 +53,11 @@ class Functions:
 
 
 def create_context() -> moderngl.Context:
-    """A new current context. Raises ``DriverError`` with what to install."""
+    """Create a context and make it current. Raises ``DriverError``, which says what to install."""
     for name, value in ENVIRONMENT.items():
         os.environ.setdefault(name, value)
     try:
-        # Its stubs say that the backend is a dict; it takes the name.
+        # moderngl's stubs say that the backend is a dict, but it takes the name.
         backend: Any = "egl"
         context = moderngl.create_context(require=330, standalone=True, backend=backend)
     except Exception as error:  # moderngl raises bare ``Exception`` for whatever EGL lacks

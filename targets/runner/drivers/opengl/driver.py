@@ -1,4 +1,4 @@
-"""The driver: OpenGL by moderngl, started when first asked."""
+"""The OpenGL driver, which uses moderngl. The first request starts it."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ if TYPE_CHECKING:
 
 
 class OpenGL:
-    """Draws with a ``Renderer``; without moderngl, says what to install."""
+    """Draws with a ``Renderer``; if moderngl is missing, an error says what to install."""
 
     def __init__(self) -> None:
         self._renderer: Renderer | None = None
 
     def device(self) -> Device:
-        """The OpenGL driver's account of itself."""
+        """The OpenGL driver's description of itself."""
         return self._start().device()
 
     def draw(self, job: Job) -> Sequence[Picture]:

@@ -1,4 +1,4 @@
-"""A linked program whose every input is known to be filled."""
+"""Links the program of a pipeline, and checks that all of its inputs are bound."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from ..draw import DriverError, Pipeline
 from .context import Functions
 
 KINDS = {"float32": "f", "sint32": "i", "uint32": "u"}
-"""From the kind of a ``VertexFormat`` to moderngl's letter."""
+"""moderngl's letter for the lanes of a ``VertexFormat``."""
 
 
 def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) -> moderngl.Program:
-    """Compiles and links, and gives every block and texture a binding: its number in the pipeline.
+    """Compile and link; the binding of every block and texture is its number in the pipeline.
 
-    Raises ``DriverError`` with the driver's log, and where the text and the pipeline disagree.
+    Raises ``DriverError`` with the driver's log, or if the text and the pipeline disagree.
     """
     try:
         program = context.program(pipeline.stages["vertex"].text, pipeline.stages["fragment"].text)
@@ -33,18 +33,18 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
     for number, slot in enumerate(pipeline.textures):
         sampler = program.get(slot.texture.identifier, None)
         if isinstance(sampler, moderngl.Uniform):
-            # moderngl does not know samplers of all kinds.
+            # moderngl does not know all types of samplers.
             functions.glUniform1i(sampler.location, number)
     return program
 
 
 def attribute_layout(format: str) -> str:
-    """A ``VertexFormat`` as moderngl spells it: ``float32x3`` is ``3f``."""
+    """A ``VertexFormat`` as moderngl spells it: ``3f`` for ``float32x3``."""
     return f"{lane_count(format)}{KINDS[format.partition('x')[0]]}"
 
 
 def _refuse_strangers(program: moderngl.Program, pipeline: Pipeline) -> None:
-    """OpenGL itself reads zeros, or whatever is bound to 0, for what nobody has filled."""
+    """Refuse inputs that the pipeline does not have: OpenGL would read zeros, or binding 0."""
     kinds = {slot.identifier: attribute_layout(slot.format)[-1] for slot in pipeline.inputs}
     _require("vertex attribute", kinds, _members(program, moderngl.Attribute))
     blocks = {slot.place.identifier for slot in pipeline.blocks}
@@ -53,7 +53,8 @@ def _refuse_strangers(program: moderngl.Program, pipeline: Pipeline) -> None:
     _require("uniform", uniforms, _members(program, moderngl.Uniform))
     for name, kind in kinds.items():
         attribute = program.get(name, None)
-        # moderngl says ``i`` of unsigned attributes too; and its stubs, that the letter is an int.
+        # moderngl also says ``i`` for unsigned attributes; and its stubs say that the letter is an
+        # int.
         if isinstance(attribute, moderngl.Attribute) and (
             (str(attribute.shape) == "f") != (kind == "f")
         ):

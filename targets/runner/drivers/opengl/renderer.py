@@ -11,10 +11,10 @@ from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Step
 from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, link
 from .screen import Screen
-from .textures import bound_texture
+from .texture_units import bound_texture
 
 RATES: Mapping[Step, str] = {"vertex": "/v", "instance": "/i"}
-"""How moderngl's layouts end."""
+"""The suffix of moderngl's layouts for each rate."""
 
 
 class Renderer:
@@ -25,7 +25,7 @@ class Renderer:
         self._functions = Functions()
 
     def device(self) -> Device:
-        """OpenGL tells of its precision only how vertices are snapped."""
+        """The device; OpenGL reports only one precision, that of snapping vertices."""
         info = self._context.info
         return Device(
             name=info["GL_RENDERER"],
@@ -36,7 +36,7 @@ class Renderer:
         )
 
     def draw(self, job: Job) -> Sequence[Picture]:
-        """Links the job's program and draws with it. Raises ``DriverError``."""
+        """Link the job's program and draw with it. Raises ``DriverError``."""
         self._context.clear_errors()  # of a job that broke off
         program = link(self._context, self._functions, job.pipeline)
         try:

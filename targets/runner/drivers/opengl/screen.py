@@ -1,4 +1,4 @@
-"""The framebuffer that a job draws into."""
+"""The framebuffer that a job draws to."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ STORAGE: dict[TargetFormat, tuple[int, str, int]] = {
     "rg32float": (2, "f4", 0x8230),
     "rgba32float": (4, "f4", 0x8814),
 }
-"""Number of lanes, moderngl's type of a lane, and OpenGL's internal format."""
+"""The number of lanes, moderngl's type of a lane, and OpenGL's internal format."""
 
 ZERO, ONE, DST_COLOR = 0, 1, 0x0306
 SRC_ALPHA, ONE_MINUS_SRC_ALPHA = 0x0302, 0x0303
@@ -42,14 +42,14 @@ BLEND_FACTORS: dict[Blend, tuple[int, int, int, int]] = {
     "add": (ONE, ONE, ONE, ONE),
     "multiply": (DST_COLOR, ZERO, DST_COLOR, ZERO),
 }
-"""Of source and destination for the colour, then for the alpha lane."""
+"""The factors of source and destination for the colour, then for alpha."""
 
 
 class Screen:
     """Colour targets and a depth buffer of one size, without a window.
 
-    What OpenGL itself is called for here, moderngl has not got: clearing and blending each target
-    in its own way, and a depth buffer of 32-bit floats.
+    It calls OpenGL directly for what moderngl lacks: clearing and blending each target separately,
+    and a depth buffer of 32-bit floats.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Screen:
         )
 
     def clear(self, colors: Sequence[tuple[float, float, float, float]]) -> None:
-        """Clears every target to its colour, and the depth to 1."""
+        """Clear every target to its colour, and the depth to 1."""
         self._functions.glDepthMask(1)
         for number, color in enumerate(colors):
             lanes = (ctypes.c_float * 4)(*color)
@@ -82,7 +82,7 @@ class Screen:
         self._functions.glClearBufferfv(GL_DEPTH, 0, (ctypes.c_float * 1)(1.0))
 
     def set_blending(self) -> None:
-        """Sets how each target blends."""
+        """Set the blend mode of each target."""
         for number, target in enumerate(self._targets):
             if target.blend == "none":
                 self._functions.glDisablei(GL_BLEND, number)
@@ -91,7 +91,7 @@ class Screen:
             self._functions.glBlendFuncSeparatei(number, *BLEND_FACTORS[target.blend])
 
     def read(self, pipeline: Pipeline) -> tuple[bytes, ...]:
-        """Each target as a ``Picture`` has it."""
+        """Each target in the form of a ``Picture``."""
         return tuple(self._read(number, pipeline) for number in range(len(self._targets)))
 
     def _read(self, number: int, pipeline: Pipeline) -> bytes:
@@ -105,8 +105,8 @@ class Screen:
         return to_float(texels, widened, *self._size, pipeline.first_row)
 
     def release(self) -> None:
-        """Frees the targets and the depth buffer."""
-        # When it makes a framebuffer, moderngl binds the last one again: that has to be there.
+        """Free the targets and the depth buffer."""
+        # When moderngl makes a framebuffer, it binds the last one again, which must still exist.
         self._context.detect_framebuffer(0).use()
         self._functions.glDeleteRenderbuffers(1, ctypes.byref(self._depth))
         for attachment in self._framebuffer.color_attachments:

@@ -1,6 +1,6 @@
-"""Draws by Vulkan, without a window, on the driver that it is told to take.
+"""Draws with Vulkan, without a window, on the driver that it is told to use.
 
-``python -m burnish.targets.runner.drivers.vulkan ICD`` is the worker; All modules but
-``driver`` import the binding to Vulkan, which cannot be imported where there is no Vulkan loader:
-that is why ``driver`` imports them late.
+``python -m burnish.targets.runner.drivers.vulkan ICD`` is the worker process. All modules but
+``driver`` import the Python binding of Vulkan, which fails if there is no Vulkan loader. So
+``driver`` imports them only when it needs them.
 """

@@ -1,7 +1,7 @@
-"""The worker: ``python -m burnish.targets.runner.drivers.vulkan ICD [SECONDS]``.
+"""The worker process: ``python -m burnish.targets.runner.drivers.vulkan ICD [SECONDS]``.
 
-``ICD`` is the JSON file by which a driver announces itself to Vulkan's loader, and ``SECONDS`` how
-long one draw may take.
+``ICD`` is the JSON file that announces a driver to Vulkan's loader, and ``SECONDS`` is how long one
+draw may take.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from .driver import VulkanDriver
 SECONDS = 60.0
 
 LAVAPIPE = {
-    # Its fast path for rgba8 textures rounds a filter's weights and sums to 8 bits, which is off by
-    # up to 1.5 steps of the texture; the general path is exact to 4e-7. Its other short cuts
-    # (brilinear, rho_approx) are off unless asked for.
+    # Its fast path for rgba8 textures rounds a filter's weights and sums to 8 bits, which is wrong
+    # by up to 1.5 steps of the texture; the general path is exact to 4e-7. Its other approximations
+    # (brilinear, rho_approx) are off by default.
     "GALLIVM_PERF": "no_aos_sampling",
-    # Rasterising threads. Most time goes into compiling shaders, which one thread does in any case,
-    # and it is for workers to share out the cores.
+    # The number of rasterising threads. Most time is spent on compiling shaders, which takes one
+    # thread in any case, and there is a worker for each core.
     "LP_NUM_THREADS": "1",
 }
-"""What Mesa's software driver reads when it starts; others do not look at it."""
+"""The variables that Mesa's software driver reads when it starts; other drivers ignore them."""
 
 
 def main(icd: str, seconds: str = "") -> None:
-    """Serves until the input ends."""
+    """Serve until the input ends."""
     os.environ |= {"VK_DRIVER_FILES": icd, "VK_ICD_FILENAMES": icd, **LAVAPIPE}
     with VulkanDriver(icd, float(seconds or SECONDS)) as driver:
         serve(driver)

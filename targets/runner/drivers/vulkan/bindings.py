@@ -1,4 +1,4 @@
-"""Descriptors: where blocks, textures and samplers are bound, and what is bound there."""
+"""Creates the descriptor sets, through which blocks, textures and samplers are bound."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import vulkan as vk
 from ..draw import Pipeline, Place, TextureSlot
 from .device import Gpu
 from .memory import Buffer, make_buffer
-from .textures import READ, make_sampler
+from .texture_images import READ, make_sampler
 
 STAGES = vk.VK_SHADER_STAGE_VERTEX_BIT | vk.VK_SHADER_STAGE_FRAGMENT_BIT
 BLOCK = vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
@@ -28,24 +28,24 @@ class Bindings:
 
     slots: Pipeline
     layouts: Sequence[Any]
-    """Of the sets, counted from 0 without a gap."""
+    """The layouts of the sets, counted from 0 without gaps."""
     sets: Sequence[Any]
     blocks: Sequence[Buffer]
     samplers: Sequence[Any]
 
     def bind_blocks(self, contents: Sequence[bytes]) -> None:
-        """Replaces the bytes of all blocks."""
+        """Replace the bytes of all blocks."""
         for buffer, data in zip(self.blocks, contents, strict=True):
             buffer.write(data)
 
     def bind_textures(self, gpu: Gpu, views: Sequence[Any]) -> None:
-        """Points the textures' descriptors to these views."""
+        """Make the textures' descriptors refer to these views."""
         for slot, sampler, view in zip(self.slots.textures, self.samplers, views, strict=True):
             info = vk.VkDescriptorImageInfo(sampler=sampler, imageView=view, imageLayout=READ)
             self._write(gpu, slot.texture, _texture_type(slot), pImageInfo=[info])
 
     def fill(self, gpu: Gpu) -> None:
-        """Points the descriptors that stay the same to the blocks' buffers and the samplers."""
+        """Make the descriptors that never change refer to the blocks' buffers and the samplers."""
         for block, buffer in zip(self.slots.blocks, self.blocks, strict=True):
             part = vk.VkDescriptorBufferInfo(buffer=buffer.handle, range=buffer.size)
             self._write(gpu, block.place, BLOCK, pBufferInfo=[part])

@@ -1,6 +1,7 @@
-"""How many bytes of each uniform block a SPIR-V module may read.
+"""Finds out how many bytes of each uniform block a SPIR-V module may read.
 
-The validation layer does not compare the buffers with this, and a driver may read past their end.
+``limits.py`` compares this with the buffers, because the validation layer does not, and a driver
+may read past their end.
 """
 
 from __future__ import annotations
@@ -16,13 +17,13 @@ ROW_MAJOR, BINDING, DESCRIPTOR_SET = 4, 33, 34
 TYPES = frozenset(
     {Op.TYPE_INT, Op.TYPE_FLOAT, Op.TYPE_VECTOR, Op.TYPE_MATRIX, Op.TYPE_ARRAY, Op.TYPE_STRUCT}
 )
-"""What a block may consist of."""
+"""The opcodes of types that a block may contain."""
 
 
 def block_sizes(spirv: bytes) -> dict[tuple[int, int], int]:
-    """Bytes from a block's start to the end of its last member, by descriptor set and binding.
+    """The size of each block up to the end of its last member, by descriptor set and binding.
 
-    Raises ``SpirvError`` for bytes that are no SPIR-V, or whose blocks are not wholly declared.
+    Raises ``SpirvError`` for bytes that are not SPIR-V, or if a block is not completely declared.
     """
     module = _Module()
     for instruction in instructions(spirv):
@@ -37,19 +38,19 @@ def block_sizes(spirv: bytes) -> dict[tuple[int, int], int]:
 
 @dataclass(slots=True)
 class _Module:
-    """What a module declares, by ids."""
+    """The declarations of a module, by their ids."""
 
     decorations: dict[tuple[int, int], int] = field(default_factory=dict)
     member_decorations: dict[tuple[int, int, int], int] = field(default_factory=dict)
     types: dict[int, tuple[int, Sequence[int]]] = field(default_factory=dict)
-    """Opcode and operands."""
+    """The opcode and the operands of each type."""
     constants: dict[int, int] = field(default_factory=dict)
     pointees: dict[int, int] = field(default_factory=dict)
     uniforms: list[tuple[int, int]] = field(default_factory=list)
-    """The uniform variables, each with its pointer type."""
+    """The uniform variables with their pointer types."""
 
     def read(self, opcode: int, operands: tuple[int, ...]) -> None:
-        """Takes in one instruction."""
+        """Record what one instruction declares."""
         match opcode, operands:
             case Op.DECORATE, (target, decoration, *values):
                 self.decorations[target, decoration] = values[0] if values else 1
@@ -75,9 +76,10 @@ class _Module:
                 yield (group, self.decorations[variable, BINDING]), self._size(kind)
 
     def _size(self, kind: int, columns: tuple[int, bool] = (0, False)) -> int:
-        """Bytes of a type. ``columns`` is a matrix's stride, and whether it is stored by rows.
+        """The size of a type in bytes. ``columns`` is a matrix's stride, and whether it is stored
+        by rows.
 
-        It calls itself for what a type consists of, and blocks nest but a few levels deep.
+        It recurses into the parts of a type; blocks are only nested a few levels deep.
         """
         match self.types[kind]:
             case (Op.TYPE_INT | Op.TYPE_FLOAT, (width, *_)):

@@ -1,4 +1,4 @@
-"""The render targets of one size, and how their pictures get back to the host."""
+"""The render targets of one size, and the buffers that bring their pictures back to the host."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .formats import DEPTH, TARGETS
 from .memory import Buffer, ImageSpec, make_buffer, make_image
 
 DRAWN = vk.VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
-"""The layout in which the render pass leaves the targets."""
+"""The layout of the targets after the render pass."""
 
 TARGET_USAGE = vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT
 
@@ -33,7 +33,7 @@ class Canvas:
     buffers: Sequence[Buffer]
 
     def read_back(self, commands: Any) -> None:
-        """Records that the targets are copied to where ``picture`` looks."""
+        """Record commands that copy the targets to where ``picture`` reads them."""
         part = vk.VkImageSubresourceLayers(aspectMask=vk.VK_IMAGE_ASPECT_COLOR_BIT, layerCount=1)
         copy = vk.VkBufferImageCopy(
             imageSubresource=part, imageExtent=vk.VkExtent3D(self.width, self.height, 1)
@@ -47,7 +47,7 @@ class Canvas:
         vk.vkCmdPipelineBarrier(commands, before, after, 0, 1, [barrier], 0, None, 0, None)
 
     def picture(self) -> Picture:
-        """What was copied last."""
+        """The picture that was copied last."""
         return Picture(
             self.width,
             self.height,
@@ -61,7 +61,7 @@ class Canvas:
 def make_canvas(
     owned: ExitStack, gpu: Gpu, targets: Sequence[Target], render_pass: Any, size: tuple[int, int]
 ) -> Canvas:
-    """A canvas of ``size`` (width, height) pixels for a render pass of these targets."""
+    """A canvas of ``size`` (width, height) pixels for a render pass with these targets."""
     width, height = size
     made = [
         make_image(owned, gpu, ImageSpec(TARGETS[target.format], width, height, TARGET_USAGE))
@@ -94,7 +94,7 @@ def _texel_size(target: Target) -> int:
 
 
 def make_render_pass(owned: ExitStack, gpu: Gpu, targets: Sequence[Target]) -> Any:
-    """Clears targets and depth, draws, and leaves the targets ready to be copied."""
+    """A render pass that clears targets and depth, draws, and makes the targets ready to copy."""
     colours = [
         _attachment(TARGETS[target.format], DRAWN, vk.VK_ATTACHMENT_STORE_OP_STORE)
         for target in targets

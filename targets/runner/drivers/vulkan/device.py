@@ -1,4 +1,4 @@
-"""Opens the instance and the device, never without the validation layer."""
+"""Opens the Vulkan instance and the device, always with the validation layer."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ VALIDATION_LAYER = "VK_LAYER_KHRONOS_validation"
 INSTALL_LAYER = "apt-get install -y --no-install-recommends vulkan-validationlayers"
 EXTENSIONS = (vk.VK_EXT_DEBUG_UTILS_EXTENSION_NAME, vk.VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME)
 API_VERSION = vk.VK_MAKE_VERSION(1, 1, 0)
-"""The SPIR-V is made for it, and it has viewports of negative height."""
+"""The version that SPIR-V is made for, and the first one with viewports of negative height."""
 
 HUNG = 3
-"""The exit code of a process whose device does not come to an end."""
+"""The exit code of a process whose device does not finish."""
 
 
 @dataclass(frozen=True, slots=True)
 class Gpu:
-    """An open device. What is typed ``Any`` is a handle or a structure of Vulkan's."""
+    """An open device. Fields of type ``Any`` are handles or structures of Vulkan."""
 
     physical: Any
     device: Any
     queue: Any
     commands: Any
-    """The one command buffer; use ``recording``."""
+    """The only command buffer; use ``recording``."""
     fence: Any
     properties: Any
     """``VkPhysicalDeviceProperties``."""
@@ -42,13 +42,13 @@ class Gpu:
     """Whether each target may have a blend mode of its own."""
     messages: Messages
     seconds: float
-    """How long one submission may take."""
+    """How many seconds one submission may take."""
 
 
 def open_gpu(owned: ExitStack, seconds: float) -> Gpu:
-    """Opens the first device of the driver; ``owned`` gets what closes it.
+    """Open the first device of the driver; ``owned`` gets everything that must be closed.
 
-    Raises ``DriverError``, naming what is missing.
+    Raises ``DriverError``, which says what is missing.
     """
     messages = Messages()
     with explained(messages):
@@ -137,7 +137,7 @@ def _fence(owned: ExitStack, device: Any) -> Any:
 
 
 def describe(gpu: Gpu) -> Device:
-    """The device's own words and numbers."""
+    """The device's description of itself."""
     limits = gpu.properties.limits
     return Device(
         name=gpu.properties.deviceName,
@@ -149,7 +149,7 @@ def describe(gpu: Gpu) -> Device:
 
 
 def _driver_version(gpu: Gpu) -> str:
-    """The driver's own words if it has some, which it may since Vulkan 1.2."""
+    """The driver's own name of its version; drivers may have one since Vulkan 1.2."""
     driver = vk.ffi.new("VkPhysicalDeviceDriverProperties*")
     driver.sType = vk.VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES
     properties = vk.ffi.new("VkPhysicalDeviceProperties2*")
@@ -162,13 +162,13 @@ def _driver_version(gpu: Gpu) -> str:
 
 
 def _numbers(version: int) -> str:
-    """A version as most drivers pack it, like Vulkan's own: 10, 10 and 12 bits."""
+    """A version number as most drivers pack it, and Vulkan itself: 10, 10 and 12 bits."""
     return f"{version >> 22}.{version >> 12 & 0x3FF}.{version & 0xFFF}"
 
 
 @contextmanager
 def recording(gpu: Gpu) -> Iterator[Any]:
-    """Yields a command buffer to record into; then runs it and waits for its end."""
+    """Yield a command buffer to record into; then run it and wait until it has finished."""
     vk.vkResetCommandBuffer(gpu.commands, 0)
     once = vk.VkCommandBufferBeginInfo(flags=vk.VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT)
     vk.vkBeginCommandBuffer(gpu.commands, once)
@@ -185,6 +185,6 @@ def recording(gpu: Gpu) -> Iterator[Any]:
 
 
 def _give_up(seconds: float) -> None:
-    """Ends the process at once: what a device still works with cannot be destroyed."""
+    """End the process at once, because objects that the device still uses cannot be destroyed."""
     print(f"the device did not finish drawing within {seconds:g} s", file=sys.stderr, flush=True)
     os._exit(HUNG)

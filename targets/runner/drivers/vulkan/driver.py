@@ -1,4 +1,5 @@
-"""A Vulkan driver as ``serve`` takes it: opened at the first request, and anew after a loss."""
+"""The Vulkan driver for ``serve``. The first request opens the device, and so does one after a
+loss."""
 
 from __future__ import annotations
 
@@ -15,35 +16,36 @@ if TYPE_CHECKING:
 
 
 class VulkanDriver(Closing):
-    """Draws with the driver announced by a file; a context manager.
+    """Draws with the driver that a file announces; a context manager.
 
-    Which driver Vulkan's loader takes depends on the environment of the process, in which
-    ``VK_DRIVER_FILES`` has to name ``icd`` before the first request.
+    Vulkan's loader chooses the driver by the environment of the process: ``VK_DRIVER_FILES`` must
+    name ``icd`` before the first request.
     """
 
     def __init__(self, icd: str, seconds: float) -> None:
-        """``seconds`` is how long one draw may take; the process ends when one takes longer."""
+        """``seconds`` is how long one draw may take; the process ends if one takes longer."""
         self._icd = icd
         self._seconds = seconds
         self._owned = ExitStack()
         self._gpu: Gpu | None = None
 
     def close(self) -> None:
-        """Destroys all; raises ``DriverError`` if the validation layer objects to how."""
+        """Destroy everything; raises ``DriverError`` if the validation layer objects."""
         gpu, self._gpu = self._gpu, None
         self._owned.close()
         if gpu is not None:
             gpu.messages.check()
 
     def device(self) -> Device:
-        """What it draws with. Raises ``DriverError`` where it cannot draw."""
+        """The device with which it draws. Raises ``DriverError`` if it cannot draw."""
         gpu = self._opened()
         from .device import describe
 
         return describe(gpu)
 
     def draw(self, job: Job) -> Sequence[Picture]:
-        """A picture for each draw. Raises ``DriverError``, also for any word of the layer's."""
+        """A picture for each draw. Raises ``DriverError``, also for any message of the validation
+        layer."""
         gpu = self._opened()
         from . import errors
         from .job import draw_job

@@ -1,4 +1,4 @@
-"""Vulkan's result codes and the validation layer's words, as ``DriverError``."""
+"""Turns Vulkan's result codes and the validation layer's messages into ``DriverError``."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TYPES = (
 )
 
 VALIDATION_FAILED = -1000011001
-"""``VK_ERROR_VALIDATION_FAILED_EXT``, of which the binding does not know that calls return it."""
+"""``VK_ERROR_VALIDATION_FAILED_EXT``, which the Python binding does not know as a result code."""
 
 WORDS: dict[type[Exception], str] = {
     vk.VkErrorOutOfHostMemory: "there is not enough memory",
@@ -31,47 +31,47 @@ WORDS: dict[type[Exception], str] = {
     vk.VkErrorExtensionNotPresent: "the driver lacks an extension that is needed",
     vk.VkErrorFormatNotSupported: "the driver lacks a format that is needed",
 }
-"""What to say of result codes that a user can do something about."""
+"""Messages for result codes about which a user can do something."""
 
 
 class DeviceLostError(DriverError):
-    """The device has to be opened anew."""
+    """The device must be opened again."""
 
 
 class RefusedError(vk.VkError):  # type: ignore[misc]
-    """The validation layer kept a call from the driver."""
+    """The validation layer has stopped a call before it reached the driver."""
 
 
 vk.exception_codes[VALIDATION_FAILED] = RefusedError
 
 
 class Messages:
-    """What the validation layer has complained of since the last look."""
+    """The messages of the validation layer since they were last checked."""
 
     def __init__(self) -> None:
         self._texts: list[str] = []
 
     def create_info(self) -> Any:
-        """A ``VkDebugUtilsMessengerCreateInfoEXT`` for what is at least a warning."""
+        """A ``VkDebugUtilsMessengerCreateInfoEXT`` for warnings and errors."""
         return vk.VkDebugUtilsMessengerCreateInfoEXT(
             messageSeverity=SEVERITIES, messageType=TYPES, pfnUserCallback=self._receive
         )
 
     def check(self) -> None:
-        """Raises ``DriverError`` with all that was said, and forgets it."""
+        """Raise ``DriverError`` with all messages, if there are any, and forget them."""
         if self._texts:
             texts, self._texts = self._texts, []
             raise DriverError("\n".join(texts))
 
     def _receive(self, _severity: int, _type: int, data: Any, _user: Any) -> int:
-        """Returns that the call is not to reach the driver, which might not survive it."""
+        """The result stops the call: the driver might crash if it got it."""
         self._texts.append(vk.ffi.string(data.pMessage).decode(errors="replace"))
         return int(vk.VK_TRUE)
 
 
 @contextmanager
 def explained(messages: Messages) -> Iterator[None]:
-    """Raises ``DriverError`` for failed calls, and for messages even when no call failed."""
+    """Raise ``DriverError`` for failed calls, and for messages even if no call failed."""
     try:
         yield
     except vk.VkErrorDeviceLost as error:

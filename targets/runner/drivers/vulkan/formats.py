@@ -1,4 +1,4 @@
-"""Vulkan's formats for those of ``draw``."""
+"""Vulkan's formats for the formats of ``draw``."""
 
 from __future__ import annotations
 

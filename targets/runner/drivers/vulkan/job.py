@@ -1,4 +1,4 @@
-"""Draws a job: what its draws share is made once, and all of it is destroyed at the end."""
+"""Draws a job: makes what its draws share once, and destroys everything at the end."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from ..draw import Draw, Image, Job, Picture
 from .bindings import make_bindings
 from .canvas import Canvas, make_canvas, make_render_pass
 from .device import Gpu, recording
+from .graphics_pipeline import make_layout, make_pipeline, viewport
 from .limits import check_limits
 from .memory import Buffer, filled_buffer
-from .pipeline import make_layout, make_pipeline, viewport
-from .textures import make_texture
+from .texture_images import make_texture
 
 INDEX_SIZE = 4
 
@@ -34,7 +34,7 @@ def draw_job(gpu: Gpu, job: Job) -> list[Picture]:
 
 
 class _Painter:
-    """The pipeline with everything to draw with; draws tend to share meshes and textures."""
+    """The pipeline and everything that drawing needs; draws often share meshes and textures."""
 
     def __init__(self, owned: ExitStack, gpu: Gpu, job: Job) -> None:
         self._owned = owned
@@ -111,7 +111,7 @@ class _Painter:
 
 
 def _clear_values(colours: Sequence[Sequence[float]]) -> list[Any]:
-    """The targets' colours, and the depth buffer's 1."""
+    """The targets' clear colours, and a depth of 1."""
     cleared = [vk.VkClearValue(color=vk.VkClearColorValue(float32=list(each))) for each in colours]
     far = vk.VkClearValue(depthStencil=vk.VkClearDepthStencilValue(depth=1.0))
     return [*cleared, far]

@@ -1,4 +1,4 @@
-"""What a device cannot do of a job, said in words before it is asked to."""
+"""Reports what a device cannot do of a job, before the job reaches it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LINEAR = vk.VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT
 
 
 def check_limits(gpu: Gpu, job: Job) -> None:
-    """Raises ``DriverError`` unless the device can draw all of the job."""
+    """Raise ``DriverError`` unless the device can draw the whole job."""
     check_blocks(job.pipeline)
     problems = list(_pipeline_problems(gpu, job.pipeline))
     for number, draw in enumerate(job.draws):
@@ -31,7 +31,7 @@ def check_limits(gpu: Gpu, job: Job) -> None:
 
 
 def check_blocks(pipeline: Pipeline) -> None:
-    """Raises ``DriverError`` where a stage reads more of a block than there is."""
+    """Raise ``DriverError`` if a stage reads more bytes of a block than are bound."""
     slots = {(slot.place.group, slot.place.binding): slot for slot in pipeline.blocks}
     for stage, code in pipeline.stages.items():
         try:
@@ -102,7 +102,7 @@ def _texture_problems(gpu: Gpu, slot: TextureSlot, image: Image) -> Iterator[str
 
 
 def _filters(slot: TextureSlot) -> bool:
-    """Whether texels are mixed; results of comparisons are, with any format."""
+    """Whether texels are filtered; results of comparisons may be filtered with any format."""
     return slot.sampling == "filtering" and "linear" in (slot.filter, slot.mip)
 
 
@@ -113,5 +113,5 @@ def _size_problems(gpu: Gpu, what: str, width: int, height: int) -> Iterator[str
 
 
 def _features(gpu: Gpu, vk_format: int) -> Any:
-    """What the device can do with images of a format: ``VK_FORMAT_FEATURE`` bits."""
+    """The ``VK_FORMAT_FEATURE`` bits of a format: what the device can do with its images."""
     return vk.vkGetPhysicalDeviceFormatProperties(gpu.physical, vk_format).optimalTilingFeatures

@@ -1,4 +1,4 @@
-"""Buffers and images with memory of their own, destroyed by the ``ExitStack`` they are made for."""
+"""Creates buffers and images with their memory; an ``ExitStack`` destroys them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MAPPED = vk.VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | vk.VK_MEMORY_PROPERTY_HOST_COH
 
 @dataclass(frozen=True, slots=True)
 class Buffer:
-    """A buffer whose bytes the host sees."""
+    """A buffer whose bytes the host can access."""
 
     handle: Any
     size: int
@@ -24,12 +24,12 @@ class Buffer:
     """Its bytes, writable."""
 
     def write(self, data: bytes) -> None:
-        """Replaces the first bytes. Nothing may be drawing with them."""
+        """Replace the first bytes. Nothing may be drawing with the buffer."""
         self.mapped[0 : len(data)] = data
 
 
 def make_buffer(owned: ExitStack, gpu: Gpu, usage: int, size: int) -> Buffer:
-    """A buffer of ``size`` bytes for a use, a ``VK_BUFFER_USAGE`` bit."""
+    """A buffer of ``size`` bytes; ``usage`` is a ``VK_BUFFER_USAGE`` bit."""
     info = vk.VkBufferCreateInfo(size=size, usage=usage, sharingMode=vk.VK_SHARING_MODE_EXCLUSIVE)
     handle = vk.vkCreateBuffer(gpu.device, info, None)
     owned.callback(vk.vkDestroyBuffer, gpu.device, handle, None)
@@ -40,7 +40,7 @@ def make_buffer(owned: ExitStack, gpu: Gpu, usage: int, size: int) -> Buffer:
 
 
 def filled_buffer(owned: ExitStack, gpu: Gpu, usage: int, data: bytes) -> Buffer:
-    """A buffer of just these bytes."""
+    """A buffer that contains exactly these bytes."""
     buffer = make_buffer(owned, gpu, usage, len(data))
     buffer.write(data)
     return buffer
@@ -48,10 +48,10 @@ def filled_buffer(owned: ExitStack, gpu: Gpu, usage: int, data: bytes) -> Buffer
 
 @dataclass(frozen=True, slots=True)
 class ImageSpec:
-    """An image to make, with a view of all of it."""
+    """An image to create, together with a view of all of it."""
 
     format: int
-    """Vulkan's."""
+    """A Vulkan format."""
     width: int
     height: int
     usage: int
@@ -59,17 +59,17 @@ class ImageSpec:
     levels: int = 1
     aspect: int = vk.VK_IMAGE_ASPECT_COLOR_BIT
     depth: int = 1
-    """Slices of a volume, layers, or faces of a cube."""
+    """Slices of a 3D texture, layers, or faces of a cube."""
     view: int = vk.VK_IMAGE_VIEW_TYPE_2D
 
     @property
     def is_volume(self) -> bool:
-        """Whether the slices lie in one layer."""
+        """Whether it is a 3D texture, which has a single layer."""
         return bool(self.view == vk.VK_IMAGE_VIEW_TYPE_3D)
 
     @property
     def layers(self) -> int:
-        """How many layers there are in Vulkan's sense, in which a cube has six."""
+        """The number of layers in Vulkan's sense: a cube has six."""
         return 1 if self.is_volume else self.depth
 
     def subresources(self) -> Any:

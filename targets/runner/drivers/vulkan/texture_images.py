@@ -1,4 +1,4 @@
-"""Textures with their mip levels, and samplers."""
+"""Creates textures with their mip levels, and samplers."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ COMPARES: dict[Compare, int] = {
 
 
 def make_sampler(owned: ExitStack, gpu: Gpu, slot: TextureSlot) -> Any:
-    """The sampler that a slot describes. Without mip levels it reads none but the first."""
+    """The sampler that a slot describes. Without mip levels it only reads the first level."""
     wrap = WRAPS[slot.wrap]
     info = vk.VkSamplerCreateInfo(
         magFilter=FILTERS[slot.filter],
@@ -85,7 +85,8 @@ def make_texture(owned: ExitStack, gpu: Gpu, image: Image) -> Any:
 def _copies(image: Image, spec: ImageSpec) -> list[Any]:
     """A ``VkBufferImageCopy`` for each level with all its layers.
 
-    They lie one behind the other, each at a multiple of four bytes as Vulkan wants it.
+    The levels follow each other in the buffer, each at a multiple of four bytes, as Vulkan
+    requires.
     """
     copies = []
     offset = 0

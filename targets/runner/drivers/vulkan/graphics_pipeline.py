@@ -1,4 +1,4 @@
-"""The graphics pipeline: shaders, vertex inputs and all of the fixed functions' state."""
+"""Creates the graphics pipeline: shaders, vertex inputs and all fixed-function state."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ BLENDS: dict[Blend, tuple[int, int, int, int]] = {
     "add": (ONE, ONE, ONE, ONE),
     "multiply": (UNDERNEATH[0], ZERO, UNDERNEATH[1], ZERO),
 }
-"""Factors of colour's source and destination, then of alpha's; their products are added."""
+"""The factors of source and destination for the colour, then for alpha; the products are added."""
 
 ALL_LANES = (
     vk.VK_COLOR_COMPONENT_R_BIT
@@ -54,13 +54,13 @@ FRONT: dict[Literal["ccw", "cw"], int] = {
     "ccw": vk.VK_FRONT_FACE_COUNTER_CLOCKWISE,
     "cw": vk.VK_FRONT_FACE_CLOCKWISE,
 }
-"""Windings, which Vulkan judges by the framebuffer as seen, so after what ``viewport`` does."""
+"""Windings. Vulkan determines them in the framebuffer, so after the effect of ``viewport``."""
 
 
 def viewport(pipeline: Pipeline, width: int, height: int) -> Any:
-    """A ``VkViewport`` after which the first row is the top one.
+    """A ``VkViewport`` that makes the first row the top one.
 
-    Vulkan's clip y points down: the height is negative for a text that has not been flipped.
+    Vulkan's clip y points down, so the height is negative for a text that is not flipped.
     """
     if pipeline.flip_y:
         return vk.VkViewport(0.0, 0.0, float(width), float(height), 0.0, 1.0)
@@ -68,7 +68,7 @@ def viewport(pipeline: Pipeline, width: int, height: int) -> Any:
 
 
 def make_layout(owned: ExitStack, gpu: Gpu, sets: Sequence[Any]) -> Any:
-    """A pipeline layout of descriptor sets' layouts."""
+    """A pipeline layout from the layouts of descriptor sets."""
     info = vk.VkPipelineLayoutCreateInfo(pSetLayouts=sets)
     layout = vk.vkCreatePipelineLayout(gpu.device, info, None)
     owned.callback(vk.vkDestroyPipelineLayout, gpu.device, layout, None)
@@ -78,10 +78,10 @@ def make_layout(owned: ExitStack, gpu: Gpu, sets: Sequence[Any]) -> Any:
 def make_pipeline(
     owned: ExitStack, gpu: Gpu, pipeline: Pipeline, layout: Any, render_pass: Any
 ) -> Any:
-    """The pipeline; viewport and scissors are set when drawing.
+    """The pipeline; viewport and scissors are set for each draw.
 
-    Structures that stand in lists have names here because the binding copies them, and what they
-    point to lives as long as they do.
+    Structures in lists have names here: the binding copies them, and what they point to only lives
+    as long as they do.
     """
     with ExitStack() as modules:
         stages = [

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...diagnostics.source import Span
-from ...syntax import ast
+from ..diagnostics.source import Span
+from . import ast
 
 LONGEST = 60
 
@@ -26,7 +26,11 @@ def spanned(span: Span) -> str:
 
 def operand(span: Span) -> str:
     """The expression at a place as something can be written behind it: ``(a + b)``, ``f(x)``."""
-    text = spanned(span)
+    return closed(spanned(span))
+
+
+def closed(text: str) -> str:
+    """The text of an expression as something can be written behind it."""
     return text if _is_closed(text) else f"({text})"
 
 

@@ -1,6 +1,6 @@
-"""Textures from a job, each with the state of its sampler; OpenGL's own calls throughout.
+"""Creates a job's textures with the state of their samplers, through OpenGL's own functions.
 
-moderngl has not got every kind of texture with mip levels, nor all of a sampler's state.
+moderngl does not have all types of textures with mip levels, nor all of a sampler's state.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ STORAGE: dict[TextureFormat, tuple[int, int, int]] = {
     "r32sint": (0x8235, GL_RED_INTEGER, GL_INT),
     "rgba32sint": (0x8D82, GL_RGBA_INTEGER, GL_INT),
 }
-"""Internal format, and what the bytes are: lanes and type."""
+"""The internal format, and the lanes and their type in the bytes."""
 
 GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER = 0x2800, 0x2801
 GL_TEXTURE_MAX_LOD, GL_TEXTURE_MAX_LEVEL, MOST_LEVELS = 0x813B, 0x813D, 1000
@@ -51,7 +51,7 @@ MINIFY: dict[tuple[Filter, Mip], int] = {
     ("nearest", "nearest"): 0x2700,
     ("nearest", "linear"): 0x2702,
 }
-"""Without levels the sampler stays on the first one, but texels of others can be loaded."""
+"""Without mip levels the sampler uses only the first one, but texels of others can be loaded."""
 COMPARES: dict[Compare, int] = {
     "never": 0x0200, "less": 0x0201, "equal": 0x0202, "less_equal": 0x0203,
     "greater": 0x0204, "not_equal": 0x0205, "greater_equal": 0x0206, "always": 0x0207,
@@ -62,9 +62,9 @@ COMPARES: dict[Compare, int] = {
 def bound_texture(
     functions: Functions, slot: TextureSlot, image: Image, unit: int
 ) -> Iterator[None]:
-    """A texture with all levels of an image, read as the slot wants it, bound to a unit.
+    """A texture with all levels of an image, with the slot's state, bound to a unit.
 
-    OpenGL counts rows from v = 0, and so does Burnish: the rows go up as they are.
+    OpenGL counts rows from v = 0, as Burnish does, so the rows are uploaded in their order.
     """
     target, name = TARGETS[slot.dimension], ctypes.c_uint()
     functions.glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)
@@ -102,7 +102,7 @@ def _upload(functions: Functions, image: Image, level: int) -> None:
 
 
 def _state(slot: TextureSlot, levels: int) -> dict[int, int]:
-    """Parameters of the texture; one without a sampler may not want any filter."""
+    """The parameters of the texture; one without a sampler must not use any filter."""
     minify: tuple[Filter, Mip] = (
         ("nearest", "nearest") if slot.sampling is None else (slot.filter, slot.mip)
     )

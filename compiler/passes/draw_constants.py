@@ -1,0 +1,50 @@
+"""Which values are the same all over a draw and need no shader to compute them.
+
+Three passes ask this: ``move_to_vertices``, whose proof needs constant factors; ``inline``, which
+writes a body out if constant arguments leave little of it; and ``expand_builtins``, which keeps
+apart what may be hoisted later. Whether a value then really leaves the shader is for ``hoist`` to
+say, as it depends on the parameters' groups.
+"""
+
+from __future__ import annotations
+
+from ..ir.node import Node
+from ..ir.operations import BINDING
+from .elements import is_element
+
+
+class DrawConstants:
+    """Made of constants and parameters only, without loops and functions, which stay in the shader.
+
+    Each node is looked at once, when a value that needs it is first asked about.
+    """
+
+    def __init__(self, *, elements: bool = False) -> None:
+        """With ``elements``, those of parameters' arrays count too, at whatever position.
+
+        A host can compute for each of them what depends on one.
+        """
+        self._elements = elements
+        self._known: dict[int, bool] = {}
+
+    def __contains__(self, root: Node) -> bool:
+        """Whether a value is the same all over the draw."""
+        known = self._known
+        pending = [root]
+        while pending:
+            node = pending[-1]
+            if node.id in known:
+                pending.pop()
+            elif (own := self._by_itself(node)) is not None:
+                known[node.id] = own
+            elif missing := [operand for operand in node.operands if operand.id not in known]:
+                pending += missing
+            else:
+                known[node.id] = all(known[operand.id] for operand in node.operands)
+        return known[root.id]
+
+    def _by_itself(self, node: Node) -> bool | None:
+        """What is known without a look at the operands."""
+        if node.op in ("constant", "parameter") or (self._elements and is_element(node)):
+            return True
+        return False if node.op == "cross" or node.op in BINDING or not node.operands else None

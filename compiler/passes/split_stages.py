@@ -1,0 +1,153 @@
+"""Splits one graph into the stages of a program.
+
+This is the last pass. It walks the chain of stages backwards from what the shader delivers. The
+results of a stage, and what the stage after it reads, are all that the stage has to compute; the
+crossings under these say what the stage before has to hand on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import count
+
+from ..ir import build
+from ..ir.leaves import Attribute, Parameter, Resource
+from ..ir.node import Graph, Node, formals_of
+from ..ir.operations import INPUT
+from ..ir.program import (
+    Block,
+    Field,
+    Function,
+    Interface,
+    Output,
+    Program,
+    Stage,
+    Varying,
+    native_uses,
+    texture_reads,
+)
+from ..ir.shader import Notes, Result, Shader
+from ..ir.stages import VARYING, StageRow
+from ..layout import STANDARD_GROUPS, layout_blocks
+from .hoist import Derived
+from .naming import Naming
+from .pack_varyings import pack_varyings
+from .schedule import Scheduler
+from .walks import called_functions, visible
+
+
+def split_stages(
+    shader: Shader, results: tuple[Result, ...], derived: tuple[Derived, ...]
+) -> Program:
+    """The program of a shader whose ``results`` have been through all other passes.
+
+    It is the last pass, and what ``targets/legalise`` ends with that has changed some values.
+    """
+    blocks = _blocks(shader, derived)
+    stages: list[Stage] = []
+    interfaces: list[Interface] = []
+    for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
+        own = [result for result in results if result.stage == row]
+        leaving = tuple(v for f in interfaces if f.origin == row.domain for v in f.varyings)
+        outputs = (*_outputs(own), *_crossing_outputs(shader.graph, leaving))
+        if not outputs:
+            continue
+        roots = [output.value for output in outputs]
+        if before is None:
+            inputs = _attributes(shader, roots)
+        else:
+            varyings = pack_varyings(
+                visible(roots, into_bodies=True), shader.notes, _taken(interfaces)
+            )
+            interfaces.insert(0, Interface(before.domain, row.domain, varyings))
+            inputs = interfaces[0].fields
+        stages.insert(0, _stage(row, shader, blocks, inputs, outputs))
+    resources = tuple(
+        info.resource
+        for info in shader.resources
+        if any(info.resource in stage.resources for stage in stages)
+    )
+    used = tuple(b for b in blocks if any(b in stage.blocks for stage in stages))
+    return Program(shader.name, shader.doc, tuple(stages), used, resources, tuple(interfaces))
+
+
+def _taken(interfaces: Iterable[Interface]) -> set[str]:
+    return {field.name for interface in interfaces for field in interface.fields}
+
+
+def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
+    parameters = [info.parameter for info in shader.parameters]
+    docs = {info.parameter.name: info.doc for info in shader.parameters if info.doc}
+    parameters += [value.parameter for value in derived]
+    return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
+
+
+def _outputs(results: Iterable[Result]) -> Iterator[Output]:
+    """The shader's results of one stage; those that a host knows by name get a location each."""
+    locations = count()
+    for result in results:
+        field = None
+        if result.name:
+            field = Field(result.name, result.value.type, next(locations), doc=result.doc)
+        yield Output(result.kind, result.value, field)
+
+
+def _crossing_outputs(graph: Graph, varyings: Iterable[Varying]) -> Iterator[Output]:
+    for varying in varyings:
+        yield Output(VARYING, build.vector(graph, varying.values), varying.field)
+
+
+def _attributes(shader: Shader, roots: Iterable[Node]) -> tuple[Field, ...]:
+    """The vertex inputs that are read, each at the location its declaration gives it."""
+    read = {node.data for node in visible(roots) if isinstance(node.data, Attribute)}
+    return tuple(
+        Field(
+            info.attribute.name, info.attribute.type, location,
+            doc=info.doc, step=info.attribute.step,
+        )
+        for location, info in enumerate(shader.attributes)
+        if info.attribute in read
+    )  # fmt: skip
+
+
+def _stage(
+    row: StageRow,
+    shader: Shader,
+    blocks: tuple[Block, ...],
+    inputs: tuple[Field, ...],
+    outputs: tuple[Output, ...],
+) -> Stage:
+    roots = [output.value for output in outputs]
+    naming = Naming(shader.notes)
+    nodes = visible(roots, into_bodies=True)
+    functions = tuple(_function(call, shader.notes, naming) for call in called_functions(nodes))
+    leaves = [leaf for node in nodes if (leaf := node.data) is not None]
+    parameters = {leaf for leaf in leaves if isinstance(leaf, Parameter)}
+    resources = {leaf for leaf in leaves if isinstance(leaf, Resource)}
+    return Stage(
+        row=row,
+        inputs=inputs,
+        blocks=tuple(b for b in blocks if any(m.parameter in parameters for m in b.members)),
+        resources=tuple(i.resource for i in shader.resources if i.resource in resources),
+        functions=functions,
+        region=Scheduler(roots, shader.notes, naming).schedule(),
+        results=outputs,
+        builtin_inputs=tuple(
+            sorted({INPUT.data(n).name for n in visible(roots) if n.op == "input"})
+        ),
+        reads=texture_reads(nodes),
+        natives=native_uses(nodes),
+    )
+
+
+def _function(call: Node, notes: Notes, naming: Naming) -> Function:
+    body = call.operands[0]
+    types = [argument.type for argument in call.operands[1:]]
+    return Function(
+        name=notes.functions.get(body.id, "shade"),
+        doc=notes.docs.get(body.id, ""),
+        parameters=tuple(zip(formals_of(call), types, strict=True)),
+        body=body,
+        region=Scheduler((body,), notes, naming).schedule(),
+        value=body,
+    )

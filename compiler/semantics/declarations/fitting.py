@@ -1,0 +1,44 @@
+"""Values where a type is wanted: adapted to it, or a report of why they cannot be."""
+
+from __future__ import annotations
+
+from ...diagnostics import rules
+from ...diagnostics.fixes import Hint
+from ...diagnostics.source import Span
+from ...ir.node import Node
+from ...ir.types import Type, scalar_kind
+from ...syntax import ast
+from ..hints import advice
+from ..state.context import Context
+from ..state.evaluation import node_of
+from ..state.scope import FAILURE, Failure, Scope
+from ..types.coercion import coerce
+
+
+def typed(
+    ctx: Context, expression: ast.Expression, scope: Scope, wanted: Type, declared: str
+) -> Node | Failure:
+    """The value of ``expression`` as a ``wanted``; ``declared`` is how messages call that."""
+    return fit(ctx, node_of(ctx, expression, scope), wanted, declared, expression.span)
+
+
+def fit(
+    ctx: Context, node: Node | Failure, wanted: Type, declared: str, span: Span
+) -> Node | Failure:
+    """``node`` as a ``wanted``, or a report at ``span``."""
+    if isinstance(node, Failure):
+        return FAILURE
+    fitted = coerce(ctx.graph, node, wanted)
+    if fitted is None:
+        ctx.report.add(
+            rules.WRONG_TYPE, span, expected=declared, found=node.type,
+            hint=_way_to_fit(node, wanted, declared, span),
+            caption=f"this is `{node.type}`",
+        )  # fmt: skip
+        return FAILURE
+    return fitted
+
+
+def _way_to_fit(node: Node, wanted: Type, declared: str, span: Span) -> Hint:
+    cut = advice.cut_quotient((node,), (span,)) if scalar_kind(wanted) == "float" else ""
+    return cut or advice.fitting_type(node.type, wanted, declared, span)

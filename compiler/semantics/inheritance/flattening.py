@@ -1,0 +1,305 @@
+"""Flattens inheritance: for each name of a material, light or pass, its definitions in order.
+
+A record's ancestors form one chain, most derived first. ``material A : B + C + D`` is the chain
+``A, D, C, B, …``: mixins stand between the heir and its base, the last one written nearest to the
+heir. ``inherited.x`` is what the rest of the chain says.
+"""
+
+from __future__ import annotations
+
+from ....frozen import changed
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label, Report
+from ...diagnostics.fixes import fix_it
+from ...diagnostics.source import Span
+from ...syntax import ast
+from ..names.modules import Module, Symbol
+from .inherited import inherited_names
+from .records import Definition, Record, Statement, is_abstract
+
+
+class Records:
+    """Flattens records; each once. Reports what is wrong with an inheritance chain."""
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+        self._known: dict[Symbol, Record] = {}
+        self._astray: set[Symbol] = set()
+        """Records whose base is wrong, which has been reported."""
+        self._clashes: set[tuple[Symbol, Symbol, str]] = set()
+        """Mixins that both declare a name, which has been reported."""
+        self._twice: set[Span] = set()
+        """Where a mixin is written that is in already, which has been reported."""
+
+    def of(self, symbol: Symbol) -> Record:
+        """The record that a ``material``, ``light`` or ``pass`` declares."""
+        if symbol not in self._known:
+            self._known[symbol] = self._flatten(symbol)
+        return self._known[symbol]
+
+    def alone(self, mixin: Symbol) -> Record:
+        """A mixin in front of what every record of its kind extends.
+
+        What it needs beyond that, or builds on, is declared there without a value.
+        """
+        declaration = mixin.declaration
+        assert isinstance(declaration, ast.Mixin)
+        root = root_of(mixin.module, declaration.kind)
+        record = self._flattened(mixin, (mixin,) if root is None else (mixin, root))
+        for name, (own, *behind) in record.definitions.items():
+            if isinstance(own.member, ast.Slot) and own.member.type is not None and not behind:
+                assumed = changed(own.member, value=None)
+                record.definitions[name] = (own, Definition(assumed, mixin, len(record.chain)))
+        return record
+
+    def _flatten(self, symbol: Symbol) -> Record:
+        return self._flattened(symbol, self._chain(symbol))
+
+    def _flattened(self, symbol: Symbol, chain: tuple[Symbol, ...]) -> Record:
+        record = Record(symbol, chain, baseless=not self._astray.isdisjoint(chain))
+        statements: dict[object, Statement[ast.Member]] = {}
+        for level in reversed(range(len(chain))):
+            owner = chain[level]
+            declaration = owner.declaration
+            assert isinstance(declaration, ast.Record | ast.Mixin)
+            seen: dict[str, ast.Name] = {}
+            if isinstance(declaration, ast.Record):
+                self._check_blend(declaration)
+            for member in declaration.members:
+                if not self._in_place(declaration, member):
+                    continue
+                name = member.name if ast.is_named(member) else None
+                if name is not None and not self._first(name, seen):
+                    continue
+                if ast.is_read(member):
+                    self._define(record, Definition(member, owner, level))
+                else:
+                    replaced = member if name is None else (type(member), name.text)
+                    statements[replaced] = Statement(member, owner, level)
+        record.statements = tuple(statements.values())
+        return record
+
+    def _in_place(self, declaration: ast.Record | ast.Mixin, member: ast.Member) -> bool:
+        """Whether a kind of member belongs into a kind of record."""
+        kind = ast.kind_of(member)
+        if declaration.kind in kind.records:
+            return True
+        self._report_misplaced(kind, kind.word, declaration, member.span)
+        if ast.is_named(member):
+            self._report.unread((member.name.text,))
+        return False
+
+    def _report_misplaced(
+        self, kind: ast.MemberKind, word: str, declaration: ast.Record | ast.Mixin, span: Span
+    ) -> None:
+        self._report.add(
+            rules.MISPLACED_MEMBER, span, member=word, record=f"a {declaration.kind}",
+            hint=f"`{word}` belongs in {kind.places}",
+        )  # fmt: skip
+
+    def _check_blend(self, declaration: ast.Record) -> None:
+        target = ast.MEMBERS["target"]
+        if declaration.blend is not None and declaration.kind not in target.records:
+            self._report_misplaced(target, "blend", declaration, declaration.blend.span)
+
+    def _first(self, name: ast.Name, seen: dict[str, ast.Name]) -> bool:
+        if name.text in seen:
+            self._report.add(
+                rules.DUPLICATE_NAME, name.span, name=name.text,
+                labels=[Label(seen[name.text].span, "first defined here")],
+            )  # fmt: skip
+            return False
+        seen[name.text] = name
+        return True
+
+    def _define(self, record: Record, definition: Definition) -> None:
+        name = definition.member.name.text
+        inherited = record.definitions.get(name, ())
+        if isinstance(definition.owner.declaration, ast.Mixin) and inherited:
+            if is_abstract(definition.member):
+                record.requirements.append(definition)
+                return
+            if self._clashes_with(record, definition, inherited[-1]):
+                return
+        record.definitions[name] = (definition, *inherited)
+
+    def _clashes_with(self, record: Record, later: Definition, first: Definition) -> bool:
+        """Two mixins that know nothing of each other must not mean different things by a name."""
+        if not isinstance(first.owner.declaration, ast.Mixin) or is_abstract(first.member):
+            return False
+        if _belong_together(later.member, first):
+            return False
+        name = later.member.name.text
+        if (first.owner, later.owner, name) in self._clashes:
+            return True
+        self._clashes.add((first.owner, later.owner, name))
+        self._report.add(
+            rules.MIXINS_CLASH, later.member.name.span,
+            name=name, first=first.owner.name, later=later.owner.name, record=record.name,
+            labels=[Label(first.member.name.span, f"declared by `{first.owner.name}` here")],
+            hint=f"rename one of them, or build on the other as `inherited.{name}`",
+        )  # fmt: skip
+        return True
+
+    def _chain(self, symbol: Symbol) -> tuple[Symbol, ...]:
+        used: dict[Symbol, ast.Name] = {}
+        records, chain = [symbol], [symbol, *self._mixins(symbol, used)]
+        while (base := self._base(records[-1])) is not None:
+            if base in records:
+                declaration = records[-1].declaration
+                self._report_cycle([*records[records.index(base) :], base])
+                assert isinstance(declaration, ast.Record)
+                root = self._implied_base(records[-1], declaration)
+                return tuple(chain) if root is None else (*chain, root)
+            records.append(base)
+            chain += [base, *self._mixins(base, used)]
+        return tuple(chain)
+
+    def _mixins(self, symbol: Symbol, used: dict[Symbol, ast.Name]) -> list[Symbol]:
+        """The mixins in a record's header, the last one first.
+
+        ``used`` are those of its heirs, to which they are added, each with where it is written.
+        """
+        declaration = symbol.declaration
+        assert isinstance(declaration, ast.Record)
+        found: list[Symbol] = []
+        for name in declaration.mixins:
+            mixin = self._mixin(symbol, declaration.kind, name)
+            if mixin is None:
+                self._astray.add(symbol)
+            elif mixin in used:
+                self._report_twice(used[mixin], name)
+            else:
+                used[mixin] = name
+                found.append(mixin)
+        return found[::-1]
+
+    def _report_twice(self, one: ast.Name, other: ast.Name) -> None:
+        """Once for each place, however many heirs share it."""
+        first, again = one, other
+        if one.span.source is other.span.source:
+            first, again = sorted((one, other), key=lambda name: name.span.start)
+        if again.span not in self._twice:
+            self._twice.add(again.span)
+            self._report.add(
+                rules.MIXIN_TWICE, again.span, name=again.text,
+                labels=[Label(first.span, "it is in already by this")],
+            )  # fmt: skip
+
+    def _mixin(self, symbol: Symbol, kind: str, name: ast.Name) -> Symbol | None:
+        found = symbol.module.find(name.text)
+        if not found:
+            self._report_unknown(symbol, "mixin", name)
+            return None
+        declaration = found[0].declaration
+        if isinstance(declaration, ast.Mixin) and declaration.kind == kind:
+            return found[0]
+        if not self._follows_mixin(symbol):
+            record = isinstance(declaration, ast.Record) and declaration.kind == kind
+            self._report.add(
+                rules.NOT_A_MIXIN, name.span, name=name.text, kind=kind,
+                labels=[Label(declaration.name.span, "declared here")],
+                hint=f"there is one base: declare this one as `mixin {name.text} {{ … }}`"
+                if record else "",
+            )  # fmt: skip
+        return None
+
+    def _follows_mixin(self, symbol: Symbol) -> bool:
+        """Whether a mixin stands where the base should, which is reported there."""
+        declaration = symbol.declaration
+        assert isinstance(declaration, ast.Record)
+        base = symbol.module.find(declaration.base.text) if declaration.base is not None else ()
+        return bool(base) and isinstance(base[0].declaration, ast.Mixin)
+
+    def _report_cycle(self, steps: list[Symbol]) -> None:
+        """Each cycle once, from wherever it was entered."""
+        if self._astray.isdisjoint(steps):
+            *_, last, base = steps
+            cycle = " : ".join(step.name for step in steps)
+            place = last.declaration.name.span
+            self._report.add(rules.CYCLIC_INHERITANCE, place, name=base.name, cycle=cycle)
+        self._astray.update(steps)
+
+    def _base(self, symbol: Symbol) -> Symbol | None:
+        declaration = symbol.declaration
+        assert isinstance(declaration, ast.Record)
+        if declaration.base is None:
+            return self._implied_base(symbol, declaration)
+        base = self._written_base(symbol, declaration.kind, declaration.base)
+        if base is None:
+            self._astray.add(symbol)
+            return self._implied_base(symbol, declaration)
+        return base
+
+    def _written_base(self, symbol: Symbol, kind: str, name: ast.Name) -> Symbol | None:
+        found = symbol.module.find(name.text)
+        if not found:
+            self._report_unknown(symbol, kind, name)
+            return None
+        base = found[0].declaration
+        if isinstance(base, ast.Mixin):
+            self._report_mixin_as_base(symbol, kind, name, base)
+            return None
+        if isinstance(base, ast.Record) and base.kind == kind:
+            return found[0]
+        labels = [Label(base.name.span, "declared here")]
+        self._report.add(rules.WRONG_BASE, name.span, kind=kind, name=name.text, labels=labels)
+        return None
+
+    def _report_unknown(self, symbol: Symbol, kind: str, name: ast.Name) -> None:
+        if name.text not in symbol.module.missing:
+            hint = symbol.module.hint(name, symbol.module.visible())
+            self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
+
+    def _report_mixin_as_base(
+        self, symbol: Symbol, kind: str, name: ast.Name, mixin: ast.Mixin
+    ) -> None:
+        declaration, root = symbol.declaration, root_of(symbol.module, kind)
+        assert isinstance(declaration, ast.Record)
+        records = (
+            other.text
+            for other in declaration.mixins
+            if any(isinstance(s.declaration, ast.Record) for s in symbol.module.find(other.text))
+        )
+        base = next(records, "Base" if root is None else root.name)
+        bases = f"{base} + {name.text}"
+        self._report.add(
+            rules.MIXIN_AS_BASE, name.span, name=name.text, kind=kind,
+            labels=[Label(mixin.name.span, "declared here")],
+            hint=fix_it(f"begin with a {kind}: `: {bases}`", (name.span, bases)),
+        )  # fmt: skip
+
+    def _implied_base(self, symbol: Symbol, declaration: ast.Record) -> Symbol | None:
+        """Every material (light, …) extends the prelude's only abstract one of its kind."""
+        root = root_of(symbol.module, declaration.kind)
+        return None if root is symbol else root
+
+
+def _belong_together(later: ast.ReadMember, first: Definition) -> bool:
+    """Whether a mixin's definition means to continue, or to share, what another one declares."""
+    if isinstance(later, ast.Slot) and later.value is not None:
+        return later.name.text in inherited_names(later.value)
+    # What a vertex brings along is the mesh's: both mean the same.
+    return isinstance(later, ast.Attribute) and isinstance(first.member, ast.Attribute)
+
+
+def root_of(module: Module, kind: str) -> Symbol | None:
+    """The prelude's only abstract record of a kind, which all others extend."""
+    return sole(module.prelude or module, kind, abstract=True)
+
+
+def records_of(module: Module, kind: str, *, abstract: bool) -> list[Symbol]:
+    """The records of one kind that a module declares, in order."""
+    return [
+        symbols[0]
+        for symbols in module.declared.values()
+        if isinstance(declared := symbols[0].declaration, ast.Record)
+        and declared.kind == kind
+        and declared.abstract == abstract
+    ]
+
+
+def sole(module: Module, kind: str, *, abstract: bool) -> Symbol | None:
+    """The only such record of a module, if there is exactly one."""
+    found = records_of(module, kind, abstract=abstract)
+    return found[0] if len(found) == 1 else None

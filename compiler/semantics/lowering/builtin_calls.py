@@ -1,0 +1,42 @@
+"""Calls of builtins, and operators, which are builtins as well."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...diagnostics.source import Span
+from ...ir.node import Node
+from ...syntax import ast
+from ..state.context import Context
+from ..state.scope import Failure, Scope
+from ..types import overloads
+from ..types.coercion import coerce
+from .combinations import checked
+from .operands import no_signature
+
+
+def builtin_call(
+    ctx: Context,
+    name: str,
+    operands: Sequence[Node],
+    span: Span,
+    shown: str,
+    written: tuple[ast.Expression, ...] = (),
+    scope: Scope | None = None,
+) -> Node | Failure:
+    """A call of builtin ``name``, its operands coerced to the signature that fits.
+
+    ``written`` and ``scope``, where they are known, are for messages about the operands.
+    """
+    found = overloads.resolve(name, tuple(map(overloads.operand, operands)))
+    if found is None:
+        return no_signature(ctx, name, operands, span, shown, written)
+    fitted = []
+    for operand, type_ in zip(operands, found.operands, strict=True):
+        # Arithmetic between scalars and vectors exists as such; elsewhere a scalar broadcasts.
+        lane = coerce(ctx.graph, operand, type_, broadcast=True)
+        if lane is None:  # A negative literal is no `uint`.
+            return no_signature(ctx, name, operands, span, shown, written)
+        fitted.append(lane)
+    node = ctx.graph.node("call", found.result, tuple(fitted), name)
+    return checked(ctx, node, shown, span, written, scope)

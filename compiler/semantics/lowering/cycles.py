@@ -1,0 +1,33 @@
+"""Values that are defined by themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...diagnostics.source import Span
+from ..state.context import Context
+from ..state.scope import Instance
+
+
+def is_cycle(ctx: Context, key: Hashable, name: str, span: Span) -> bool:
+    """Whether the value with this key is being computed already; reports the way round."""
+    active, cyclic = ctx.progress.active, ctx.progress.cyclic
+    if key not in active:
+        return False
+    if key in cyclic:
+        return True
+    cyclic.add(key)
+    start = list(active).index(key)
+    steps = [step for step in list(active.values())[start:] if step[0]]
+    labels = [Label(place, f"`{step}` is needed here") for step, place in steps[1:]]
+    hint = ""
+    if isinstance(key, tuple) and isinstance(key[0], Instance):
+        above = len(key[0].record.definitions.get(name, ())) > 1
+        hint = f"what it is otherwise is `inherited.{name}`" if above else ""
+    ctx.report.add(
+        rules.CYCLIC_DEFINITION, span, name=name,
+        cycle=" → ".join([*(step for step, _ in steps), name]), labels=labels[:8], hint=hint,
+    )  # fmt: skip
+    return True

@@ -1,0 +1,235 @@
+"""The values of slots: equations, parameters, textures, vertex inputs; and those of ``light``."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...diagnostics.nearest import nearest
+from ...diagnostics.source import Span
+from ...ir.node import Formal, Node, bare
+from ...ir.types import Texture
+from ...syntax import ast
+from ..declarations import contracts
+from ..declarations.assignments import assigned
+from ..declarations.written_types import declared_type
+from ..inheritance.records import Definition, Record
+from ..state.context import Context
+from ..state.evaluation import Demand, plain, settle
+from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, LightVariable, Scope, Value
+from .cycles import is_cycle
+from .unknown_names import unknown
+
+
+def slot_or_report(ctx: Context, instance: Instance, name: str, span: Span) -> Value:
+    """``instance.name`` where it is written with the dot."""
+    if not instance.has(name):
+        if instance.record.baseless:
+            return FAILURE
+        unknown(ctx, f"slot of `{instance.record.name}`", name, span, instance.record.definitions)
+        return FAILURE
+    return slot(ctx, instance, name, span)
+
+
+def inherited(ctx: Context, instance: Instance, level: int, name: ast.Name) -> Value:
+    """``inherited.name``: the definition above the one in which this is written."""
+    above = instance.record.above(name.text, level)
+    if above is not None:
+        return slot(ctx, instance, name.text, name.span, above.level)
+    surface = instance.surface
+    if surface is not None and name.text in surface.record.definitions:
+        return slot(ctx, surface, name.text, name.span, 0)
+    if not instance.record.baseless:
+        _unknown_inherited(ctx, instance.record, name)
+    return FAILURE
+
+
+def _unknown_inherited(ctx: Context, record: Record, name: ast.Name) -> None:
+    """A mixin, where no record has it, knows of the chain behind it only what it declares."""
+    if isinstance(record.symbol.declaration, ast.Mixin) and name.text in record.definitions:
+        hint = f"say of which type it has to be: `{name.text} : … = …`"
+        kind = "inherited slot"
+        ctx.report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
+    else:
+        unknown(ctx, "inherited slot", name.text, name.span, record.definitions)
+
+
+def slot(
+    ctx: Context, instance: Instance, name: str, span: Span, level: int = OUTERMOST
+) -> Node | Failure:
+    """The value that ``name`` has in ``instance``, as defined at ``level`` or further up."""
+    key = (name, level)
+    if key in instance.values:
+        return instance.values[key]
+    if is_cycle(ctx, (instance, *key), name, span):
+        return FAILURE
+    replacement = instance.replaced.get(name) if level == OUTERMOST else None
+    if replacement is None:
+        _settle_own(ctx, instance, name, span, level)
+    elif replacement.definition is None:
+        assert replacement.value is not None
+        _keep(ctx, instance, name, level, replacement.value)
+    else:
+        within = replacement.within or instance
+        _settle_equation(ctx, instance, name, span, level, replacement.definition, within)
+    return instance.values[key]
+
+
+def _definition(instance: Instance, name: str, level: int) -> Definition:
+    """What the record says of ``name`` at ``level`` or further up."""
+    return next(d for d in instance.record.definitions[name] if d.level >= level)
+
+
+def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: int) -> None:
+    """Compute what the record itself says of a slot."""
+    definition = _definition(instance, name, level)
+    member = definition.member
+    if not isinstance(member, ast.Slot):
+        _keep(ctx, instance, name, level, _leaf(ctx, instance, member))
+    elif member.value is None:
+        record = instance.record
+        outermost = record.definitions[name][0] is definition
+        ctx.report.add(
+            rules.ABSTRACT_SLOT, record.symbol.declaration.name.span if outermost else span,
+            name=name, record=record.name,
+            labels=[Label(member.name.span, "declared here without a value")],
+            hint=_setting(ctx, instance, definition),
+        )  # fmt: skip
+        _keep(ctx, instance, name, level, FAILURE)
+    else:
+        _settle_equation(ctx, instance, name, span, level, definition, instance)
+
+
+def _settle_equation(
+    ctx: Context,
+    instance: Instance,
+    name: str,
+    span: Span,
+    level: int,
+    definition: Definition,
+    within: Instance,
+) -> None:
+    """Compute a slot by an equation, which is evaluated in the scope of ``within``."""
+    assert isinstance(definition.member, ast.Slot) and definition.member.value is not None
+    surface = within.surface or within
+    locals_ = {"material": surface}
+    scope = Scope(definition.owner.module, within, definition.level, surface, locals_)
+    key, written = (instance, name, level), definition.member.value
+    finish = partial(_finish_equation, ctx, instance, name, level, written, scope)
+    settle(ctx, Demand(key, name, span, written, scope, finish))
+
+
+def _finish_equation(
+    ctx: Context,
+    instance: Instance,
+    name: str,
+    level: int,
+    written: ast.Expression,
+    scope: Scope,
+    value: Value,
+) -> None:
+    """Keep the value of an equation as the type that its slot was declared with."""
+    record = _typing(instance, name)
+    assert scope.instance is not None
+    own = scope.level if record is scope.instance.record else OUTERMOST
+    node = plain(ctx, value, written)
+    _keep(ctx, instance, name, level, assigned(ctx, record, name, node, written, scope, own))
+
+
+def _keep(ctx: Context, instance: Instance, name: str, level: int, value: Node | Failure) -> None:
+    instance.values[name, level] = value
+    if isinstance(value, Node) and value.operands:
+        _note(ctx, instance, name, level, value)
+
+
+def _setting(ctx: Context, instance: Instance, definition: Definition) -> str:
+    """How an abstract slot is set, or what else was meant by declaring it."""
+    member = definition.member
+    assert isinstance(member, ast.Slot)
+    name, record = member.name.text, instance.record
+    declared = (
+        None if member.type is None else declared_type(ctx, member.type, definition.owner.module)
+    )
+    if declared is not None and isinstance(declared.type, Texture):
+        return f"declare a texture with `map {name} : {declared.text}`"
+    if record.definitions[name][0] is not definition:
+        return f"`inherited.{name}` has no value, so nothing can be computed from it"
+    if definition.owner is record.symbol:
+        return f"give it a value, `{name} : {declared.text} = …`" if declared is not None else ""
+    own = (n for n, found in record.definitions.items() if found[-1].owner is record.symbol)
+    slip = nearest(name, own)
+    if slip is not None:
+        return f"`{slip}` is declared in `{record.name}`: did you mean `{name}`?"
+    about = f": {member.doc}" if member.doc else ""
+    return f"add `{name} = …` to `{record.name}`{about}"
+
+
+def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Failure:
+    """What a member reads whose value comes from outside; nothing if its declaration is wrong."""
+    name = member.name.text
+    match ast.kind_of(member).contribution:
+        case "parameter":
+            return instance.parameters.get(name, FAILURE)
+        case "resource":
+            return instance.resources.get(name, FAILURE)
+        case _:
+            read = instance.attributes.get(name)
+            return FAILURE if read is None else ctx.crossings.attribute(read)
+
+
+def _typing(instance: Instance, name: str) -> Record:
+    """The record whose written type holds: a pass's slot keeps that of the one it overrides."""
+    surface = instance.surface
+    given = None if surface is None else surface.replaced.get(name)
+    if surface is None or given is None or given.within is not instance:
+        return instance.record
+    return surface.record
+
+
+def _note(ctx: Context, instance: Instance, name: str, level: int, node: Node) -> None:
+    """Keep the user's name and doc comment for a value."""
+    given = instance.replaced.get(name)
+    own = _definition(instance, name, level)
+    definition = own if level != OUTERMOST or given is None else given.definition
+    if definition is not None and isinstance(definition.member, ast.Attribute):
+        return
+    overridden = given is not None or own is not instance.record.definitions[name][0]
+    is_inherited = level != OUTERMOST and overridden and isinstance(own.member, ast.Slot)
+    shown = f"{instance.prefix}_{name}" if instance.prefix else name
+    crossing = bare(node)
+    for named in (node, *crossing.operands) if crossing.op == "cross" else (node,):
+        if is_inherited and named.id not in ctx.notes.names:
+            ctx.notes.wholes[named.id] = shown
+        ctx.notes.names.setdefault(named.id, f"inherited_{shown}" if is_inherited else shown)
+        if definition is not None and definition.member.doc:
+            ctx.notes.docs.setdefault(named.id, definition.member.doc)
+
+
+def light_slot(ctx: Context, light: LightVariable, name: ast.Name) -> Value:
+    """``light.name`` in a term: a variable of the body that all lights share."""
+    if not light.instance.has(name.text):
+        definitions = light.record.definitions
+        if any(name.text in entry.record.definitions for entry in ctx.rig):
+            label = Label(light.record.symbol.declaration.name.span, "this light")
+            ctx.report.add(
+                rules.LIGHT_LACKS_SLOT, name.span, light=light.record.name, slot=name.text,
+                labels=[label],
+            )  # fmt: skip
+            return FAILURE
+        unknown(ctx, f"slot of light `{light.record.name}`", name.text, name.span, definitions)
+        return FAILURE
+    sample = slot(ctx, light.instance, name.text, name.span)
+    if isinstance(sample, Failure):
+        return FAILURE
+    if isinstance(sample.type, Texture):
+        ctx.report.add(
+            rules.WRONG_TYPE, name.span, expected="a value", found=sample.type,
+            hint="read the texture in a slot of the light",
+        )  # fmt: skip
+        return FAILURE
+    variable = light.variables.get(name.text)
+    if variable is None:
+        variable = ctx.graph.node("formal", sample.type, (), Formal(name.text))
+        light.variables[name.text] = variable
+    return contracts.light_variable(ctx, light, name.text, variable, sample)

@@ -1,0 +1,73 @@
+"""Names that nothing declares, and what may have been meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...diagnostics import rules
+from ...diagnostics.nearest import nearest
+from ...diagnostics.source import Span
+from ...ir.stages import SYSTEM_INPUTS
+from ...syntax import ast
+from ...syntax.rewriting import called_here
+from ..hints import advice
+from ..names.modules import Module
+from ..state.context import Context
+from ..state.scope import Scope
+
+
+def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
+    if name == "light":
+        in_term = scope.surface is not None and scope.instance is None
+        hint = "sum over the lights: write `per light` in front of the term's `=`"
+        ctx.report.add(rules.OUTSIDE_LIGHT, span, name=name, hint=hint if in_term else "")
+        return
+    parts = () if scope.parts is None else scope.parts.declared
+    known = [*scope.locals, *parts, *scope.module.visible(), *SYSTEM_INPUTS]
+    for instance in (scope.instance, scope.surface):
+        if instance is not None and instance.record.baseless:
+            return
+        if instance is not None:
+            known += instance.record.definitions
+    from ....stdlib.builtins.elsewhere import KEYWORDS, VALUES
+
+    here = called_here(name, span, VALUES[name]) if name in VALUES else ""
+    lit = advice.of_a_light(name, ctx.rig)
+    elsewhere = here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, "")
+    if elsewhere:
+        ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
+        return
+    if hint := advice.uncalled(name):
+        ctx.report.add(rules.NOT_A_VALUE, span, hint=hint)
+        return
+    unknown_here(ctx, "name", name, span, known, scope.module)
+
+
+def is_known(scope: Scope, name: str) -> bool:
+    """Whether a name means something in an expression."""
+    seen = scope.surface is not None and scope.surface.has(name)
+    return name in scope.locals or seen or is_declared(scope, name)
+
+
+def is_declared(scope: Scope, name: str) -> bool:
+    """Whether the record or the file gives a name to something, called or not."""
+    own = scope.instance is not None and scope.instance.has(name)
+    return own or bool(scope.module.find(name))
+
+
+def unknown(ctx: Context, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
+    """Report a name that nothing declares, with the nearest one that something does."""
+    hint = advice.nearest_or_all(name, span, known)
+    ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
+
+
+def unknown_here(
+    ctx: Context, kind: str, name: str, span: Span, known: Iterable[str], module: Module
+) -> None:
+    """The same for a name that an import could bring, or should have brought."""
+    if name not in module.missing:
+        known = list(known)
+        hint = module.hint(ast.Name(name, span), known) or advice.undeclared(kind, name)
+        if module.incomplete and nearest(name, known) is None:
+            return
+        ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)

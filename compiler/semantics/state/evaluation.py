@@ -1,0 +1,151 @@
+"""Evaluates expressions by the rules that the context holds, without recursion over the program.
+
+Expressions nest as deeply as a text is long, so a loop with a list of what is left to do evaluates
+the operands of an expression before it runs its rule. Equations chain without limit, too: the value
+of one needs that of the next. Such a value is a ``Demand``. While few of them wait for each other,
+the rule that needs one waits for it on Python's stack. Beyond that ``settle`` raises ``Unsettled``:
+the loop puts the demand in front of what is left to do, and afterwards runs the rule once more,
+which then finds the value. So a rule may run several times, and must leave nothing behind that a
+second run would stumble over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass
+
+from ...diagnostics import rules
+from ...diagnostics.source import Span
+from ...ir.node import Node
+from ...syntax import ast
+from .context import Context
+from .scope import FAILURE, Failure, Inner, Scope, Value
+
+DEEPEST = 16
+"""So many demands may wait for each other on Python's stack; each takes about ten frames."""
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """A value that is computed once and then kept: a slot's, a constant's, that of a call."""
+
+    key: Hashable
+    """To meet the same key again while the value is computed is a cycle."""
+    name: str
+    """What messages about a cycle call it."""
+    span: Span
+    """Where it is asked for."""
+    expression: ast.Expression
+    scope: Scope
+    finish: Callable[[Value], None]
+    """Keeps what is made of the expression's value; who asks looks there."""
+
+
+class Unsettled(Exception):  # noqa: N818
+    """A rule needs a value that has to be computed first, by the loop that runs the rule."""
+
+    def __init__(self, demand: Demand) -> None:
+        self.demand = demand
+        super().__init__(demand.name)
+
+
+@dataclass(frozen=True, slots=True)
+class _Finish:
+    """A demand, to be finished with the value that its expression will have."""
+
+    demand: Demand
+
+
+@dataclass(frozen=True, slots=True)
+class _Leave:
+    """A loop whose inner expressions have been evaluated, and where their values start."""
+
+    written: ast.Expression
+    inner: Inner
+    start: int
+
+
+_Work = tuple[ast.Expression, Scope, int] | _Finish | _Leave
+"""What is left to do. An expression comes with the place of its first operand's value, or with
+``_NEW`` as long as its operands have not been evaluated."""
+_NEW = -1
+
+
+def evaluate(ctx: Context, expression: ast.Expression, scope: Scope) -> Value:
+    """The value of an expression; nodes are noted to stand where the expression does."""
+    return _run(ctx, [(expression, scope, _NEW)])
+
+
+def node_of(ctx: Context, expression: ast.Expression, scope: Scope) -> Node | Failure:
+    """The value of an expression where only a plain value will do."""
+    return plain(ctx, evaluate(ctx, expression, scope), expression)
+
+
+def plain(ctx: Context, value: Value, expression: ast.Expression) -> Node | Failure:
+    """An expression's value if it is a plain one; a record or ``light`` is reported."""
+    if isinstance(value, Node | Failure):
+        return value
+    ctx.report.add(rules.NOT_A_VALUE, expression.span)
+    return FAILURE
+
+
+def settle(ctx: Context, demand: Demand) -> None:
+    """Compute a demand's value and have it kept."""
+    progress = ctx.progress
+    if progress.depth >= DEEPEST:
+        raise Unsettled(demand)
+    progress.depth += 1
+    try:
+        _run(ctx, _begun(ctx, demand))
+    finally:
+        progress.depth -= 1
+
+
+def _begun(ctx: Context, demand: Demand) -> list[_Work]:
+    ctx.progress.active[demand.key] = (demand.name, demand.span)
+    return [_Finish(demand), (demand.expression, demand.scope, _NEW)]
+
+
+def _run(ctx: Context, work: list[_Work]) -> Value:
+    """Do all work; the value is that of the last expression."""
+    table, spans = ctx.rules, ctx.notes.spans
+    values: list[Value] = []
+    while True:
+        top = work.pop()
+        try:
+            if isinstance(top, tuple):
+                written, scope, start = top
+                rule = table[type(written)]
+                if start == _NEW:
+                    start = len(values)
+                    operands = rule.operands(written, scope)
+                    if operands:
+                        work.append((written, scope, start))
+                        work += [(operand, scope, _NEW) for operand in reversed(operands)]
+                        continue
+                found = rule.value(ctx, written, values[start:], scope)
+                if isinstance(found, Inner):
+                    del values[start:]
+                    work.append(_Leave(written, found, start))
+                    work += [(e, found.scope, _NEW) for e in reversed(found.expressions)]
+                    continue
+            elif isinstance(top, _Finish):
+                top.demand.finish(values[-1])
+                del ctx.progress.active[top.demand.key]
+                if not work:
+                    return values[-1]
+                values.pop()
+                continue
+            else:
+                written, start = top.written, top.start
+                found = top.inner.then(values[start:])
+        except Unsettled as unsettled:
+            work.append((written, scope, start) if isinstance(top, tuple) else top)
+            work += _begun(ctx, unsettled.demand)
+            continue
+        del values[start:]
+        values.append(found)
+        if isinstance(found, Node):
+            spans.setdefault(found.id, written.span)
+        if not work:
+            return found

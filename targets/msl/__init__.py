@@ -1,0 +1,1 @@
+"""The Metal Shading Language, which Apple's compiler has never seen from here: see `target.py`."""

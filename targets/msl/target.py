@@ -1,0 +1,253 @@
+"""The Metal Shading Language, version 2.
+
+No text of this target has ever been compiled by Apple's compiler, which there is on Apple's systems
+only. What is checked is that clang accepts every text against declarations of Metal's types and
+functions (``metal_stdlib.h``), which were written from Apple's specification. A mistake in reading
+that specification is seen by nobody. So this language is not among those that are written by
+default, and whoever names it is told.
+
+What a host has to know: blocks, textures and samplers are numbered each on their own, and a buffer
+of vertices must not take a number that the reflection gives to a block. Compile with fast maths
+turned off, so that comparisons with infinity mean what they say.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+
+from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
+from ...stdlib.builtins.facts import Fact
+from ..emit.description import (
+    FieldRole,
+    Limits,
+    Literals,
+    PipelineInput,
+    Profile,
+    Read,
+    Spelling,
+    Spellings,
+    Target,
+    TextureNames,
+    TypeNames,
+)
+from ..emit.forms import Forms
+from ..emit.reserved import read_reserved
+
+FOLDER = Path(__file__).parent
+
+# A vector of three lanes takes 16 bytes, but for a packed one, which would start anywhere.
+TYPES = TypeNames(
+    scalars={"float": "float", "int": "int", "uint": "uint", "bool": "bool"},
+    vectors={"float": "float{n}", "int": "int{n}", "uint": "uint{n}", "bool": "bool{n}"},
+    matrix="float{n}x{n}",
+    tall_matrix="float{n}x4",
+    array="array<{element}, {count}>",
+    stored={
+        "vec3": "alignas(16) packed_float3",
+        "ivec3": "alignas(16) packed_int3",
+        "uvec3": "alignas(16) packed_uint3",
+    },
+)
+
+FORMS = Forms(
+    let="const {typed} = {value};",
+    array="{type}{{{elements}}}",
+    member="{block}.{name}",
+    stored="{type}({value})",
+    input="input.{name}",
+    discard="discard_fragment();",
+    lane_words=("component::x", "component::y", "component::z", "component::w"),
+    block_argument="constant {type}& {name}",
+)
+
+TEXTURES = TextureNames(
+    dimensions={"2d": "2d", "2d_array": "2d_array", "3d": "3d", "cube": "cube"},
+    textures={
+        "float": "texture{dimension}<float>",
+        "depth": "depth{dimension}<float>",
+        "int": "texture{dimension}<int>",
+        "uint": "texture{dimension}<uint>",
+    },
+    samplers={"filtering": "sampler", "comparison": "sampler"},
+)
+
+LAYER = "uint(max({2}, 0))"
+"""A layer is a ``uint``; one below 0 means the first."""
+
+GRADIENTS = {"texture3d": "gradient3d", "texture_cube": "gradientcube"}
+
+PLACE, LEVEL = "uint2({1})", "uint({2})"
+
+
+def precisely(*names: str) -> Mapping[str, str]:
+    """Functions of which the compiler's options would otherwise choose a faster, coarser one."""
+    return {name: f"precise::{name}" for name in names}
+
+
+NATIVES: Spellings = {
+    **precisely(
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sinh",
+        "cosh",
+        "tanh",
+        "exp",
+        "exp2",
+        "log",
+        "log2",
+        "pow",
+        "sqrt",
+    ),
+    "inversesqrt": "precise::rsqrt",
+    "neg": Spelling(matrix="(-1.0f * {0:p})"),
+    "sign": Spelling(integers="clamp({0}, {type}(-1), {type}(1))"),
+    "round": "rint",
+    "radians": "({0:p} * 0.017453292f)",
+    "degrees": "({0:p} * 57.29578f)",
+    "shift_left": Spelling(vectors="({0:p} << {type}({1}))"),
+    "shift_right": Spelling(vectors="({0:p} >> {type}({1}))"),
+    "bits_of": "as_type<{type}>({0})",
+    "float_of_bits": "as_type<{type}>({0})",
+    "count_bits": "{type}(popcount({0}))",
+    "to_float": "{type}({0})",
+    "to_int": "{type}({0})",
+    "to_uint": "{type}({0})",
+    "sample": Read("{0}.sample({sampler}, {1})", f"{{0}}.sample({{sampler}}, {{1}}, {LAYER})"),
+    "sample_level": Read(
+        "{0}.sample({sampler}, {1}, level({2}))",
+        f"{{0}}.sample({{sampler}}, {{1}}, {LAYER}, level({{3}}))",
+    ),
+    "sample_grad": Read(
+        "{0}.sample({sampler}, {1}, gradient2d({2}, {3}))",
+        f"{{0}}.sample({{sampler}}, {{1}}, {LAYER}, gradient2d({{3}}, {{4}}))",
+        {
+            texture: f"{{0}}.sample({{sampler}}, {{1}}, {gradient}({{2}}, {{3}}))"
+            for texture, gradient in GRADIENTS.items()
+        },
+    ),
+    "gather": Read(
+        "{0}.gather({sampler}, {1}, int2(0), {lane})",
+        f"{{0}}.gather({{sampler}}, {{1}}, {LAYER}, int2(0), {{lane}})",
+        {"texture_cube": "{0}.gather({sampler}, {1}, {lane})"},
+    ),
+    "compare": Read(
+        "{0}.sample_compare({sampler}, {1}, {2}, level(0.0f))",
+        f"{{0}}.sample_compare({{sampler}}, {{1}}, {LAYER}, {{3}}, level(0.0f))",
+    ),
+    "gather_compare": Read(
+        "{0}.gather_compare({sampler}, {1}, {2})",
+        f"{{0}}.gather_compare({{sampler}}, {{1}}, {LAYER}, {{3}})",
+    ),
+    "load": Read(
+        f"{{0}}.read({PLACE}, {LEVEL})",
+        f"{{0}}.read({PLACE}, {LEVEL}, uint({{3}}))",
+        dict.fromkeys(
+            ("texture3d", "itexture3d", "utexture3d"), f"{{0}}.read(uint3({{1}}), {LEVEL})"
+        ),
+    ),
+    "texture_size": "texture_size({0}, {1})",
+    "texture_layers": "int({0}.get_array_size())",
+    "texture_levels": "int({0}.get_num_mip_levels())",
+    "ddx": "dfdx",
+    "ddy": "dfdy",
+}
+
+EXTENTS: Mapping[Dimension, tuple[str, ...]] = {
+    "2d": ("width", "height"),
+    "2d_array": ("width", "height"),
+    "3d": ("width", "height", "depth"),
+    "cube": ("width", "height"),
+}
+
+
+def size_of(dimension: Dimension) -> str:
+    """A function that asks a texture for each of its extents."""
+    extents = EXTENTS[dimension]
+    size = f"int{len(extents)}"
+    asked = ", ".join(f"int(texels.get_{extent}(uint(level)))" for extent in extents)
+    head = f"{size} texture_size({{texture}} texels, int level)"
+    return f"{head} {{{{\n    return {size}({asked});\n}}}}"
+
+
+HELPERS = {"texture_size": {dimension: size_of(dimension) for dimension in EXTENTS}}
+
+INPUTS = {
+    "frag_coord": PipelineInput(VEC4, "{name}", "position"),
+    "front_facing": PipelineInput(BOOL, "{name}", "front_facing"),
+    "vertex_index": PipelineInput(UINT, "{name}", "vertex_id"),
+    "instance_index": PipelineInput(UINT, "{name}", "instance_id"),
+}
+
+
+def semantic(role: FieldRole, _name: str, location: int) -> str:
+    """The attribute by which a host or the next stage finds a field."""
+    words = {
+        "attribute": "attribute({})",
+        "varying": "user(location{})",
+        "render target": "color({})",
+    }
+    return words[role].format(location)
+
+
+def is_float(facts: tuple[Fact, ...]) -> bool:
+    """Whether the first operand is of floats."""
+    return facts[0].kind == "float"
+
+
+METAL2 = Profile(
+    name="metal2",
+    doc="Metal 2, never compiled by Apple's compiler.",
+    preamble=(
+        "// Never compiled by Apple's compiler: only type-checked by clang.",
+        "#include <metal_stdlib>",
+        "using namespace metal;",
+    ),
+    single_file=True,
+    numbering="kind",
+    lacks=frozenset({"first_leading_bit", "first_trailing_bit"}),
+    agrees={"dot": is_float},
+    limits=Limits(varyings=31, attributes=31, textures=31, block_bytes=65536),
+    checkers=("clang-msl",),
+)
+
+TARGET = Target(
+    name="msl",
+    title="Metal Shading Language",
+    folder=FOLDER,
+    template="shader.metal.j2",
+    extension="metal",
+    unproven="never compiled by Apple's compiler, only type-checked by clang",
+    entry_point="{entry}",
+    types=TYPES,
+    textures=TEXTURES,
+    literals=Literals(float_suffix="f"),
+    helpers=HELPERS,
+    forms=FORMS,
+    natives=NATIVES,
+    splats=frozenset(
+        {"clamp", "max", "min", "mix", "pow", "step", "smoothstep", "shift_left", "shift_right"}
+    ),
+    inputs=INPUTS,
+    semantic=semantic,
+    registers={
+        "block": "buffer({binding})",
+        "texture": "texture({binding})",
+        "sampler": "sampler({binding})",
+    },
+    profiles=(METAL2,),
+    reserved=partial(read_reserved, FOLDER / "reserved.txt", "__", "_[A-Z]"),
+    global_members=False,
+    resource_arguments=True,
+    line_directive='#line {line} "{name}"',
+    fixed_names=(
+        *HELPERS, "vs_main", "fs_main", "input", "output", "clip_position",
+        "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
+    ),
+)  # fmt: skip

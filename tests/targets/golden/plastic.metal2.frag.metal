@@ -1,0 +1,76 @@
+// Never compiled by Apple's compiler: only type-checked by clang.
+#include <metal_stdlib>
+using namespace metal;
+// Plastic: fragment shader, by Burnish.
+// Plastic after the classic three-term model.
+// Second line
+
+struct Lamp {
+    alignas(16) packed_float3 place;
+    float pad_0;
+    alignas(16) packed_float3 diffuse;
+    float pad_1;
+};
+
+struct View {
+    float4x4 world_to_clip;
+    alignas(16) packed_float3 eye;  /// Where the camera stands, in world space
+};
+
+struct Rig {
+    alignas(16) packed_float3 sun_direction;
+    int lamps_count;
+    array<Lamp, 8> lamps;
+};
+
+struct RigDerived {
+    float sun_cos_outer;  /// cos(outer)
+};
+
+struct Material {
+    alignas(16) packed_float3 base;  /// Base colour
+    float power;  /// Specular exponent
+};
+
+struct FragmentInput {
+    float3 position [[user(location0)]];
+    float4 normal [[user(location1)]];
+    float2 uv [[user(location2)]];
+};
+
+struct FragmentOutput {
+    float4 color [[color(0)]];  /// Linear colour
+};
+
+/// What one light contributes.
+float3 shade(constant Material& material, float3 to_light, float3 normal, float3 to_eye, float3 tint) {
+    const float n_dot_l = dot(normal, to_light);
+    float highlight = 0.0f;
+    if (n_dot_l > 0.0f) {
+        const float3 mirrored = reflect(-to_light, normal);
+        highlight = precise::pow(saturate(dot(mirrored, to_eye)), material.power);
+    }
+    return tint * saturate(n_dot_l) + float3(highlight);
+}
+
+fragment FragmentOutput fs_main(
+    FragmentInput input [[stage_in]], constant View& view [[buffer(0)]], constant Rig& rig [[buffer(1)]],
+    constant RigDerived& rig_derived [[buffer(2)]], constant Material& material [[buffer(3)]],
+    texture2d<float> albedo [[texture(0)]], sampler albedo_sampler [[sampler(0)]]
+) {
+    const float3 normal = normalize(input.normal.xyz);
+    const float3 to_eye = normalize(float3(view.eye) - input.position);
+    // Base colour times the map
+    const float3 tint = float3(material.base) * albedo.sample(albedo_sampler, input.uv).xyz;
+    float3 from_lamps = float3(0.0f);
+    for (int i = 0; i < min(rig.lamps_count, 8); i++) {
+        const float3 to_light = normalize(float3(rig.lamps[i].place) - input.position);
+        from_lamps += shade(material, to_light, normal, to_eye, tint) * float3(rig.lamps[i].diffuse);
+    }
+    const float3 color = (
+        tint * 0.1f + shade(material, -float3(rig.sun_direction), normal, to_eye, tint) + from_lamps
+    ) * rig_derived.sun_cos_outer;
+    FragmentOutput output;
+    output.color = float4(color, 1.0f);
+    return output;
+}
