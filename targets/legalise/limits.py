@@ -39,6 +39,8 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
             yield Excess(what, count, limit)
 
 
+OTHER_PROFILE = "compile for a profile that has this stage"
+
 COMPARED_AND_LOADED = Lack(
     "texture that is both compared and loaded", "declare a second `map` for one of the two"
 )
@@ -46,6 +48,9 @@ COMPARED_AND_LOADED = Lack(
 
 def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
     """What the profile cannot do, each with the id of a node that wants it."""
+    for stage in program.stages:
+        if stage.row not in profile.stages:
+            yield Lack(f"{stage.name} stage", OTHER_PROFILE), stage.roots[0].id
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield profile.cannot[native.builtin], native.node
