@@ -17,9 +17,11 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     read = {name for name, _ in surface.values}
     for instance in (surface, passing):
         check_instance(ctx, instance)
-    for name, definitions in surface.record.definitions.items():
+    known, root = surface.record.definitions, surface.record.root
+    inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]
+    for name, definitions in known.items():
         if name not in read:
-            _check_spelling(ctx, surface, name, definitions)
+            _check_spelling(ctx, surface, name, definitions, inherited)
 
 
 def check_rig(ctx: Context, surface: Instance) -> None:
@@ -39,9 +41,13 @@ def check_instance(ctx: Context, instance: Instance) -> None:
 
 
 def _check_spelling(
-    ctx: Context, surface: Instance, name: str, definitions: tuple[Definition, ...]
+    ctx: Context,
+    surface: Instance,
+    name: str,
+    definitions: tuple[Definition, ...],
+    inherited: list[str],
 ) -> None:
-    """Warn of an own slot that nothing reads and that is nearly called like an inherited one.
+    """Warn of an own slot that nothing reads and that is nearly called like an ``inherited`` one.
 
     What an imported file declares is an offer, and its names are for that file to check.
     """
@@ -51,7 +57,6 @@ def _check_spelling(
         return
     if owner.module is not surface.record.symbol.module:
         return
-    inherited = [n for n, ds in surface.record.definitions.items() if ds[-1].owner is root]
     hint = respelling(name, member.name.span, inherited)
     if hint and not surface.record.baseless:
         ctx.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)
