@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...diagnostics import rules
-from ...diagnostics.nearest import respelling
+from ...diagnostics.nearest import nearest, respelt
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..lowering.lights import light_instance
@@ -17,9 +19,11 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     read = {name for name, _ in surface.values}
     for instance in (surface, passing):
         check_instance(ctx, instance)
-    for name, definitions in surface.record.definitions.items():
+    record = surface.record
+    inherited = [n for n, ds in record.definitions.items() if ds[-1].owner is record.root]
+    for name, definitions in record.definitions.items():
         if name not in read:
-            _check_spelling(ctx, surface, name, definitions)
+            _check_spelling(ctx, surface, name, definitions, inherited)
 
 
 def check_rig(ctx: Context, surface: Instance) -> None:
@@ -39,7 +43,11 @@ def check_instance(ctx: Context, instance: Instance) -> None:
 
 
 def _check_spelling(
-    ctx: Context, surface: Instance, name: str, definitions: tuple[Definition, ...]
+    ctx: Context,
+    surface: Instance,
+    name: str,
+    definitions: tuple[Definition, ...],
+    inherited: Sequence[str],
 ) -> None:
     """Warn of an own slot that nothing reads and that is nearly called like an inherited one.
 
@@ -51,7 +59,7 @@ def _check_spelling(
         return
     if owner.module is not surface.record.symbol.module:
         return
-    inherited = [n for n, ds in surface.record.definitions.items() if ds[-1].owner is root]
-    hint = respelling(name, member.name.span, inherited)
-    if hint and not surface.record.baseless:
+    meant = nearest(name, inherited)
+    if meant is not None and not surface.record.baseless:
+        hint = respelt(name, member.name.span, meant)
         ctx.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)
