@@ -18,17 +18,19 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.diagnostics.nearest import suggestion
 from .compiler.diagnostics.source import Source, Span
 from .compiler.frontend import Frontend
+from .compiler.inputs import Inputs
 from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
-from .compiler.places import located
 from .compiler.semantics.names.modules import Module
+from .compiler.source_map import located
 from .frozen import frozen
 from .targets import registry
 from .targets.emit.description import Profile, Target
 from .targets.emit.directives import Directed, directed
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
 from .targets.emit.reflection import backend_table
+from .targets.legalise.guards import keeps
 from .targets.legalise.legalise import legalise
 from .targets.legalise.limits import excesses, lacks
 
@@ -94,7 +96,7 @@ class CompiledMaterial:
     lacking: Mapping[str, str]
     """By profile for which there are no texts, what it lacks that the material needs."""
     guards: tuple[Guard, ...]
-    """Operations whose operands could not be proven safe, so that a guard stays in the shader."""
+    """Operations whose operands could not be proven safe, so that a guard stays in some text."""
     shader: Shader = field(repr=False)
     """What it means, before any pass: the reference draws this."""
     _staged: Staged = field(repr=False)
@@ -166,6 +168,8 @@ class CompileResult:
 
     materials: tuple[CompiledMaterial, ...]
     diagnostics: tuple[Diagnostic, ...]
+    inputs: Inputs
+    """What was read on the way, and where it was looked for."""
 
     def __iter__(self) -> Iterator[CompiledMaterial]:
         """The materials in the order of the file."""
@@ -235,7 +239,7 @@ def compile(
         compiled.append(_compiled(shader, staged, lacking, chosen, options))
     if report.failed:
         raise CompileError(report.diagnostics)
-    return CompileResult(tuple(compiled), report.diagnostics)
+    return CompileResult(tuple(compiled), report.diagnostics, frontend.inputs)
 
 
 def check(
@@ -350,18 +354,24 @@ def _compiled(
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
     emissions = tuple(
-        (target, profile, emit(legalise(staged.program, target, profile), emit_options))
+        (
+            target,
+            profile,
+            emit(legalise(staged.program, target, profile, staged.undecided), emit_options),
+        )
         for target, profile in chosen
         if _name(target, profile) not in lacking
     )
     files = tuple(
-        _output(shader, target, profile, file, emit_options)
+        _output(shader, target, profile, emission, file, emit_options)
         for target, profile, emission in emissions
         for file in emission.files
     )
+    profiles = [profile for _target, profile in chosen]
+    guards = tuple(g for g in staged.guards if any(keeps(profile, g) for profile in profiles))
     reasons = {name: "; ".join(each.message for each in found) for name, found in lacking.items()}
     return CompiledMaterial(
-        shader.name, files, reasons, staged.guards, shader, staged, emissions, emit_options.flip_y
+        shader.name, files, reasons, guards, shader, staged, emissions, emit_options.flip_y
     )
 
 
@@ -397,11 +407,16 @@ def _warn_of_targets_without_lines(chosen: list[tuple[Target, Profile]], report:
 
 
 def _output(
-    shader: Shader, target: Target, profile: Profile, file: EmittedFile, options: EmitOptions
+    shader: Shader,
+    target: Target,
+    profile: Profile,
+    emission: Emission,
+    file: EmittedFile,
+    options: EmitOptions,
 ) -> OutputFile:
     default = profile is target.profiles[0]
     parts = (shader.name, file.suffix) if default else (shader.name, profile.name, file.suffix)
-    name, spans = ".".join(parts), located(shader, file.origins)
+    name, spans = ".".join(parts), located(shader, file.origins, emission.notes)
     shown = Directed(file.text, spans, ())
     if options.line_directives and target.line_directive:
         shown = directed(file.text, spans, target.line_directive, name)

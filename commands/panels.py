@@ -80,9 +80,9 @@ def _drawn(
     from ..targets.runner.render import by_reference, by_route
 
     if route is None:
-        return "float64", by_reference(subject.material, subject.shot, tell)
+        return "float64", by_reference(subject.material, subject.state, tell)
     device = runner.device(route)
-    targets = by_route(subject.material, subject.shot, route, runner, toolchain)
+    targets = by_route(subject.material, subject.state, route, runner, toolchain)
     return f"{device.name}, {device.version}", targets
 
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ..targets.runner.instances.instance import Instance
     from ..targets.runner.meshes import Mesh
     from ..targets.runner.routes import Route
-    from ..targets.runner.shots import Shot
+    from ..targets.runner.scene_state import SceneState
 
 EVERYTHING = "all"
 """Stands for every route."""
@@ -54,7 +54,7 @@ class Subject(NamedTuple):
     titles: tuple[str, ...]
     """The lines above its picture."""
     material: CompiledMaterial
-    shot: Shot
+    state: SceneState
 
     @property
     def label(self) -> str:
@@ -69,10 +69,10 @@ def subjects(request: Request, routes: Iterable[Route]) -> list[Subject]:
     command.
     """
     found = [
-        Subject(titles, material, _shot(material, request))
+        Subject(titles, material, _scene_state(material, request))
         for titles, material in _compiled(request, routes)
     ]
-    instances = [subject.shot.instance for subject in found]
+    instances = [subject.state.instance for subject in found]
     _set_values(instances, request.values)
     _insist_on_values(instances)
     return found
@@ -113,14 +113,14 @@ def _compiled(
             yield (material.name, f"rig {rig}") if len(rigs) > 1 else (material.name,), material
 
 
-def _shot(material: CompiledMaterial, request: Request) -> Shot:
+def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:
     from ..targets.runner.scene import Scene
-    from ..targets.runner.shots import take
+    from ..targets.runner.scene_state import set_up
 
     reflection, scene = material.reflection, Scene()
     target_number(reflection, request.target)
     mesh = _mesh(reflection, request, scene.eye)
-    return take(material.instance(), mesh, scene, request.size, request.background)
+    return set_up(material.instance(), mesh, scene, request.size, request.background)
 
 
 def _mesh(reflection: Mapping[str, Any], request: Request, eye: Sequence[float]) -> Mesh:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from itertools import product
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from .diagnostics import rules
 from .diagnostics.diagnostic import Report
 from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
+from .inputs import Inputs
 from .ir.shader import Shader
 from .library import FOLDER, parse_library
 from .semantics.inheritance.flattening import Records, records_of
@@ -31,17 +33,26 @@ class Frontend:
     """Reads one file with its imports and elaborates its materials."""
 
     def __init__(self, report: Report, search_path: Sequence[Path] = ()) -> None:
+        self.inputs = Inputs()
         for folder in search_path:
-            if not folder.is_dir():
+            if folder.is_dir():
+                self.inputs.searched(folder)
+            else:
                 report.add(rules.MISSING_FOLDER, None, path=folder)
         self._report = report
         self._records = Records(report)
-        self._loader = Loader(report, FOLDER, search_path, parse, parse_library, load_source)
+        self._loader = Loader(
+            report, FOLDER, search_path, parse, parse_library, self._read, self.inputs.looked
+        )
 
     def open_file(self, path: Path) -> Module | None:
         """The module in a file; ``None`` after reporting that it cannot be read."""
-        source = load_source(path, self._report)
+        source = self._read(path, self._report)
         return None if source is None else self._loader.main(source, path)
+
+    def _read(self, path: Path, report: Report, name: str = "") -> Source | None:
+        """The text of a file, and a note that it was read."""
+        return load_source(path, report, name, partial(self.inputs.read, path))
 
     def open_text(self, text: str, name: str) -> Module:
         """The module in a text; its quoted imports are looked up along the search path."""
@@ -55,8 +66,27 @@ class Frontend:
     def shaders(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None
     ) -> list[Shader]:
-        """The shaders of all concrete materials, or of the one named; errors are in the report."""
-        return self._elaborate(module, self._materials(module, material), rig, pass_)
+        """The shaders of all concrete materials, or of the one named; errors are in the report.
+
+        One that is named is compiled alone: only what it uses is checked. Otherwise everything that
+        the file declares is.
+        """
+        materials = self._materials(module, material)
+        rig_symbol = self._rig(module, rig)
+        pass_symbol = self._pass(module, pass_)
+        if rig_symbol is None or pass_symbol is None:
+            return []
+        reached: set[Symbol] = set()
+        parts = [Parts(symbol, rig_symbol, pass_symbol, module) for symbol in materials]
+        settings = [set_up(part, self._report.apart(), self._records) for part in parts]
+        found = [elaborate(setting, reached) for setting in settings]
+        for setting in settings:
+            self._report.extend(setting.ctx.report.since(0))
+        if material is None:
+            rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
+            drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
+            self._check_unused(module, drawn, settings, reached)
+        return [shader for shader in found if shader is not None]
 
     def variants(self, module: Module) -> Iterator[tuple[str | None, str | None]]:
         """Names of a rig and a pass under which the module's materials can be drawn.
@@ -79,24 +109,6 @@ class Frontend:
         drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
         if drawn:
             self._check_unused(module, drawn, (), set())
-
-    def _elaborate(
-        self, module: Module, materials: list[Symbol], rig: str | None, pass_: str | None
-    ) -> list[Shader]:
-        rig_symbol = self._rig(module, rig)
-        pass_symbol = self._pass(module, pass_)
-        if rig_symbol is None or pass_symbol is None:
-            return []
-        reached: set[Symbol] = set()
-        parts = [Parts(symbol, rig_symbol, pass_symbol, module) for symbol in materials]
-        settings = [set_up(part, self._report.apart(), self._records) for part in parts]
-        found = [elaborate(setting, reached) for setting in settings]
-        for setting in settings:
-            self._report.extend(setting.ctx.report.since(0))
-        rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
-        drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
-        self._check_unused(module, drawn, settings, reached)
-        return [shader for shader in found if shader is not None]
 
     def _check_unused(
         self,

@@ -512,6 +512,14 @@ UNGUARDED = _error(
     "`unguarded(x / y)` or `unguarded(sqrt(x))` means what the hardware does there.",
 )
 
+TOO_MUCH_WORK = _error(
+    "B0413",
+    "this has to be known when compiling, and takes more than {most} operations",
+    "Array lengths, ranges and defaults are computed by the compiler, loops in them turn by turn. "
+    "Use fewer turns, or let the shader compute the value: an equation is not computed when "
+    "compiling.",
+)
+
 # Mixins
 
 MIXIN_AS_BASE = _error(

@@ -13,6 +13,7 @@ from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from .leaves import HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
+from .operations import NATIVE
 from .stages import VERTICES, Domain, InterpolationMode, StageRow
 from .types import Struct, Type
 
@@ -221,6 +222,27 @@ def texture_reads(nodes: Iterable[Node]) -> tuple[TextureRead, ...]:
 
 
 @frozen
+class NativeUse:
+    """That a stage uses a builtin's own operation on operands of some types."""
+
+    builtin: str
+    types: tuple[Type, ...]
+    node: int
+    """The id of one node that does."""
+
+
+def native_uses(nodes: Iterable[Node]) -> tuple[NativeUse, ...]:
+    """Each native among ``nodes`` with the types of its operands, once."""
+    found: dict[tuple[str, tuple[Type, ...]], NativeUse] = {}
+    for node in nodes:
+        if node.op == "native":
+            key = NATIVE.data(node), tuple([operand.type for operand in node.operands])
+            if key not in found:
+                found[key] = NativeUse(*key, node.id)
+    return tuple(found.values())
+
+
+@frozen
 class Stage:
     """One shader stage."""
 
@@ -238,6 +260,8 @@ class Stage:
     """Those of the row's ``inputs`` that it reads, by name."""
     reads: tuple[TextureRead, ...] = ()
     """In which ways the stage reads its textures: each way of each once."""
+    natives: tuple[NativeUse, ...] = ()
+    """The builtins whose own operations it uses; what a profile lacks is looked up here."""
 
     @property
     def name(self) -> StageName:

@@ -7,11 +7,12 @@ could not be proven is kept for the reader as a ``Guard``.
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS, Builtin
 from ...stdlib.builtins.facts import Fact
+from ...stdlib.builtins.row import Domain
 from ..diagnostics.source import Span
 from ..ir.node import Graph, Node, Op
 from ..ir.operations import BRANCH, CALL
@@ -30,6 +31,8 @@ class Guard:
     builtin: str
     facts: tuple[Fact, ...]
     span: Span | None
+    by_profile: bool = False
+    """Whether there are languages that need none."""
 
     @property
     def reason(self) -> str:
@@ -43,11 +46,26 @@ def _interval(fact: Fact) -> str:
 
 
 class Guarding(Expanding):
-    """Builds nodes without any ``call``: natives and expansions."""
+    """Builds nodes in hardware operations: natives and expansions.
 
-    def __init__(self, graph: Graph, ranges: Ranges, notes: Notes, paths: PathConditions) -> None:
+    The only calls that stay are those that some language may do without a guard; a profile decides
+    about them, with the ``domains`` in which its own operations have the builtins' meaning.
+    """
+
+    def __init__(
+        self,
+        graph: Graph,
+        ranges: Ranges,
+        notes: Notes,
+        paths: PathConditions,
+        domains: Mapping[str, Domain] | None = None,
+    ) -> None:
+        """Without ``domains`` nothing is known of the profile."""
         super().__init__(graph, ranges, notes)
         self._paths = paths
+        self._domains = domains
+        self.undecided = False
+        """Whether any call was left to the profiles."""
         self._branches: set[int] = set()
         self.kept: dict[int, Guard] = {}
         """By the id of the ``call`` that was expanded."""
@@ -111,14 +129,28 @@ class Guarding(Expanding):
         if not row.expansion:
             return self.graph.node("native", node.type, node.operands, node.data)
         facts = tuple(map(self.ranges.of, node.operands))
-        if row.domain(facts):
+        domain = row.domain if self._domains is None else self._domains.get(row.name, row.domain)
+        if domain(facts):
             self.remark(row.name, node.operands, "native")
             return self.graph.node("native", node.type, node.operands, node.data)
-        if node.id not in self.expanded:
-            self._keep(node, row)
+        by_profile = self._is_by_profile(row, node, facts)
+        if node.id not in self.expanded and node.id not in self.kept:
+            self._keep(node, row, by_profile)
+        if by_profile:
+            self.undecided = True
+            return node
         return self.expansion(node)
 
-    def _keep(self, node: Node, row: Builtin) -> None:
+    def _is_by_profile(self, row: Builtin, node: Node, facts: tuple[Fact, ...]) -> bool:
+        """Whether a profile has to decide about a call.
+
+        What is asked of is the last operand, a divisor or an amount. Where that is constant over
+        the draw, so is its guard, which leaves the shader and costs no language anything.
+        """
+        open_ = self._domains is None and row.by_profile(facts)
+        return open_ and node.operands[-1] not in self._constant
+
+    def _keep(self, node: Node, row: Builtin, by_profile: bool) -> None:
         """Remember that a guard stays, and what was known of the operands."""
         asked = self._asked
         operands = node.operands
@@ -127,4 +159,4 @@ class Guarding(Expanding):
         self.remark(row.name, operands, "guarded")
         if row.needs:
             facts = tuple(map(self.ranges.of, operands))
-            self.kept[node.id] = Guard(row.name, facts, self.at)
+            self.kept[node.id] = Guard(row.name, facts, self.at, by_profile)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from ...frozen import changed, frozen
 from ..ir.node import Graph, Node
-from ..ir.program import (
-    Program,
-)
+from ..ir.program import Program
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
-from ..ir.shader import Notes, Shader
+from ..ir.shader import Notes, Result, Shader
 from .checkpoint import chained, passed
 from .expand_builtins import expand_builtins
 from .fuse import fuse
@@ -49,6 +47,18 @@ class Evidence:
 
 
 @frozen
+class Undecided:
+    """What a program was made of that has calls which each profile decides about: there it is made
+    once more, without them (``targets/legalise``)."""
+
+    shader: Shader
+    results: tuple[Result, ...]
+    """After all passes but the last."""
+    derived: tuple[Derived, ...]
+    ranges: Ranges
+
+
+@frozen
 class Staged:
     """A program with what else is to be told about it."""
 
@@ -56,6 +66,8 @@ class Staged:
     derived: tuple[Derived, ...]
     guards: tuple[Guard, ...]
     evidence: Evidence
+    undecided: Undecided | None = None
+    """Where the program has such calls."""
 
 
 def stage(shader: Shader, options: Options) -> Staged:
@@ -84,8 +96,8 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = passed("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
     results = tuple(changed(r, value=v) for r, v in zip(results, roots, strict=True))
     program = split_stages(shader, results, derived)
-    guards = tuple(guarding.kept.values())
-    return Staged(program, derived, guards, evidence)
+    undecided = Undecided(shader, results, derived, ranges) if guarding.undecided else None
+    return Staged(program, derived, tuple(guarding.kept.values()), evidence, undecided)
 
 
 def _simplified(

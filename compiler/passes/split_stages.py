@@ -23,6 +23,7 @@ from ..ir.program import (
     Program,
     Stage,
     Varying,
+    native_uses,
     texture_reads,
 )
 from ..ir.shader import Notes, Result, Shader
@@ -38,7 +39,10 @@ from .walks import called_functions, visible
 def split_stages(
     shader: Shader, results: tuple[Result, ...], derived: tuple[Derived, ...]
 ) -> Program:
-    """The program of a shader whose ``results`` have been through all other passes."""
+    """The program of a shader whose ``results`` have been through all other passes.
+
+    It is the last pass, and what ``targets/legalise`` ends with that has changed some values.
+    """
     blocks = _blocks(shader, derived)
     stages: list[Stage] = []
     interfaces: list[Interface] = []
@@ -132,6 +136,7 @@ def _stage(
             sorted({INPUT.data(n).name for n in visible(roots) if n.op == "input"})
         ),
         reads=texture_reads(nodes),
+        natives=native_uses(nodes),
     )
 
 

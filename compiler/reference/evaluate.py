@@ -20,7 +20,7 @@ from .functions import evaluate as builtin
 from .namespace import Lane, Lanes, Namespace
 from .operations import NotConstantError, apply, chosen, constant_lanes
 
-__all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "evaluate"]
+__all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "TooLongError", "evaluate"]
 
 Leaves = Callable[[Node], Lanes | None]
 """Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
@@ -37,14 +37,23 @@ _ASKED = OUTSIDE | {"cross"}
 """What ``Leaves`` may have a value for."""
 
 
-def evaluate(root: Node, leaves: Leaves | None = None, xp: Namespace = scalars) -> Lanes:
+class TooLongError(Exception):
+    """An evaluation takes more steps than its caller is willing to wait for."""
+
+
+def evaluate(
+    root: Node,
+    leaves: Leaves | None = None,
+    xp: Namespace = scalars,
+    most_steps: int | None = None,
+) -> Lanes:
     """The lanes of ``root`` in float64; of a matrix, its columns.
 
-    Raises ``NotConstantError`` if a leaf has no value.
+    Raises ``NotConstantError`` if a leaf has no value, and ``TooLongError`` beyond ``most_steps``.
     """
     if root.op == "constant":
         return constant_lanes(root.type, root.data)
-    return Evaluator(leaves, xp).value(root)
+    return Evaluator(leaves, xp, most_steps=most_steps).value(root)
 
 
 @dataclass(eq=False, slots=True)
@@ -67,7 +76,10 @@ class Evaluator:
         leaves: Leaves | None = None,
         xp: Namespace = scalars,
         observer: Observer | None = None,
+        most_steps: int | None = None,
     ) -> None:
+        """``most_steps`` limits how many operations and turns of loops are computed."""
+        self._left = most_steps
         self._leaves = leaves
         self._xp = xp
         self._observer = observer
@@ -116,7 +128,15 @@ class Evaluator:
             return frame.bound[index] if index < len(frame.bound) else None
         return frame.formals.get(FORMAL.data(node)) if node.op == "formal" else None
 
+    def _spend(self) -> None:
+        """Count one operation or one turn of a loop."""
+        if self._left is not None:
+            self._left -= 1
+            if self._left < 0:
+                raise TooLongError
+
     def _computed(self, node: Node, frame: _Frame) -> Step[Lanes]:
+        self._spend()
         operands = [
             self._home(operand, frame).values[operand.id] for operand in _needed_first(node)
         ]
@@ -145,6 +165,7 @@ class Evaluator:
             goes_on = turn < count
             if goes_on is False:
                 break
+            self._spend()
             term = yield self._value(node.operands[2], _inner(node, frame, ((turn,),)))
             combined = builtin(data.operator, (total, term), self._xp, kind)
             total = chosen(self._xp, goes_on, combined, total)
@@ -156,6 +177,7 @@ class Evaluator:
         going, *nexts = (node.operands[i] for i in bodies_of(node))
         goes_on: Lane = True
         for turn in range(ITERATE.data(node).bound):
+            self._spend()
             inner = _inner(node, frame, ((turn,), *states))
             (condition,) = yield self._value(going, inner)
             goes_on = _all(self._xp, goes_on, turn < count, condition)

@@ -74,6 +74,14 @@ def _divides(facts: tuple[Fact, ...]) -> bool:
     return y.excludes_zero and not overflows
 
 
+def _whole(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].kind != "float"
+
+
+def _unsigned(facts: tuple[Fact, ...]) -> bool:
+    return facts[0].kind == "uint"
+
+
 def _counts(facts: tuple[Fact, ...]) -> bool:
     x, y = facts
     return x.kind != "float" and x.lo >= 0 and y.lo >= 1
@@ -120,6 +128,7 @@ ROWS = (
             "and the lowest integer over -1 is itself, both as in WGSL."
         ),
         expansion="div",
+        by_profile=_whole,
         range=_quotient,
         accuracy=Accuracy("2.5 ulp", WGSL_ACCURACY),
         cost=4,
@@ -135,6 +144,7 @@ ROWS = (
         needs="integers, the first not negative, the divisor 1 or more",
         outside="Modulo zero is 0.",
         expansion="modulo",
+        by_profile=_unsigned,
         range=_remainder,
         cost=6,
         samples=((5.5, 2.0), (-5.5, 2.0), (5.5, -2.0), (-5.5, -2.0), (1.0, 0.0), (-0.25, 1.0)),

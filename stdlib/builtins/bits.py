@@ -6,7 +6,7 @@ import math
 
 from ...frozen import changed
 from .facts import Fact
-from .row import EXACT, Accuracy, Builtin, nowhere
+from .row import EXACT, Accuracy, Builtin, everywhere, nowhere
 
 _PAIR = ("I, I -> I",)
 _SHIFT = ("I, U -> I", "I, J -> I", "I, uint -> I", "I, int -> I")
@@ -117,6 +117,7 @@ ROWS = (
         needs="the amount is a `uint` below 32",
         outside=_BY_32,
         expansion="shift_left",
+        by_profile=everywhere,
         range=_shifted_left,
         accuracy=_TOTAL,
         samples=((1, 31), (1, 32), (1, 33), (-1, 4)),
@@ -133,6 +134,7 @@ ROWS = (
         needs="the amount is a `uint` below 32",
         outside=_BY_32,
         expansion="shift_right",
+        by_profile=everywhere,
         range=_shifted_right,
         accuracy=_TOTAL,
         samples=((-16, 2), (1, 32), (-1, 31), (-1, 33)),

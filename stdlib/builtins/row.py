@@ -27,7 +27,7 @@ SamplerUse = Literal["filtering", "comparison"]
 """How a sampler reads: mixing texels, or mixing the results of comparisons with them."""
 
 Domain = Callable[[tuple[Fact, ...]], bool]
-"""Whether operands within these facts lie where every backend already has the defined meaning."""
+"""Whether operands within these facts lie where something holds of an operation."""
 
 
 def anything(_facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -87,6 +87,9 @@ class Builtin:
     operator: str = ""
     """Infix or prefix spelling common to all targets; empty for functions."""
     domain: Domain = everywhere
+    """Where the operation means the same in every language: where its operands lie within what the
+    mathematical function, or the machine's operation, is defined for. A language in which it does
+    not says so in its profile (``Profile.agrees``)."""
     needs: str = ""
     """What ``domain`` asks of the operands, in words, for proofs; empty where there
     is nothing to prove, since types alone decide or the domain is ``nowhere``."""
@@ -95,9 +98,12 @@ class Builtin:
     expansion: str = ""
     """Function of ``stdlib/meaning.burnish`` that has the defined meaning everywhere; used where
     ``domain`` is not proven. Inside it, ``unguarded(f(x))`` is the hardware's own ``f``."""
+    by_profile: Domain = nowhere
+    """Where, outside of ``domain``, some language defines the operation as Burnish does: there the
+    call is left to ``targets/legalise``, which looks at what the profile promises."""
     definition: str = ""
     """Function of ``stdlib/meaning.burnish`` that says the same in other operations, for profiles
-    whose language lacks this one (``Profile.lacks``)."""
+    whose language lacks this one, or has it otherwise (``Profile.lacks``, ``Profile.agrees``)."""
     range: RangeRule = anything
     accuracy: Accuracy = INHERITED
     meaning: MeaningRule = "lanes"

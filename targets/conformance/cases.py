@@ -17,7 +17,7 @@ import numpy as np
 from ..runner.instances.instance import Instance
 from ..runner.meshes import Mesh, cube, plane, sphere, torus
 from ..runner.scene import Scene, with_inputs
-from ..runner.shots import Color, Shot, take
+from ..runner.scene_state import Color, SceneState, set_up
 from .sample import sample_textures, sample_values
 
 SIZE = (72, 56)
@@ -35,7 +35,7 @@ class Case:
     """One picture of a material."""
 
     name: str
-    shot: Shot
+    state: SceneState
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -106,7 +106,7 @@ def _case(
     name: str, instance: Instance, mesh: Mesh, scene: Scene, clear: Color = UNCOVERED
 ) -> Case:
     whole = with_inputs(instance.reflection, mesh)
-    return Case(name, take(instance, whole, scene, SIZE, clear))
+    return Case(name, set_up(instance, whole, scene, SIZE, clear))
 
 
 def _turned_and_stretched() -> tuple[tuple[float, ...], ...]:

@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
 
+from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import DriverError, Job
-from ..runner.pipeline import pipeline
 from ..runner.reference import STORE
 from ..runner.routes import Route
 from ..runner.runner import Runner

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..runner.pipeline import FORMATS
+from ..runner.binding import FORMATS
 from ..runner.textures.srgb import encode_srgb
 
 Floats = NDArray[np.float64]

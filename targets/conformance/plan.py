@@ -16,7 +16,7 @@ from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
 from ..runner.reference import remembered
 from ..runner.routes import Route
-from ..runner.shots import Shot
+from ..runner.scene_state import SceneState
 from ..runner.store import Store
 from ..runner.subject import Subject
 from .cases import Series, series_of
@@ -34,12 +34,12 @@ class Plan:
     def __init__(self, label: str, subject: Subject, seed: int, store: Store) -> None:
         """``store`` keeps what the reference has drawn.
 
-        Raises what ``Instance`` and ``take`` raise, although no value should be missing in a case.
+        Raises what ``Instance`` and ``set_up`` raise, although a case should lack no value.
         """
         self.label = label
         self.subject = subject
         self.work = [
-            (series, tuple(case.shot.draw() for case in series.cases))
+            (series, tuple(case.state.draw() for case in series.cases))
             for series in series_of(subject.reflection, seed)
         ]
         """Each series with its draws."""
@@ -57,7 +57,7 @@ class Plan:
         """A result for each case of a series, from the pictures that a route has drawn."""
         driver = DRIVERS[route.driver]
         for case, picture in zip(series.cases, pictures, strict=True):
-            expected = self._wanted(case.shot, rules_of(case.shot, device, driver), series.exact)
+            expected = self._wanted(case.state, rules_of(case.state, device, driver), series.exact)
             got = arrays(picture)
             steps: Sequence[Floats | float] = [0.0] * len(got)
             if not series.exact:
@@ -67,20 +67,20 @@ class Plan:
             comparison = compare(got, expected, driver, steps)
             yield Result(case.name, comparison, got, expected)
 
-    def _wanted(self, shot: Shot, rules: RasterRules, exact: bool) -> Expected:
-        key = id(shot), rules
+    def _wanted(self, state: SceneState, rules: RasterRules, exact: bool) -> Expected:
+        key = id(state), rules
         with self._lock:
             if key not in self._expected:
                 shader = self._unblended if exact else self.subject.shader
-                self._expected[key] = remembered(shader, shot, rules, self._store)
+                self._expected[key] = remembered(shader, state, rules, self._store)
             return self._expected[key]
 
 
-def rules_of(shot: Shot, device: Device, driver: Tolerance) -> RasterRules:
-    """The rules by which a device rasterises a shot."""
+def rules_of(state: SceneState, device: Device, driver: Tolerance) -> RasterRules:
+    """The rules by which a device rasterises a state."""
     return RasterRules(
-        shot.width,
-        shot.height,
+        state.width,
+        state.height,
         device.subpixel_bits,
         interpolates_snapped=driver.interpolates_snapped,
         clips_sides=driver.clips_sides,

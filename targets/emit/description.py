@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal
 
+from ...compiler.ir.stages import RASTERISED, Chain
 from ...compiler.ir.types import Dimension, Sample, ScalarKind, Type
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain, SamplerUse
@@ -186,8 +187,10 @@ class Profile:
     """Lines that open each file: version, extensions, default precisions."""
     requires: Mapping[str, str] = EMPTY
     """By native, the line that opens a file in which it is used."""
+    stages: Chain = RASTERISED
+    """Those that it has, in any order."""
     single_file: bool = False
-    """Both stages can stand in one text."""
+    """All stages can stand in one text."""
     samplers: Samplers = Samplers()
     framebuffer: Framebuffer = Framebuffer()
     limits: Limits = Limits()
@@ -209,8 +212,9 @@ class Profile:
     the builtin's ``definition``."""
     agrees: Mapping[str, Domain] = EMPTY
     """By builtin, the operands for which the dialect's own operation has Burnish's meaning, where
-    these are others than the builtin's ``domain``: fewer, if the language or a compiler of it has
-    the operation wrong, or only for some types. Elsewhere the builtin's ``definition`` is used."""
+    these are others than the builtin's ``domain``. They are more if the language defines what
+    others leave open; then it needs fewer guards. They are fewer if it has the operation for some
+    types only, or a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
     cannot: Mapping[str, Lack] = EMPTY
     """Natives that the profile has not got, nor an exact replacement for."""
     checkers: tuple[str, ...] = ()
@@ -255,7 +259,7 @@ class Target:
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """How each of ``SYSTEM_INPUTS`` is spelled."""
+    """How the inputs of the stages that its profiles have are spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY

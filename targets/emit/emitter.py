@@ -1,4 +1,8 @@
-"""From a program to the texts of one target: the only door into the backends."""
+"""Prints a program in one language: ``emit`` is what ``api.py`` calls after ``legalise``.
+
+Everything about the language is in the rows of its ``Target`` and in its skeleton. What is computed
+where has been decided before.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +10,7 @@ from collections.abc import Mapping
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
+from ...compiler.ir.shader import Notes
 from ...frozen import frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
@@ -23,7 +28,7 @@ from .wrapping import wrapped
 
 @frozen
 class EmitOptions:
-    """What a caller may choose about the text."""
+    """What a caller can choose about the texts."""
 
     flip_y: bool = False
     """Negate clip-space y: for passes that draw into textures where row 0 is the bottom one."""
@@ -56,7 +61,9 @@ class Emission:
     names: Names
     bindings: Bindings
     host_uniforms: tuple[str, ...]
-    """Loose float uniforms that the host has to set besides the blocks."""
+    """Names of plain float uniforms that the host has to set, besides the blocks."""
+    notes: Notes | None = None
+    """What is noted of the nodes in ``EmittedFile.origins``, if not by the shader (``Legal``)."""
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
@@ -68,7 +75,7 @@ def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
 
 
 class _Emitter:
-    """Prints one program for one profile."""
+    """Prints one program in one profile."""
 
     def __init__(self, legal: Legal, options: EmitOptions) -> None:
         self._program = legal.program
@@ -77,6 +84,7 @@ class _Emitter:
         self._options = options
         self._names = name_program(legal.program, legal.target)
         self._bindings = legal.bindings
+        self._notes = legal.notes
         self._context = Context(legal, self._names, options.flip_y)
         self._declarations = Declarations(self._context, legal.bindings)
 
@@ -89,6 +97,7 @@ class _Emitter:
             self._names,
             self._bindings,
             tuple(used),
+            self._notes,
         )
 
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:

@@ -10,7 +10,7 @@ from pathlib import Path
 from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
-from ...stdlib.builtins.row import Domain
+from ...stdlib.builtins.row import Domain, everywhere
 from ..emit.description import (
     FieldRole,
     Limits,
@@ -171,8 +171,13 @@ def is_unsigned(facts: tuple[Fact, ...]) -> bool:
     return facts[0].kind == "uint"
 
 
-AGREES: Mapping[str, Domain] = {"first_leading_bit": is_unsigned}
-"""DXC takes the `int` of a `firstbithigh` for a `uint`."""
+AGREES: Mapping[str, Domain] = {
+    # DXC takes the `int` for a `uint`.
+    "first_leading_bit": is_unsigned,
+    # The lowest five bits of the amount count, be it an `int` or a `uint`.
+    "shift_left": everywhere,
+    "shift_right": everywhere,
+}
 
 SM6 = Profile(
     name="sm6",

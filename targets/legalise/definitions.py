@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from ...compiler.ir.node import Formal, Graph, Node
-from ...compiler.ir.program import Function, Program, Stage
+from ...compiler.ir.node import Formal, Graph
+from ...compiler.ir.program import Function, NativeUse, Program, Stage, native_uses
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.shader import Notes
 from ...compiler.ir.types import Type, scalar_kind
@@ -22,6 +22,7 @@ from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.schedule import Scheduler
 from ...compiler.passes.walks import visible
 from ...frozen import changed
+from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN
 from ..emit.description import Profile
 
@@ -36,35 +37,33 @@ def with_definitions(program: Program, profile: Profile) -> tuple[Program, Defin
 
     A function stands behind those that it calls itself.
     """
-    if not (profile.lacks or profile.agrees):
-        return program, {}
     made: dict[Use, Function] = {}
     stages = tuple(_defined(stage, profile, made) for stage in program.stages)
-    return changed(program, stages=stages), made
+    return (changed(program, stages=stages), made) if made else (program, {})
 
 
 def _defined(stage: Stage, profile: Profile, made: dict[Use, Function]) -> Stage:
-    roots = [statement.node for statement in stage.region.statements]
-    roots += [*stage.roots, *(function.value for function in stage.functions)]
+    """The stage with its functions behind those that the profile needs."""
+    pending = list(_lacking(stage.natives, profile))
+    if not pending:
+        return stage
     needed: dict[Use, None] = {}
-    pending = list(_lacking(roots, profile))
     while pending:
         use = pending.pop()
         needed.pop(use, None)
         needed[use] = None
         if use not in made:
             made[use] = _function(*use)
-        pending += _lacking((made[use].value,), profile)
+        pending += _lacking(native_uses(visible((made[use].value,))), profile)
     functions = tuple(made[use] for use in reversed(needed))
     return changed(stage, functions=functions + stage.functions)
 
 
-def _lacking(roots: Iterable[Node], profile: Profile) -> Iterable[Use]:
-    """The uses under ``roots`` of builtins that the profile does not have as they are meant."""
-    concerned = profile.lacks | profile.agrees.keys()
-    for node in visible(roots):
-        if node.op == "native" and node.data in concerned:
-            use = str(node.data), tuple(operand.type for operand in node.operands)
+def _lacking(natives: Iterable[NativeUse], profile: Profile) -> Iterable[Use]:
+    """The uses of builtins that the profile does not have as they are meant."""
+    for native in natives:
+        if native.builtin in profile.lacks or native.builtin in profile.agrees:
+            use = native.builtin, native.types
             if not has(profile, use):
                 yield use
 
@@ -72,10 +71,11 @@ def _lacking(roots: Iterable[Node], profile: Profile) -> Iterable[Use]:
 def has(profile: Profile, use: Use) -> bool:
     """Whether the profile's own operation means what the builtin does, for operands of some types.
 
-    Nothing is known of their values.
+    Types decide about builtins that have a definition. Those of which values decide have been
+    proven, or have a guard, where they are used.
     """
     name, types = use
-    domain = profile.agrees.get(name)
+    domain = profile.agrees.get(name) if BUILTINS[name].definition else None
     known = (UNKNOWN.as_kind(scalar_kind(type_) or "matrix") for type_ in types)
     return name not in profile.lacks and (domain is None or domain(tuple(known)))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...compiler.ir.program import Program
+from ...compiler.ir.shader import Notes
 from ...frozen import frozen
 from ..emit.description import Profile, Target
 from .bindings import Bindings
@@ -22,3 +23,5 @@ class Legal:
     bindings: Bindings
     passed: ResourceArguments
     """The blocks and textures that functions get as arguments."""
+    notes: Notes | None = None
+    """What is noted of the program's nodes, if that is more than what their shader notes."""

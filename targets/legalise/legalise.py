@@ -11,15 +11,22 @@ nothing to do in a profile or a program returns what it was given.
 from __future__ import annotations
 
 from ...compiler.ir.program import Program
+from ...compiler.passes.pipeline import Undecided
 from ..emit.description import Profile, Target
 from .bindings import assign_bindings
 from .definitions import with_definitions
+from .guards import with_guards
 from .legal import Legal
 from .resource_arguments import resource_arguments
 
 
-def legalise(program: Program, target: Target, profile: Profile) -> Legal:
-    """``program`` as ``profile`` prints it."""
+def legalise(
+    program: Program, target: Target, profile: Profile, undecided: Undecided | None = None
+) -> Legal:
+    """``program`` as ``profile`` prints it; ``undecided`` if it has calls to decide about."""
+    notes = None
+    if undecided is not None:
+        program, notes = with_guards(undecided, profile)
     program, definitions = with_definitions(program, profile)
     return Legal(
         program,
@@ -28,4 +35,5 @@ def legalise(program: Program, target: Target, profile: Profile) -> Legal:
         definitions,
         assign_bindings(program, profile),
         resource_arguments(program, target),
+        notes,
     )

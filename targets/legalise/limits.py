@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...compiler.ir.program import Program, TextureRead
+from ...compiler.ir.program import NativeUse, Program, TextureRead
 from ...compiler.ir.stages import TARGET
+from ...compiler.ir.types import Texture
 from ...frozen import frozen
 from ..emit.description import Lack, Profile
 from ..emit.texture_declarations import sampler_use
@@ -38,6 +39,8 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
             yield Excess(what, count, limit)
 
 
+OTHER_PROFILE = "compile for a profile that has this stage"
+
 COMPARED_AND_LOADED = Lack(
     "texture that is both compared and loaded", "declare a second `map` for one of the two"
 )
@@ -45,12 +48,23 @@ COMPARED_AND_LOADED = Lack(
 
 def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
     """What the profile cannot do, each with the id of a node that wants it."""
+    for stage in program.stages:
+        if stage.row not in profile.stages:
+            yield Lack(f"{stage.name} stage", OTHER_PROFILE), stage.roots[0].id
+    for native in [native for stage in program.stages for native in stage.natives]:
+        if native.builtin in profile.cannot and not _is_read(native):
+            yield profile.cannot[native.builtin], native.node
     for read in program.reads:
         if read.builtin in profile.cannot:
             yield profile.cannot[read.builtin], read.node
         compared = _is_depth(read) and read.resource in program.sampled
         if profile.samplers.combined and compared and read.builtin == "load":
             yield COMPARED_AND_LOADED, read.node
+
+
+def _is_read(native: NativeUse) -> bool:
+    """Whether it reads a texture: then it stands among the reads, once for each texture."""
+    return bool(native.types) and isinstance(native.types[0], Texture)
 
 
 def _is_depth(read: TextureRead) -> bool:

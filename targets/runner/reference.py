@@ -1,4 +1,7 @@
-"""Shots drawn by the reference."""
+"""Draws with the reference, and keeps its pictures in a store.
+
+``render`` calls ``expected``, and ``conform`` calls ``remembered``.
+"""
 
 from __future__ import annotations
 
@@ -17,36 +20,36 @@ from ...compiler.ir.shader import Shader
 from ...compiler.ir.types import scalar_kind, width
 from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
 from .drivers.wire import to_json
-from .shots import Shot
+from .scene_state import SceneState
 from .store import Store, digest, digest_of_sources
 
 STORE = "expected"
-"""The name of the store that keeps what the reference has drawn."""
+"""The name of the store that keeps the reference's pictures."""
 
 Progress = Callable[[float], None]
-"""Is told the part that is done, from 0 to 1."""
+"""Called with the part of the work that is done, from 0 to 1."""
 
 
 def expected(
-    shader: Shader, shot: Shot, rules: RasterRules, progress: Progress | None = None
+    shader: Shader, state: SceneState, rules: RasterRules, progress: Progress | None = None
 ) -> Expected:
-    """What a shot has to look like, always drawn anew."""
-    instance = shot.instance
+    """The picture that every driver must draw; always computed again."""
+    instance = state.instance
     return draw(
         shader,
         instance.values(),
         {name: Texels(tuple(texture.linear())) for name, texture in instance.textures().items()},
-        _whole(shot.geometry(), shader),
+        _whole(state.geometry(), shader),
         rules,
-        shot.clear,
+        state.clear,
         progress,
     )
 
 
 def _whole(geometry: Geometry, shader: Shader) -> Geometry:
-    """With numbers for vertex inputs that the compiler has proven needless, as nothing binds them.
+    """The geometry with arbitrary numbers for inputs that the compiler has proven unnecessary.
 
-    Should it be wrong, they show.
+    Nothing binds these inputs. If the compiler were wrong, the picture would show it.
     """
     attributes = dict(geometry.attributes)
     for node in reachable(shader.roots):
@@ -58,28 +61,28 @@ def _whole(geometry: Geometry, shader: Shader) -> Geometry:
     return replace(geometry, attributes=attributes)
 
 
-def remembered(shader: Shader, shot: Shot, rules: RasterRules, store: Store) -> Expected:
-    """The same, from the store if the reference has drawn it before."""
-    name = _digest(shader, shot, rules)
+def remembered(shader: Shader, state: SceneState, rules: RasterRules, store: Store) -> Expected:
+    """The expected picture, from the store if the reference has drawn it before."""
+    name = _digest(shader, state, rules)
     kept = store.read(name)
     if kept is not None:
         found: Expected = pickle.loads(kept)
         return found
-    made = expected(shader, shot, rules)
+    made = expected(shader, state, rules)
     store.write(name, pickle.dumps(made, pickle.HIGHEST_PROTOCOL))
     return made
 
 
-def _digest(shader: Shader, shot: Shot, rules: RasterRules) -> str:
-    """Everything that the picture depends on."""
-    kinds = [(name, str(values.dtype)) for name, values in shot.attributes.items()]
-    drawn = json.dumps([to_json(shot.draw()), kinds])
-    values = repr(shot.instance.values())
+def _digest(shader: Shader, state: SceneState, rules: RasterRules) -> str:
+    """A digest of everything that the picture depends on."""
+    kinds = [(name, str(values.dtype)) for name, values in state.attributes.items()]
+    drawn = json.dumps([to_json(state.draw()), kinds])
+    values = repr(state.instance.values())
     return digest(_code_digest(), np.__version__, _graph_text(shader), repr(rules), values, drawn)
 
 
 def _graph_text(shader: Shader) -> str:
-    """Everything that the reference reads of a shader."""
+    """Everything that the reference reads of a shader, as text."""
     nodes = map(repr, reachable(shader.roots))
     results = [
         (r.kind, r.stage.name, r.value.id, r.state and (r.state.format, r.state.blend))
@@ -90,7 +93,7 @@ def _graph_text(shader: Shader) -> str:
 
 @cache
 def _code_digest() -> str:
-    """Changes with the code that says what a program means, and what a texture's bytes do."""
+    """A digest of the code that defines what programs and textures mean."""
     root, here = Path(__file__).parents[2], Path(__file__).parent
     folders = (root / "compiler", root / "stdlib", here / "textures")
     return digest(digest_of_sources(*folders), Path(__file__).read_bytes())

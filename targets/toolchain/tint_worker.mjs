@@ -1,4 +1,4 @@
-// Checks WGSL with Tint: one JSON request {"text"} a line in, one JSON answer {"messages"} a line out.
+// Checks WGSL with Tint: reads a JSON request {"text"} per line, writes a JSON answer {"messages"}.
 // Dawn's null backend needs no driver. The first argument is the folder that holds node_modules.
 
 import { createRequire } from "node:module";
@@ -7,7 +7,7 @@ import { pathToFileURL } from "node:url";
 
 const require = createRequire(`${process.argv[2]}/`);
 const { create } = await import(pathToFileURL(require.resolve("webgpu")).href);
-// Dawn aborts when its root object is collected while a device lives, so that is kept for good.
+// Dawn aborts if its root object is collected while a device exists, so it is kept forever.
 globalThis.gpu = create(["backend=null"]);
 const adapter = await globalThis.gpu.requestAdapter();
 const device = await adapter.requestDevice();
@@ -22,7 +22,7 @@ async function check(text) {
     column: message.linePos,
     text: message.message,
   }));
-  // Dawn checks a little more than Tint does; such an error has no place in the text.
+  // Dawn checks a little more than Tint does; such an error names no place in the text.
   if (error && !messages.some((message) => message.type === "error")) {
     messages.push({ type: "error", line: 0, column: 0, text: error.message });
   }

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
 from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4
+from ...stdlib.builtins.facts import Fact
+from ...stdlib.builtins.row import Domain
 from ..emit.description import (
     Limits,
     PipelineInput,
@@ -107,9 +110,38 @@ INPUTS = {
     "instance_index": PipelineInput(UINT, "input.{name}", "@builtin(instance_index)"),
 }
 
+
+def divides(facts: tuple[Fact, ...]) -> bool:
+    """Integers by anything. (By a constant 0 it is an error; but constants need no profile.)"""
+    dividend, divisor = facts
+    return dividend.kind != "float" or divisor.excludes_zero
+
+
+def leaves_remainder(facts: tuple[Fact, ...]) -> bool:
+    """A `uint` likewise; the remainder of an `int` has the sign of the dividend."""
+    dividend, divisor = facts
+    if dividend.kind == "uint":
+        return True
+    return dividend.kind == "int" and dividend.lo >= 0 and divisor.lo >= 1
+
+
+def shifts(facts: tuple[Fact, ...]) -> bool:
+    """By a `uint`, of which the lowest five bits count."""
+    return facts[1].kind == "uint"
+
+
+AGREES: Mapping[str, Domain] = {
+    "div": divides,
+    "mod": leaves_remainder,
+    "shift_left": shifts,
+    "shift_right": shifts,
+}
+"""WGSL defines what other languages leave open of integers."""
+
 WEBGPU = Profile(
     name="webgpu",
     doc="WGSL as browsers and wgpu take it.",
+    agrees=AGREES,
     single_file=True,
     limits=Limits(block_bytes=65536),
     checkers=("naga", "tint"),

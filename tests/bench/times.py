@@ -60,7 +60,7 @@ def _phases() -> list[Row]:
         staged = pipeline.stage(shader, pipeline.Options())
         laps.lap("passes")
         for target in targets:
-            legal = legalise(staged.program, target, target.profiles[0])
+            legal = legalise(staged.program, target, target.profiles[0], staged.undecided)
             laps.lap(f"legalise {target.name}")
             emit(legal, EmitOptions())
             laps.lap(f"emit {target.name}")

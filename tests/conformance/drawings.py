@@ -13,7 +13,7 @@ from burnish.api import CompiledMaterial
 from burnish.targets.runner.drivers.draw import Cull
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.scene import Scene
-from burnish.targets.runner.shots import Color, Shot, take
+from burnish.targets.runner.scene_state import Color, SceneState, set_up
 from burnish.targets.runner.textures.texture import Texture
 
 from .cells import CELLS, HEIGHT, WIDTH
@@ -43,12 +43,12 @@ class Drawing:
         """The compiled program."""
         return _material(self.file, self.pass_, self.hoist, flip_y)
 
-    def shot(self, material: CompiledMaterial) -> Shot:
+    def state(self, material: CompiledMaterial) -> SceneState:
         """The mesh and the scene, with all values set."""
-        shot = take(material.instance(), self.mesh, self.scene, self.size, BARE)
+        state = set_up(material.instance(), self.mesh, self.scene, self.size, BARE)
         for name, value in self.values.items():
-            shot.instance.set(name, value)
-        return shot
+            state.instance.set(name, value)
+        return state
 
 
 @cache

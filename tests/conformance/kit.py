@@ -12,14 +12,14 @@ import burnish
 from burnish.api import CompiledMaterial
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.closing import Closing
+from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Request, compile_all, compile_one
 from burnish.targets.runner.drivers.draw import Cull, Job
 from burnish.targets.runner.drivers.readback import arrays
-from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner
-from burnish.targets.runner.shots import Shot
+from burnish.targets.runner.scene_state import SceneState
 from burnish.targets.toolchain import Toolchain
 
 Floats = NDArray[np.float64]
@@ -53,7 +53,7 @@ class Studio(Closing):
         compile_all(requests, self.toolchain)
 
     def draw(
-        self, where: str, material: CompiledMaterial, shot: Shot, cull: Cull = "none"
+        self, where: str, material: CompiledMaterial, state: SceneState, cull: Cull = "none"
     ) -> tuple[Floats, ...]:
         """The targets that a route or the reference draws, each of shape (height, width, 4).
 
@@ -61,14 +61,14 @@ class Studio(Closing):
         test fails: ``make test`` installs them all.
         """
         if where == REFERENCE:
-            rules = RasterRules(shot.width, shot.height, cull=cull)
-            return expected(material.shader, shot, rules).targets
+            rules = RasterRules(state.width, state.height, cull=cull)
+            return expected(material.shader, state, rules).targets
         route = ROUTES[where]
         problem = self.runner.problem(route)
         assert problem is None, f"{where} cannot be drawn: {problem}"
         codes = compile_one(route, material.files, self.toolchain)
         made = pipeline(material.reflection, route, codes, exact=True, cull=cull)
-        (picture,) = self.runner.draw(route, Job(made, (shot.draw(),)))
+        (picture,) = self.runner.draw(route, Job(made, (state.draw(),)))
         return arrays(picture)
 
 

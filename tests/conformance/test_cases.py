@@ -43,11 +43,11 @@ def matrix(instance: Instance, name: str) -> Floats:
 
 def clip_positions(case: Case) -> Floats:
     """Of the corners of all triangles, (triangles, 3, 4)."""
-    instance = case.shot.instance
-    places = case.shot.attributes["vertex_position"]
+    instance = case.state.instance
+    places = case.state.attributes["vertex_position"]
     whole = np.concatenate([places, np.ones((len(places), 1))], axis=1)
     to_clip = matrix(instance, "view_projection") @ matrix(instance, "object_to_world")
-    positions: Floats = (whole @ to_clip.T)[case.shot.triangles]
+    positions: Floats = (whole @ to_clip.T)[case.state.triangles]
     return positions
 
 
@@ -62,7 +62,7 @@ def areas(case: Case) -> Floats:
 
 
 def light_places(case: Case) -> list[Any]:
-    instance = case.shot.instance
+    instance = case.state.instance
     used = instance.get("lamps")[: instance.get("lamps.count")]
     return [*(lamp["place"] for lamp in used), instance.get("torch.place")]
 
@@ -74,18 +74,18 @@ def test_names_are_told_apart() -> None:
 def test_pictures_are_not_square() -> None:
     assert SIZE[0] != SIZE[1]
     for case in cases_of("plastic", "Plastic").values():
-        assert (case.shot.width, case.shot.height) == SIZE
-        assert case.shot.clear == (UNCOVERED,)
+        assert (case.state.width, case.state.height) == SIZE
+        assert case.state.clear == (UNCOVERED,)
 
 
 def test_defaults_are_among_them() -> None:
-    given = plastic("defaults").shot.instance
+    given = plastic("defaults").state.instance
     assert given.get("power") == 48.0 and given.get("albedo") is None
-    assert plastic("stretched").shot.instance.get("power") != 48.0
+    assert plastic("stretched").state.instance.get("power") != 48.0
 
 
 def test_no_lights_and_all_lights() -> None:
-    counts = {name: case.shot.instance.get("lamps.count")
+    counts = {name: case.state.instance.get("lamps.count")
               for name, case in cases_of("plastic", "Plastic").items()}  # fmt: skip
     assert counts["behind"] == 0
     assert counts["stretched"] == 8
@@ -93,7 +93,7 @@ def test_no_lights_and_all_lights() -> None:
 
 
 def test_scale_is_not_uniform() -> None:
-    linear = matrix(plastic("stretched").shot.instance, "object_to_world")[:3, :3]
+    linear = matrix(plastic("stretched").state.instance, "object_to_world")[:3, :3]
     scales = np.linalg.svd(linear, compute_uv=False)
     assert scales[0] > 1.3 * scales[1] > 1.3 * scales[2]
     assert np.linalg.det(linear) > 0
@@ -102,8 +102,8 @@ def test_scale_is_not_uniform() -> None:
 
 def test_lights_are_inside_the_mesh() -> None:
     case = plastic("stretched")
-    vertices = case.shot.attributes["vertex_position"]
-    world = vertices @ matrix(case.shot.instance, "object_to_world")[:3, :3].T
+    vertices = case.state.attributes["vertex_position"]
+    world = vertices @ matrix(case.state.instance, "object_to_world")[:3, :3].T
     reach = np.linalg.norm(world, axis=1).max()
     for place in light_places(case):
         assert np.linalg.norm(place) < reach / 2
@@ -139,7 +139,7 @@ def test_the_rest_is_between_the_planes() -> None:
 )
 def test_every_texture_has_a_picture(name: str, material: str) -> None:
     for case in ("stretched", "behind", "inside"):
-        instance = cases_of(name, material)[case].shot.instance
+        instance = cases_of(name, material)[case].state.instance
         for row in instance.reflection["textures"]:
             texels = instance.textures()[row["name"]].linear()[0]
             assert len(texels) > 1 and np.ptp(texels) > 0.2
@@ -148,7 +148,7 @@ def test_every_texture_has_a_picture(name: str, material: str) -> None:
 def test_seeds_change_values_but_not_the_defaults() -> None:
     reflection = reflection_of("plastic", "Plastic")
     (first,), (second,) = series_of(reflection, 0), series_of(reflection, 1)
-    before, after = ([case.shot.draw() for case in s.cases] for s in (first, second))
+    before, after = ([case.state.draw() for case in s.cases] for s in (first, second))
     assert before[0] == after[0]
     assert all(a != b for a, b in zip(before[1:], after[1:], strict=True))
 
@@ -156,6 +156,6 @@ def test_seeds_change_values_but_not_the_defaults() -> None:
 def test_what_blends_is_drawn_both_ways() -> None:
     exact, blended = series_of(reflection_of("blending", "Glass", "Transparent"))
     assert exact.exact and not blended.exact
-    assert UNCOVERED not in blended.cases[0].shot.clear
+    assert UNCOVERED not in blended.cases[0].state.clear
     (only,) = series_of(reflection_of("blending", "Glass", "Forward"))
     assert only.exact

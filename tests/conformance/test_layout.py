@@ -17,7 +17,7 @@ from burnish.api import CompiledMaterial
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
-from burnish.targets.runner.shots import Shot, take
+from burnish.targets.runner.scene_state import SceneState, set_up
 
 from .declarations import Unit
 from .kit import REFERENCE, Floats, Studio, compiled
@@ -37,16 +37,16 @@ class Program:
 
     layout: Layout
     material: CompiledMaterial
-    shot: Shot
+    state: SceneState
 
 
 def program_of(layout: Layout, *, hoist: bool) -> Program:
     """With ``hoist``, what shaders have of some values is what the host derives from them."""
     material = compiled(layout.text, pass_=PASS, hoist=hoist)
-    shot = take(material.instance(), plane(1), Scene(), (len(layout.units), 1))
+    state = set_up(material.instance(), plane(1), Scene(), (len(layout.units), 1))
     for parameter, value in layout.values.items():
-        shot.instance.set(parameter, value)
-    return Program(layout, material, shot)
+        state.instance.set(parameter, value)
+    return Program(layout, material, state)
 
 
 @pytest.fixture(scope="module")
@@ -91,7 +91,7 @@ def test_fresh_layouts(studio: Studio, route: str) -> None:
 
 def differences(studio: Studio, route: str, program: Program) -> list[str]:
     """A line for each pixel that does not show what was set."""
-    (got,) = studio.draw(route, program.material, program.shot)
+    (got,) = studio.draw(route, program.material, program.state)
     shown = zip(program.layout.units, got[0], strict=True)
     return [line for unit, pixel in shown for line in _difference(unit, pixel)]
 

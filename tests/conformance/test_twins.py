@@ -25,14 +25,14 @@ from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.compare import compare
 from burnish.targets.conformance.plan import rules_of
 from burnish.targets.conformance.tolerances import DRIVERS
+from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.draw import BlockSlot, Job, Pipeline, Place, Target, VertexInput
 from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
-from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.scene import Scene
-from burnish.targets.runner.shots import Color, Shot, take
+from burnish.targets.runner.scene_state import Color, SceneState, set_up
 
 from ..bench import __file__ as bench
 from .kit import PROFILES, Studio
@@ -163,10 +163,10 @@ def material(error: str = "") -> CompiledMaterial:
     return made
 
 
-def shot(scene: str, error: str = "") -> Shot:
+def state(scene: str, error: str = "") -> SceneState:
     """What Burnish's shader is to draw."""
     mesh, placed = SCENES[scene]
-    taken = take(material(error).instance(), mesh, placed, SIZE, UNCOVERED)
+    taken = set_up(material(error).instance(), mesh, placed, SIZE, UNCOVERED)
     for name, value in VALUES.items():
         taken.instance.set(name, value)
     return taken
@@ -194,14 +194,14 @@ def drawn(studio: Studio, route: Route, job: Job) -> Floats:
     return pixels.astype(np.float64)
 
 
-def drawn_by_burnish(studio: Studio, route: Route, taken: Shot) -> Floats:
+def drawn_by_burnish(studio: Studio, route: Route, taken: SceneState) -> Floats:
     codes = compile_one(route, material().files, studio.toolchain)
     made = pipeline(material().reflection, route, codes, exact=True)
     return drawn(studio, route, Job(made, (taken.draw(),)))
 
 
 def drawn_by_hand(studio: Studio, route: Route, scene: str) -> Floats:
-    taken = shot(scene)
+    taken = state(scene)
     codes = compile_one(route, texts(route.profile), studio.toolchain)
     vertices = tuple(
         taken.attributes[name].astype("<f4").tobytes()
@@ -211,7 +211,9 @@ def drawn_by_hand(studio: Studio, route: Route, scene: str) -> Floats:
     return drawn(studio, route, Job(by_hand(route, codes), (filled,)))
 
 
-def drawn_by_reference(studio: Studio, route: Route, taken: Shot, error: str = "") -> Expected:
+def drawn_by_reference(
+    studio: Studio, route: Route, taken: SceneState, error: str = ""
+) -> Expected:
     rules = rules_of(taken, studio.runner.device(route), DRIVERS[route.driver])
     return expected(material(error).shader, taken, rules)
 
@@ -223,7 +225,7 @@ def agree(got: Floats, wanted: Expected, route: Route) -> bool:
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("name", ROUTES)
 def test_twins_agree(studio: Studio, name: str, scene: str) -> None:
-    route, taken = ROUTES[name], shot(scene)
+    route, taken = ROUTES[name], state(scene)
     ours, theirs = drawn_by_burnish(studio, route, taken), drawn_by_hand(studio, route, scene)
     wanted = drawn_by_reference(studio, route, taken)
     colours = wanted.targets[0][wanted.covered][:, :3]
@@ -246,5 +248,5 @@ def test_twins_agree(studio: Studio, name: str, scene: str) -> None:
 def test_an_error_in_the_library_shows(studio: Studio, error: str) -> None:
     route = ROUTES["lavapipe:glsl"]
     theirs = drawn_by_hand(studio, route, "stretched torus")
-    wanted = drawn_by_reference(studio, route, shot("stretched torus", error), error)
+    wanted = drawn_by_reference(studio, route, state("stretched torus", error), error)
     assert not wanted.undecided.all() and not agree(theirs, wanted, route)

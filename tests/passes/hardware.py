@@ -7,8 +7,9 @@ was removed that is needed.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager
+from functools import partial
 from typing import Any
 from unittest.mock import patch
 
@@ -16,16 +17,21 @@ from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from burnish.compiler.reference import operations
 from burnish.compiler.reference.namespace import Lanes, Namespace
+from burnish.frozen import EMPTY
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT_SLACK, Fact
+from burnish.stdlib.builtins.row import Domain
 
 GARBAGE = 0x5EED
 """The result of an integer operation outside of its domain; that of a float operation is NaN."""
 
 
-def hardware() -> AbstractContextManager[Any]:
-    """A context in which graphs are evaluated as such hardware would."""
-    return patch.dict(operations._STEPS, {"native": _native})
+def hardware(domains: Mapping[str, Domain] = EMPTY) -> AbstractContextManager[Any]:
+    """A context in which graphs are evaluated as such hardware would.
+
+    ``domains`` are those of natives for which the hardware promises something else than the row.
+    """
+    return patch.dict(operations._STEPS, {"native": partial(_native, domains)})
 
 
 def flat(value: Any) -> Iterator[float]:
@@ -37,16 +43,17 @@ def flat(value: Any) -> Iterator[float]:
         yield float(value)
 
 
-def _native(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
+def _native(
+    domains: Mapping[str, Domain], node: Node, operands: list[Lanes], xp: Namespace
+) -> Lanes:
     known = [fact(o.type, value) for o, value in zip(node.operands, operands, strict=True)]
-    if any(f is None for f in known) or _is_safe(node, [f for f in known if f is not None]):
+    facts = tuple(fact for fact in known if fact is not None)
+    name = str(node.data)
+    domain = domains.get(name, BUILTINS[name].domain)
+    if len(facts) < len(known) or domain(facts):
         return operations._call(node, operands, xp)
     lanes = node.type.size if isinstance(node.type, Vector) else 1
     return (math.nan if scalar_kind(node.type) == "float" else GARBAGE,) * lanes
-
-
-def _is_safe(node: Node, known: list[Fact]) -> bool:
-    return BUILTINS[str(node.data)].domain(tuple(known))
 
 
 def fact(type_: Type, value: Lanes) -> Fact | None:

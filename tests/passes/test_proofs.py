@@ -34,7 +34,7 @@ def snapshot(path: Path, *without: str) -> tuple[str, ...]:
     target = registry.load("glsl")
     (shader,) = shaders(path)
     staged = stage(shader, Options(hoist=False, without=frozenset(without)))
-    emitted = emit(legalise(staged.program, target, target.profiles[0]))
+    emitted = emit(legalise(staged.program, target, target.profiles[0], staged.undecided))
     guards = sorted(f"{guard.builtin} {guard.span}" for guard in staged.guards)
     return (*(file.text for file in emitted.files), *guards)
 

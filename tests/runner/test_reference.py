@@ -17,23 +17,25 @@ from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.scene import Scene
-from burnish.targets.runner.shots import Shot, take
+from burnish.targets.runner.scene_state import SceneState, set_up
 
 ROOT = Path(__file__).parents[2]
 TEXT = "material M { map m : texture2d  param k : float = 1  color = m(uv).rgb * k }"
 RULES = RasterRules(8, 8, 8)
 
 
-def asked(text: str = TEXT, width: int = 2, height: int = 1, k: float = 1.0) -> tuple[Shader, Shot]:
+def asked(
+    text: str = TEXT, width: int = 2, height: int = 1, k: float = 1.0
+) -> tuple[Shader, SceneState]:
     material = burnish.compile(text, ["wgsl"])["M"]
     instance = material.instance()
     texels = np.arange(8, dtype=np.uint8).reshape(height, width, 4)
     instance.set("m", burnish.Texture.of_array(texels))
     instance.set("k", k)
-    return material.shader, take(instance, plane(2), Scene(), (8, 8))
+    return material.shader, set_up(instance, plane(2), Scene(), (8, 8))
 
 
-def name(question: tuple[Shader, Shot], rules: RasterRules = RULES) -> str:
+def name(question: tuple[Shader, SceneState], rules: RasterRules = RULES) -> str:
     return reference._digest(*question, rules)
 
 
@@ -62,9 +64,9 @@ def test_a_vertex_input_that_nothing_needs_has_any_numbers() -> None:
     material = burnish.compile(
         "material M { color = if uv.x * uv.x >= 0 then vec3(0.25) else vec3(1) }", ["wgsl"]
     )["M"]
-    shot = take(material.instance(), plane(2), Scene(), (8, 8))
-    assert "vertex_uv" not in shot.attributes
-    drawn = reference.expected(material.shader, shot, RULES)
+    state = set_up(material.instance(), plane(2), Scene(), (8, 8))
+    assert "vertex_uv" not in state.attributes
+    drawn = reference.expected(material.shader, state, RULES)
     assert drawn.covered.any()
     assert (drawn.targets[0][drawn.covered][:, :3] == 0.25).all()
 

@@ -11,7 +11,7 @@ import pytest
 import burnish
 from burnish.targets.runner.meshes import BONES, MESHES, Mesh, MeshError, farthest_first, mesh
 from burnish.targets.runner.scene import Scene, placements, pose, vertex_data, with_inputs
-from burnish.targets.runner.shots import take
+from burnish.targets.runner.scene_state import set_up
 
 LAMPS = """
 import std.lights.{Directional, Point}
@@ -64,17 +64,17 @@ material Crowd : Surface + Instanced {
 
 def test_instances_get_places_of_their_own() -> None:
     (material,) = burnish.compile(CROWD).materials
-    shot = take(material.instance(), _crowd(material.reflection, 5), Scene(), (8, 8))
-    assert shot.instance_count == 5
-    columns = [shot.attributes[f"instance_transform.{i}"] for i in range(4)]
+    state = set_up(material.instance(), _crowd(material.reflection, 5), Scene(), (8, 8))
+    assert state.instance_count == 5
+    columns = [state.attributes[f"instance_transform.{i}"] for i in range(4)]
     assert np.allclose(np.stack(columns, axis=2), placements(5))
-    geometry = shot.geometry()
+    geometry = state.geometry()
     vertices = len(mesh("cube"))
     assert geometry.vertex_count == 5 * vertices
     assert len(geometry.triangles) == 5 * len(mesh("cube").triangles)
     assert list(geometry.inputs()["instance_index"][::vertices]) == [0, 1, 2, 3, 4]
     assert geometry.inputs()["vertex_index"].max() == vertices - 1
-    draw = shot.draw()
+    draw = state.draw()
     assert (draw.instance_count, draw.vertex_count) == (5, vertices)
 
 
@@ -91,7 +91,7 @@ def test_what_instances_have_can_be_given() -> None:
 def test_a_mesh_without_instances_is_refused() -> None:
     (material,) = burnish.compile(CROWD).materials
     with pytest.raises(MeshError, match="does not have for each instance: it has nothing"):
-        take(material.instance(), mesh("plane"), Scene(), (8, 8))
+        set_up(material.instance(), mesh("plane"), Scene(), (8, 8))
 
 
 def _crowd(reflection: Mapping[str, Any], count: int) -> Mesh:

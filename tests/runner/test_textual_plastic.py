@@ -9,14 +9,14 @@ import numpy.typing as npt
 import pytest
 
 import burnish
+from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.draw import Job
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh
-from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
-from burnish.targets.runner.shots import take
+from burnish.targets.runner.scene_state import set_up
 from burnish.targets.runner.textures.texture import Texture
 from burnish.targets.toolchain import Toolchain
 from burnish.tests.structure.kit import ROOT
@@ -42,7 +42,7 @@ def pictures() -> dict[str, Floats]:
     texels[..., 0] -= 0.4 * (1 + WAVE)
     texels[..., 1] -= 0.4 * (1 + WAVE[:, None])
     instance.set("albedo", Texture.of_array(texels))
-    draw = take(instance, mesh("sphere"), Scene(), (SIZE, SIZE)).draw()
+    draw = set_up(instance, mesh("sphere"), Scene(), (SIZE, SIZE)).draw()
     shown = {}
     for api, route in ROUTE_OF.items():
         codes = compile_one(ROUTES[route], plastic.files, Toolchain())

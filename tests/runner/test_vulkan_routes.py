@@ -12,14 +12,14 @@ import pytest
 
 import burnish
 from burnish.targets.runner import meshes
+from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.draw import Job
 from burnish.targets.runner.drivers.vulkan.blocks import block_sizes
 from burnish.targets.runner.instances.instance import Instance
-from burnish.targets.runner.pipeline import pipeline
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.scene import Scene
-from burnish.targets.runner.shots import take
+from burnish.targets.runner.scene_state import set_up
 
 from .vulkan_kit import Asker, Floats, pixels, tools
 
@@ -51,8 +51,8 @@ def codes(file: str, route: str) -> Codes:
 def picture(vulkan: Asker, file: str, route: Route) -> Floats:
     """A sphere in the standard scene."""
     reflection = material(file).reflection
-    shot = take(Instance(reflection), meshes.mesh("sphere"), Scene(), SIZE)
-    job = Job(pipeline(reflection, route, codes(file, route.name), exact=True), (shot.draw(),))
+    state = set_up(Instance(reflection), meshes.mesh("sphere"), Scene(), SIZE)
+    job = Job(pipeline(reflection, route, codes(file, route.name), exact=True), (state.draw(),))
     (drawn,) = vulkan.draw(job)
     return pixels(drawn)
 

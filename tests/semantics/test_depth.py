@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -77,3 +78,13 @@ def test_a_long_cycle_is_told_as_a_short_one() -> None:
     (error,) = failed.value.diagnostics
     assert error.message.count("→") == 100
     assert error.message.startswith("`s0` is defined by itself: s0 → s1 → s2")
+
+
+def test_imports_chain_without_limit(tmp_path: Path) -> None:
+    for i in range(400):
+        text = f"import m{i + 1}.{{f{i + 1}}}\nfn f{i}(x: float) -> float = f{i + 1}(x) + 1.0\n"
+        (tmp_path / f"m{i}.burnish").write_text(text, "utf-8")
+    (tmp_path / "m400.burnish").write_text("fn f400(x: float) -> float = sin(x)\n", "utf-8")
+    main = tmp_path / "main.burnish"
+    main.write_text("import m0.{f0}\nmaterial M { alpha = f0(uv.x) }\n", "utf-8")
+    assert shader(main).name == "M"

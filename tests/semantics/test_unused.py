@@ -8,6 +8,10 @@ import pytest
 
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.ir.shader import Shader
+from burnish.compiler.semantics.names.modules import Symbol
+from burnish.compiler.semantics.shading.assembly import Setting
+from burnish.compiler.semantics.shading.elaborate import elaborate
 
 LIBRARY = Path(burnish.__file__).parent / "stdlib"
 STANDS_FOR_BUILTINS = "meaning.burnish"
@@ -106,10 +110,28 @@ def test_a_generic_body_is_shown_with_an_example() -> None:
     assert [label.text for label in found.labels] == ["in `f<float>`, for example"]
 
 
-def test_materials_that_were_not_asked_for_are_checked() -> None:
+def test_a_material_that_is_named_is_compiled_whatever_is_wrong_with_others() -> None:
     text = "material A { color = #fff }  material B { color = missing }"
-    with pytest.raises(CompileError, match="missing"):
-        burnish.compile(text, "wgsl", material="A")
+    (compiled,) = burnish.compile(text, "wgsl", material="A")
+    assert compiled.name == "A"
+    for material in (None, "B"):
+        with pytest.raises(CompileError, match="missing"):
+            burnish.compile(text, "wgsl", material=material)
+    assert [found.rule.code for found in burnish.check(text)] == ["B0201"]
+
+
+def test_a_material_that_is_named_does_not_wait_for_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    entered: list[str] = []
+
+    def noted(setting: Setting, reached: set[Symbol]) -> Shader | None:
+        entered.append(setting.surface.record.name)
+        return elaborate(setting, reached)
+
+    monkeypatch.setattr("burnish.compiler.frontend.elaborate", noted)
+    monkeypatch.delattr("burnish.compiler.frontend.UnusedDeclarations.check")
+    others = "".join(f"material M{i} {{ color = #fff }}\n" for i in range(20))
+    burnish.compile(others, "wgsl", material="M7")
+    assert entered == ["M7"]
 
 
 def test_only_what_is_asked_for_has_to_agree_with_the_pass_and_the_rig() -> None:

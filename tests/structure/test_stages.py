@@ -22,7 +22,7 @@ OUTSIDE = {
     "targets/runner/drivers/draw.py": "the vertex inputs' steps, which WebGPU calls so",
     "targets/runner/drivers/opengl/program.py": "a call that takes both stages",
     "targets/runner/drivers/opengl/renderer.py": "the library's words for steps",
-    "targets/runner/drivers/vulkan/pipeline.py": "Vulkan's bits for stages and steps",
+    "targets/runner/drivers/vulkan/graphics_pipeline.py": "Vulkan's bits for stages and steps",
     "targets/toolchain/checkers.py": "DXC's profiles",
     "targets/toolchain/clang.py": "qualifiers of Metal's entry points",
     "targets/toolchain/spirv.py": "SPIR-V's execution models",

@@ -19,6 +19,7 @@ from burnish.compiler.ir.program import (
     Stage,
     StoredMember,
     Varying,
+    native_uses,
     texture_reads,
 )
 from burnish.compiler.ir.stages import (
@@ -26,7 +27,7 @@ from burnish.compiler.ir.stages import (
     DISCARD,
     FRAGMENT,
     FRAGMENTS,
-    SYSTEM_INPUTS,
+    STAGES,
     TARGET,
     VARYING,
     VERTEX,
@@ -34,6 +35,7 @@ from burnish.compiler.ir.stages import (
     Crossing,
     InterpolationMode,
     StageRow,
+    inputs_of,
 )
 from burnish.compiler.ir.types import (
     BOOL,
@@ -77,7 +79,7 @@ class Maker:
         return build.cross(self.graph, value, Crossing(VERTICES, FRAGMENTS, mode))
 
     def input(self, name: str, type_: Type) -> Node:
-        return self.graph.node("input", type_, (), SYSTEM_INPUTS[name])
+        return self.graph.node("input", type_, (), inputs_of(STAGES.values())[name])
 
     def formal(self, formal: Formal, type_: Type) -> Node:
         return self.graph.node("formal", type_, (), formal)
@@ -124,8 +126,9 @@ def stage(row: StageRow, *results: Output, **parts: object) -> Stage:
     }  # fmt: skip
     made = Stage(row=row, results=results, **{**empty, **parts})  # type: ignore[arg-type]
     lets = [item.node for item in made.region.statements if isinstance(item, Let)]
-    reads = texture_reads(reachable((*made.roots, *lets)))
-    return changed(made, reads=reads)
+    bodies = [function.value for function in made.functions]
+    nodes = reachable((*made.roots, *lets, *bodies))
+    return changed(made, reads=texture_reads(nodes), natives=native_uses(nodes))
 
 
 def written(name: str, value: Node, location: int = 0, doc: str = "") -> Output:

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path, PurePosixPath
+from typing import Protocol
 
 from ....frozen import frozen
 from ...diagnostics import rules
@@ -102,6 +103,26 @@ Read = Callable[[Path, Report, str], Source | None]
 Parse = Callable[[Source, Report], ast.File]
 
 
+class Looked(Protocol):
+    """Is told of each place where an imported file was looked for."""
+
+    def __call__(self, root: Path, path: Path, /, *, found: bool) -> None:
+        """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
+
+
+@dataclass(slots=True)
+class _Linking:
+    """A module whose imports are being read."""
+
+    module: Module
+    imports: list[ast.Import]
+    """Those that are left, the last one first."""
+    path: Path | None = None
+    """Where it was read from, if another module imports it."""
+    wanted: ast.Import | None = None
+    """By what that module does."""
+
+
 class Loader:
     """Reads and links modules; each file once."""
 
@@ -113,6 +134,7 @@ class Loader:
         parse: Parse,
         parse_library: Parse,
         read: Read,
+        looked: Looked,
     ) -> None:
         self._report = report
         self._library = library
@@ -120,6 +142,7 @@ class Loader:
         self._parse = parse
         self._parse_library = parse_library
         self._read = read
+        self._looked = looked
         self._modules: dict[Path, Module] = {}
         self._loading: list[tuple[Path, Span]] = []
         self._prelude: Module | None = None
@@ -153,6 +176,31 @@ class Loader:
         return module
 
     def _link(self, module: Module) -> None:
+        """Give a module its names, and those that it imports, file after file.
+
+        Files import each other without limit, so those whose imports are not all known yet wait in
+        a list.
+        """
+        pending = [_Linking(module, self._declared(module))]
+        while pending:
+            top = pending[-1]
+            if top.imports:
+                wanted = top.imports.pop()
+                found = self._resolve(top.module, wanted)
+                if isinstance(found, _Linking):
+                    pending.append(found)
+                else:
+                    self._import(top.module, wanted, found)
+                continue
+            pending.pop()
+            if top.path is not None:
+                assert top.wanted is not None
+                self._loading.pop()
+                self._modules[top.path] = top.module
+                self._import(pending[-1].module, top.wanted, top.module)
+
+    def _declared(self, module: Module) -> list[ast.Import]:
+        """Give a module its own names; its imports, the last one first."""
         imports: list[ast.Import] = []
         for declaration in module.file.declarations:
             if isinstance(declaration, ast.Import):
@@ -160,8 +208,7 @@ class Loader:
             else:
                 self._declare(module, declaration)
         # Names that are asked for come first: they decide between files that are imported whole.
-        for wanted in sorted(imports, key=lambda wanted: wanted.names is None):
-            self._import(module, wanted)
+        return sorted(imports, key=lambda wanted: wanted.names is None)[::-1]
 
     def _declare(self, module: Module, declaration: Named) -> None:
         _check_readable(self._report, declaration)
@@ -212,8 +259,8 @@ class Loader:
                     labels=[Label(other.declaration.name.span, "with the same arguments here")],
                 )  # fmt: skip
 
-    def _import(self, module: Module, wanted: ast.Import) -> None:
-        found = self._resolve(module, wanted)
+    def _import(self, module: Module, wanted: ast.Import, found: Module | None) -> None:
+        """Give a module the names that it imports from one that was ``found``."""
         names = wanted.names
         if found is None:
             module.missing.update(name.text for name in names or ())
@@ -254,7 +301,8 @@ class Loader:
             hint=f"ask for the one that is meant: `import ….{{{other.name}}}`",
         )  # fmt: skip
 
-    def _resolve(self, module: Module, wanted: ast.Import) -> Module | None:
+    def _resolve(self, module: Module, wanted: ast.Import) -> Module | _Linking | None:
+        """The module that an import is about, if need be before it is linked."""
         relative = wanted.path[0] if wanted.quoted else "/".join(wanted.path) + ".burnish"
         if PurePosixPath(relative).is_absolute() or ".." in PurePosixPath(relative).parts:
             self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
@@ -265,8 +313,10 @@ class Loader:
             if not path.is_relative_to(root.resolve()):
                 self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
                 return None
-            if path.is_file():
-                return self._load(found, path, wanted.span)
+            is_file = path.is_file()
+            self._looked(root, found, found=is_file)
+            if is_file:
+                return self._load(found, path, wanted)
         self._report.add(
             rules.MISSING_IMPORT, wanted.span, path=relative, hint=self._suggest(wanted)
         )
@@ -321,14 +371,14 @@ class Loader:
         near = nearest(".".join(wanted.path), sorted(modules))
         return "" if near is None else _instead(f"did you mean `{near}`?", wanted, near)
 
-    def _load(self, found: Path, path: Path, span: Span) -> Module | None:
+    def _load(self, found: Path, path: Path, wanted: ast.Import) -> Module | _Linking | None:
         if path in self._modules:
             return self._modules[path]
         pending = [loading for loading, _ in self._loading]
         if path in pending:
             cycle = [*pending[pending.index(path) :], path]
             self._report.add(
-                rules.IMPORT_CYCLE, span, cycle=" → ".join(step.name for step in cycle)
+                rules.IMPORT_CYCLE, wanted.span, cycle=" → ".join(step.name for step in cycle)
             )
             return None
         library = path.is_relative_to(self._library.resolve())
@@ -336,13 +386,10 @@ class Loader:
         source = self._read(path, self._report, shown)
         if source is None:
             return None
-        self._loading.append((path, span))
+        self._loading.append((path, wanted.span))
         parse = self._parse_library if library else self._parse
-        linked = Module(parse(source, self._report), path, prelude=self.prelude())
-        self._link(linked)
-        self._loading.pop()
-        self._modules[path] = linked
-        return linked
+        module = Module(parse(source, self._report), path, prelude=self.prelude())
+        return _Linking(module, self._declared(module), path, wanted)
 
 
 def _instead(said: str, wanted: ast.Import, path: str) -> Hint:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from ...diagnostics import rules
 from ...diagnostics.nearest import nearest, respelt
 from ...syntax import ast
@@ -19,9 +17,9 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     read = {name for name, _ in surface.values}
     for instance in (surface, passing):
         check_instance(ctx, instance)
-    record = surface.record
-    inherited = [n for n, ds in record.definitions.items() if ds[-1].owner is record.root]
-    for name, definitions in record.definitions.items():
+    known, root = surface.record.definitions, surface.record.root
+    inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]
+    for name, definitions in known.items():
         if name not in read:
             _check_spelling(ctx, surface, name, definitions, inherited)
 
@@ -47,9 +45,9 @@ def _check_spelling(
     surface: Instance,
     name: str,
     definitions: tuple[Definition, ...],
-    inherited: Sequence[str],
+    inherited: list[str],
 ) -> None:
-    """Warn of an own slot that nothing reads and that is nearly called like an inherited one.
+    """Warn of an own slot that nothing reads and that is nearly called like an ``inherited`` one.
 
     What an imported file declares is an offer, and its names are for that file to check.
     """

@@ -12,9 +12,12 @@ from ...ir.build import parts_of
 from ...ir.node import Node, bare, reachable
 from ...ir.shader import Lanes as Value
 from ...ir.types import Scalar, Type
-from ...reference.evaluate import NotConstantError, evaluate
+from ...reference.evaluate import NotConstantError, TooLongError, evaluate
 from ...reference.namespace import Lanes
 from .scope import Failure
+
+MOST_STEPS = 500_000
+"""Operations and turns of loops that are computed for one value: about two seconds."""
 
 _OPERATIONS = frozenset(
     {
@@ -42,12 +45,14 @@ class ConstantValues:
         self._report = report
 
     def lanes(self, node: Node, span: Span) -> Lanes | None:
-        """The lanes of a node, or ``None`` after reporting that it is no constant."""
+        """The lanes of a node, or ``None`` after reporting why they cannot be known here."""
         try:
-            return evaluate(node)
+            return evaluate(node, most_steps=MOST_STEPS)
         except NotConstantError:
             self._report.add(rules.NOT_CONSTANT, span)
-            return None
+        except TooLongError:
+            self._report.add(rules.TOO_MUCH_WORK, span, most=MOST_STEPS)
+        return None
 
     def integer(self, node: Node | Failure, span: Span) -> int | None:
         """The value of an ``int``; ``None`` where there is none (reported)."""

@@ -1,12 +1,12 @@
-// How a module of this folder answers: its answer as an object, or why there is none as {error}.
+// The form of this folder's answers: an object, or {error} with the reason why there is none.
 
-/** An error to be told to people as it is. */
+/** An error whose text is meant for people. */
 export class Refusal extends Error {}
 
-/** Likewise; and only another browser may do better. */
+/** An error after which this browser cannot draw any more; a new one may. */
 export class LostBrowser extends Refusal {}
 
-/** What `work` resolves to, or {error, lost} with the text of what it threw. */
+/** The result of `work`, or {error, lost} with the text of what it threw. */
 export async function answer(work) {
   try {
     return await work();
@@ -20,7 +20,7 @@ export async function answer(work) {
 export const bytes = (base64) => Uint8Array.fromBase64(base64);
 export const base64 = (bytes) => bytes.toBase64();
 
-/** Width and height of a mip level, and its layers, faces or slices. */
+/** The width and height of a mip level, and its number of layers, faces or slices. */
 export function levelSize(image, level) {
   const halved = (side) => Math.max(side >> level, 1);
   const depth = image.dimension === "3d" ? halved(image.depth) : image.depth;

@@ -1,10 +1,10 @@
-// Draws jobs by WebGL 2. A job and its pictures are those of draw.py, as JSON.
+// Draws jobs with WebGL 2. A job and its pictures are those of draw.py, as JSON.
 
 import { answer, LostBrowser, Refusal } from "./answers.mjs";
 import { drawPicture } from "./webgl2_draw.mjs";
 import { linkProgram } from "./webgl2_program.mjs";
 
-// Drawing to floats, blending and filtering them, and blending each target in its own way.
+// Needed to draw to, blend and filter floats, and to blend each target separately.
 const EXTENSIONS = [
   "EXT_color_buffer_float",
   "EXT_float_blend",
@@ -16,7 +16,7 @@ const NEWS_DELAY = 100; // milliseconds
 
 let context = null;
 
-/** The one context of the page, or a new one when that was lost; and its extensions by name. */
+/** The page's context, a new one if it was lost, and its extensions by name. */
 function theContext() {
   if (!context || context.gl.isContextLost()) {
     const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
@@ -50,7 +50,7 @@ export function draw(job) {
     try {
       return { pictures: drawAll(gl, extensions, job) };
     } catch (error) {
-      // It may be due to a loss, of which the page is told only when it is idle.
+      // The reason may be a lost context, which the page only learns when it is idle.
       await new Promise((resolve) => setTimeout(resolve, NEWS_DELAY));
       throw gl.isContextLost() ? new Refusal("the WebGL context was lost") : error;
     }

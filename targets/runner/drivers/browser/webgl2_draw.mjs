@@ -1,10 +1,10 @@
-// One draw of a job: its resources, the state, and the way back.
+// Draws one picture of a job: its resources, the state, and reading it back.
 
 import { bytes } from "./answers.mjs";
 import { clear, deleteScreen, makeScreen, readTarget, setBlending } from "./webgl2_screen.mjs";
 import { bindSampler, bindTexture } from "./webgl2_textures.mjs";
 
-/** The picture of a draw: for each target its format and its texels. */
+/** The picture of a draw: the format and the texels of each target. */
 export function drawPicture(gl, extensions, program, job, draw) {
   const size = [draw.width, draw.height];
   const screen = makeScreen(gl, job.targets, size);
@@ -57,7 +57,7 @@ function makeBuffer(gl, kind, data) {
   return buffer;
 }
 
-/** A buffer with a vertex attribute's values, from which the attribute is read. */
+/** A buffer with the values of a vertex attribute, bound to that attribute. */
 function feed(gl, program, { identifier, format, step }, data) {
   const buffer = makeBuffer(gl, gl.ARRAY_BUFFER, bytes(data));
   const location = gl.getAttribLocation(program, identifier);
@@ -74,9 +74,9 @@ function feed(gl, program, { identifier, format, step }, data) {
   return buffer;
 }
 
-/** The same triangles, each with its first vertex last.
+/** The same triangles, with the first vertex of each moved to the end.
  *
- * A flat varying has the value at a job's first vertex, and in WebGL at the last.
+ * In a job, a flat varying has its value at the first vertex, but in WebGL at the last.
  */
 function firstVertexLast(indices) {
   const turned = new Uint32Array(indices.length);

@@ -1,8 +1,8 @@
-// A linked program whose every input is known to be filled.
+// Links a program, and checks that all of its inputs are bound.
 
 import { Refusal } from "./answers.mjs";
 
-/** Compiles and links; a block or texture gets for a binding its number in the pipeline. */
+/** Compile and link; the binding of a block or texture is its number in the pipeline. */
 export function linkProgram(gl, job) {
   const program = gl.createProgram();
   const shaders = [
@@ -26,7 +26,7 @@ function makeShader(gl, stage, text) {
   return shader;
 }
 
-/** What the compiler or linker says of a shader or program that it does not take. */
+/** The compiler's or linker's message about a shader or program that it refuses. */
 function complaint(gl, object) {
   const isShader = object instanceof WebGLShader;
   const taken = isShader
@@ -36,7 +36,7 @@ function complaint(gl, object) {
   return isShader ? `shader: ${gl.getShaderInfoLog(object)}` : gl.getProgramInfoLog(object);
 }
 
-// What nobody has filled reads as zeros.
+// WebGL would read zeros for anything that is not bound.
 function refuseStrangers(gl, program, job) {
   const attributes = job.inputs.map((slot) => slot.identifier);
   const count = gl.getProgramParameter(program, gl.ACTIVE_ATTRIBUTES);

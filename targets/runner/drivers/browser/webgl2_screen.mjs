@@ -1,4 +1,4 @@
-// The framebuffer that a draw goes to.
+// The framebuffer of a draw.
 
 import { base64, Refusal } from "./answers.mjs";
 
@@ -15,7 +15,7 @@ const STORAGE = {
   "rgba32float": "RGBA32F",
 };
 
-// Of source and destination for the colour, then for the alpha lane.
+// The factors of source and destination for the colour, then for alpha.
 const BLEND_FACTORS = {
   alpha: ["SRC_ALPHA", "ONE_MINUS_SRC_ALPHA", "ONE", "ONE_MINUS_SRC_ALPHA"],
   premultiplied: ["ONE", "ONE_MINUS_SRC_ALPHA", "ONE", "ONE_MINUS_SRC_ALPHA"],
@@ -23,7 +23,7 @@ const BLEND_FACTORS = {
   multiply: ["DST_COLOR", "ZERO", "DST_COLOR", "ZERO"],
 };
 
-/** A framebuffer, bound; and the renderbuffers in it. */
+/** A framebuffer, which is bound, and its renderbuffers. */
 export function makeScreen(gl, targets, size) {
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -58,7 +58,7 @@ export function clear(gl, colors) {
   gl.clearBufferfv(gl.DEPTH, 0, [1]);
 }
 
-/** Sets how each target blends. */
+/** Set the blend mode of each target. */
 export function setBlending(gl, { OES_draw_buffers_indexed: indexed }, targets) {
   targets.forEach(({ blend }, at) => {
     if (blend === "none") return indexed.disableiOES(gl.BLEND, at);
@@ -68,7 +68,7 @@ export function setBlending(gl, { OES_draw_buffers_indexed: indexed }, targets) 
   });
 }
 
-/** A target's texels. WebGL surely reads RGBA only, and fills lanes that are missing. */
+/** A target's texels. WebGL only guarantees to read RGBA; it fills missing lanes. */
 export function readTarget(gl, at, format, [width, height]) {
   gl.readBuffer(gl.COLOR_ATTACHMENT0 + at);
   const isFloat = format.endsWith("float");

@@ -1,4 +1,4 @@
-// Textures and samplers from a job.
+// Creates the textures and samplers of a job.
 
 import { bytes, levelSize } from "./answers.mjs";
 
@@ -9,7 +9,7 @@ const TARGETS = {
   "3d": "TEXTURE_3D",
   "cube": "TEXTURE_CUBE_MAP",
 };
-// How each format is stored, and what its bytes are: lanes, type, and an array of that type.
+// The internal format of each format, and its bytes: lanes, type, and an array of that type.
 const STORAGE = {
   "rgba8unorm": ["RGBA8", "RGBA", "UNSIGNED_BYTE", Uint8Array],
   "rgba8unorm-srgb": ["SRGB8_ALPHA8", "RGBA", "UNSIGNED_BYTE", Uint8Array],
@@ -29,7 +29,7 @@ const COMPARES = {
 
 /** A texture with all levels of an image, bound to a unit.
  *
- * OpenGL counts rows from v = 0, and so does Burnish: the rows go up as they are.
+ * OpenGL counts rows from v = 0, as Burnish does, so the rows are uploaded in their order.
  */
 export function bindTexture(gl, unit, image) {
   const target = gl[TARGETS[image.dimension]];
@@ -67,7 +67,7 @@ function upload(gl, target, image, level) {
   }
 }
 
-/** A sampler as the slot wants it, bound to a unit; one that is none wants no filter. */
+/** The sampler of a slot, bound to a unit; if the slot has none, it must not filter. */
 export function bindSampler(gl, unit, { filter, mip, wrap, compare, sampling }) {
   const sampler = gl.createSampler();
   const set = (name, value) => gl.samplerParameteri(sampler, gl[name], gl[value]);
@@ -78,7 +78,7 @@ export function bindSampler(gl, unit, { filter, mip, wrap, compare, sampling }) 
   set("TEXTURE_WRAP_S", WRAPS[wrap]);
   set("TEXTURE_WRAP_T", WRAPS[wrap]);
   set("TEXTURE_WRAP_R", WRAPS[wrap]);
-  // So that texels of other levels can still be loaded.
+  // The texels of other levels can still be loaded.
   if (mip === "none") gl.samplerParameterf(sampler, gl.TEXTURE_MAX_LOD, 0);
   if (compare !== null) {
     set("TEXTURE_COMPARE_MODE", "COMPARE_REF_TO_TEXTURE");

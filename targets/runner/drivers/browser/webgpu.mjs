@@ -1,17 +1,17 @@
-// Draws jobs by WebGPU. A job and its pictures are those of draw.py, as JSON.
+// Draws jobs with WebGPU. A job and its pictures are those of draw.py, as JSON.
 
 import { answer } from "./answers.mjs";
 import { collectErrors, openDevice } from "./webgpu_device.mjs";
 import { drawPicture } from "./webgpu_draw.mjs";
 import { makePipeline } from "./webgpu_pipeline.mjs";
 
-// WebGPU does not tell. This is `subPixelPrecisionBits` of SwiftShader's Vulkan driver, on which
-// the browser was asked to run.
+// WebGPU does not report it. This is `subPixelPrecisionBits` of SwiftShader's Vulkan driver, which
+// the browser was told to use.
 const SUBPIXEL_BITS = 4;
 
 let opened = null;
 
-/** The one device of the page, or a new one when that was lost. */
+/** The page's device, or a new one if it was lost. */
 async function theDevice() {
   if (!opened) {
     opened = await openDevice();

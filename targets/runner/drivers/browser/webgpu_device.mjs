@@ -1,14 +1,14 @@
-// The device, and every way in which it complains.
+// Opens the device, and collects its errors from all sources.
 
 import { LostBrowser, Refusal } from "./answers.mjs";
 
-// What float32 targets and textures need besides.
+// Features that float32 targets and textures need.
 const FEATURES = ["float32-blendable", "float32-filterable"];
 // Several float32 targets need more than the default.
 const LIMITS = ["maxColorAttachmentBytesPerSample"];
 const SCOPES = ["validation", "out-of-memory", "internal"];
 
-/** The adapter, its device, and a promise of the answer to give when the device is lost. */
+/** The adapter, its device, and a promise of the answer to give if the device is lost. */
 export async function openDevice() {
   const adapter = await navigator.gpu?.requestAdapter();
   if (!adapter) {
@@ -24,7 +24,7 @@ export async function openDevice() {
   return { adapter, device, lost };
 }
 
-/** What `work` resolves to, unless the device reported an error meanwhile. */
+/** The result of `work`, unless the device reports an error in the meantime. */
 export async function collectErrors(device, work) {
   const messages = [];
   const listen = ({ error }) => messages.push(error.message);

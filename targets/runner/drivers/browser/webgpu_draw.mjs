@@ -1,4 +1,4 @@
-// One draw of a job: its resources, the render pass, and the way back.
+// Draws one picture of a job: its resources, the render pass, and reading it back.
 
 import { base64, bytes } from "./answers.mjs";
 import { groups, vertexBuffers } from "./webgpu_pipeline.mjs";
@@ -11,7 +11,7 @@ const TEXEL_SIZES = {
   "r32float": 4, "rg32float": 8, "rgba32float": 16,
 };
 
-/** The picture of a draw: for each target its format and its texels. */
+/** The picture of a draw: the format and the texels of each target. */
 export async function drawPicture(device, job, { pipeline, layouts }, draw) {
   const resources = [];
   const keep = (resource) => (resources.push(resource), resource);
@@ -73,7 +73,7 @@ function drawMesh(device, pass, job, draw, keep) {
   pass.drawIndexed(indices.size / 4, draw.instance_count);
 }
 
-/** The attributes of one buffer, value after value. */
+/** The attributes of one buffer, interleaved. */
 function interleaved({ arrayStride, members }, vertices) {
   const parts = members.map(({ input, size, offset }) => ({ data: bytes(vertices[input]), size, offset }));
   const count = parts[0].data.length / parts[0].size;
@@ -115,7 +115,7 @@ function bindGroups(device, job, layouts, draw, keep) {
 const rowSize = ({ width, format }) => width * TEXEL_SIZES[format];
 const paddedRowSize = (target) => Math.ceil(rowSize(target) / ROW_ALIGNMENT) * ROW_ALIGNMENT;
 
-/** A buffer into which the encoder copies a target, its rows padded as WebGPU wants them. */
+/** A buffer into which the encoder copies a target, with rows padded as WebGPU requires. */
 function copyBack(device, encoder, target) {
   const bytesPerRow = paddedRowSize(target);
   const buffer = device.createBuffer({

@@ -1,4 +1,4 @@
-// From the pipeline of a job to WebGPU's.
+// Creates WebGPU's pipeline from that of a job.
 
 import { Refusal } from "./answers.mjs";
 import { samplerLayout, textureLayout } from "./webgpu_textures.mjs";
@@ -52,7 +52,7 @@ export async function makePipeline(device, job) {
   return { pipeline, layouts };
 }
 
-/** One buffer for what each vertex has and one for what each instance has.
+/** One buffer for the attributes of vertices and one for those of instances.
  *
  * WebGPU guarantees 16 attributes, but only 8 buffers.
  */
@@ -70,7 +70,7 @@ export function vertexBuffers(inputs) {
   });
 }
 
-/** A module; whatever the compiler says of its text is an error. */
+/** A module; any message of the compiler about its text is an error. */
 async function makeModule(device, stage, code) {
   const module = device.createShaderModule({ code });
   const { messages } = await module.getCompilationInfo();
@@ -91,7 +91,7 @@ function targetState(device, { format, blend }) {
   return { format, blend: BLENDS[blend] };
 }
 
-/** The slots' bindings, group by group, with an empty group for each number that is left out. */
+/** The slots' bindings by group, with an empty group for each unused number. */
 export function groups(job) {
   const found = [];
   const add = (place, what) => {
@@ -106,8 +106,8 @@ export function groups(job) {
   return found;
 }
 
-// Not `layout: "auto"`, which leaves out what the shaders do not use; and so that a block that is
-// larger in the shader than in the job is an error.
+// `layout: "auto"` would leave out bindings that the shaders do not use. An explicit layout also
+// makes it an error if a block is larger in the shader than in the job.
 function groupLayouts(device, job) {
   return groups(job).map((group) =>
     device.createBindGroupLayout({

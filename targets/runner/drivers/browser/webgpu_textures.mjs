@@ -1,4 +1,4 @@
-// Textures and samplers from a job, and what a bind group's layout has to know of them.
+// Creates the textures and samplers of a job, and their entries in a bind group's layout.
 
 import { bytes, levelSize, Refusal } from "./answers.mjs";
 
@@ -25,7 +25,7 @@ export function makeSampler(device, { filter, mip, wrap, compare }) {
     addressModeW: ADDRESS_MODES[wrap],
     magFilter: filter,
     minFilter: filter,
-    // There is no sampler without mip levels, but one that stays on the first.
+    // A sampler cannot ignore mip levels, but it can stay on the first one.
     ...(mip === "none" ? { lodMaxClamp: 0 } : { mipmapFilter: mip }),
     ...(compare !== null && { compare: compare.replace("_", "-") }),
   });
@@ -74,7 +74,7 @@ const DEPTHS = `
   return depths[width_and_first.y + texel.y * width_and_first.x + texel.x];
 }`;
 
-// Nothing can be copied to a texture of 32-bit depths: they are drawn, layer by layer.
+// WebGPU cannot copy to a texture of 32-bit depths, so they are drawn, layer by layer.
 function drawDepths(device, texture, image) {
   const module = device.createShaderModule({ code: DEPTHS });
   const pipeline = device.createRenderPipeline({

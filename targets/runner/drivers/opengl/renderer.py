@@ -11,7 +11,7 @@ from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Step
 from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, link
 from .screen import Screen
-from .textures import bound_texture
+from .texture_units import bound_texture
 
 RATES: Mapping[Step, str] = {"vertex": "/v", "instance": "/i"}
 """The suffix of moderngl's layouts for each rate."""

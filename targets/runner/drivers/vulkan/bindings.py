@@ -13,7 +13,7 @@ import vulkan as vk
 from ..draw import Pipeline, Place, TextureSlot
 from .device import Gpu
 from .memory import Buffer, make_buffer
-from .textures import READ, make_sampler
+from .texture_images import READ, make_sampler
 
 STAGES = vk.VK_SHADER_STAGE_VERTEX_BIT | vk.VK_SHADER_STAGE_FRAGMENT_BIT
 BLOCK = vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER

@@ -13,10 +13,10 @@ from ..draw import Draw, Image, Job, Picture
 from .bindings import make_bindings
 from .canvas import Canvas, make_canvas, make_render_pass
 from .device import Gpu, recording
+from .graphics_pipeline import make_layout, make_pipeline, viewport
 from .limits import check_limits
 from .memory import Buffer, filled_buffer
-from .pipeline import make_layout, make_pipeline, viewport
-from .textures import make_texture
+from .texture_images import make_texture
 
 INDEX_SIZE = 4
 

@@ -1,4 +1,7 @@
-"""One picture of one material, as the reference and every route have to draw it."""
+"""The state of a scene: everything that is needed to draw one picture, except the shader.
+
+``render`` and ``conform`` set it up once, and hand it to the reference and to every route.
+"""
 
 from __future__ import annotations
 
@@ -22,22 +25,22 @@ CLEAR: Color = (0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Shot:
-    """What is drawn once: everything but the shader."""
+class SceneState:
+    """A mesh, the values of a material, and the size of the picture."""
 
     width: int
     height: int
     attributes: Mapping[str, NDArray[Any]]
-    """By vertex input: (vertices or instances, lanes), numbers that their 32-bit formats hold
+    """By vertex input, of shape (vertices or instances, lanes); 32-bit formats hold all numbers
     exactly."""
     triangles: Indices
     instance: Instance
     clear: tuple[Color, ...]
-    """For each render target."""
+    """The clear colour of each render target."""
     instance_count: int = 1
 
     def geometry(self) -> Geometry:
-        """The shot's triangles, of all instances, as the reference takes them."""
+        """The triangles of all instances, in the form that the reference takes."""
         per_vertex, per_instance = self._stepping(VERTICES), self._stepping(INSTANCES)
         return instanced(per_vertex, per_instance, self.triangles, self.instance_count)
 
@@ -46,7 +49,8 @@ class Shot:
         return {row["name"]: self.attributes[row["name"]] for row in rows if row["step"] == step}
 
     def draw(self) -> Draw:
-        """The shot as bytes, in the order of the reflection's inputs, blocks and textures."""
+        """The bytes that a driver draws, in the order of the reflection's inputs, blocks and
+        textures."""
         reflection = self.instance.reflection
         blocks, textures = self.instance.blocks(), self.instance.textures()
         return Draw(
@@ -67,10 +71,10 @@ class Shot:
         )
 
 
-def take(
+def set_up(
     instance: Instance, mesh: Mesh, scene: Scene, size: tuple[int, int], clear: Color = CLEAR
-) -> Shot:
-    """A shot of a mesh in a scene; what ``instance`` has no value for, the scene may set.
+) -> SceneState:
+    """Put a mesh into a scene. The scene may set parameters for which ``instance`` has no value.
 
     Raises ``MeshError`` if the mesh lacks something that the shader reads.
     """
@@ -79,7 +83,7 @@ def take(
     reflection = instance.reflection
     data = vertex_data(reflection, mesh)
     cleared = (clear,) * len(reflection["targets"])
-    return Shot(width, height, data, mesh.triangles, instance, cleared, mesh.instance_count)
+    return SceneState(width, height, data, mesh.triangles, instance, cleared, mesh.instance_count)
 
 
 def _bytes(representation: str, values: NDArray[Any]) -> bytes:

@@ -10,12 +10,17 @@ from functools import cached_property
 
 from .diagnostics.source import Span
 from .ir.node import Node, reachable
-from .ir.shader import Shader
+from .ir.shader import Notes, Shader
 
 
-def located(shader: Shader, origins: Mapping[int, Node]) -> dict[int, Span]:
-    """The place of the value that each emitted line computes, by line number."""
-    places = _Places(shader)
+def located(
+    shader: Shader, origins: Mapping[int, Node], notes: Notes | None = None
+) -> dict[int, Span]:
+    """The place of the value that each emitted line computes, by line number.
+
+    ``notes`` are those of the nodes, if they are not the shader's.
+    """
+    places = _Places(shader, notes or shader.notes)
     found = ((line, places.of(node)) for line, node in origins.items())
     return {line: span for line, span in found if span is not None}
 
@@ -24,9 +29,9 @@ class _Places:
     """Looks up places of nodes: their own, or that of the nearest value that they are computed
     from."""
 
-    def __init__(self, shader: Shader) -> None:
+    def __init__(self, shader: Shader, notes: Notes) -> None:
         self._shader = shader
-        self._spans = shader.notes.spans
+        self._spans = notes.spans
         self._leaves: dict[Hashable, Span] = {
             **{info.parameter: info.span for info in shader.parameters},
             **{info.resource: info.span for info in shader.resources},

@@ -8,6 +8,7 @@ import pytest
 
 import burnish
 from burnish.compiler.semantics.shading.elaborate import FORMATS as TARGET_FORMATS
+from burnish.targets.runner.binding import EXACT, FORMATS, VERTEX_FORMATS, pipeline
 from burnish.targets.runner.codes import Codes
 from burnish.targets.runner.drivers import draw
 from burnish.targets.runner.drivers.draw import (
@@ -18,7 +19,6 @@ from burnish.targets.runner.drivers.draw import (
     TextureSlot,
     VertexInput,
 )
-from burnish.targets.runner.pipeline import EXACT, FORMATS, VERTEX_FORMATS, pipeline
 from burnish.targets.runner.routes import ROUTES
 
 CODES = Codes({"vertex": Code("vs", text="vertex"), "fragment": Code("fs", text="fragment")})

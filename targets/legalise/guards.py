@@ -1,0 +1,67 @@
+"""Decides about the guards that not every language needs.
+
+The passes leave a call where an operation is defined in some languages and left open in others: an
+integer over zero, a shift by more than there are bits. ``legalise`` asks here what the profile
+promises (``Profile.agrees``). The call becomes the language's own operation, or the builtin's
+expansion. The program is then made anew, since an expansion consists of values that have to be
+placed and named like all others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ...compiler.ir.node import Graph, Node
+from ...compiler.ir.program import Program
+from ...compiler.ir.ranges import Ranges
+from ...compiler.ir.rewrite import rewrite
+from ...compiler.ir.shader import Notes
+from ...compiler.passes.checkpoint import passed
+from ...compiler.passes.guard import Guard, Guarding
+from ...compiler.passes.inline import inline
+from ...compiler.passes.path_conditions import PathConditions
+from ...compiler.passes.pipeline import Undecided
+from ...compiler.passes.split_stages import split_stages
+from ...frozen import changed
+from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.row import Domain
+from ..emit.description import Profile
+
+
+def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]:
+    """The program with the guards that the profile needs, and what is noted of its nodes."""
+    # Each profile adds nodes of its own, whose ids do not depend on other profiles.
+    graph, notes = undecided.shader.graph.copy(), undecided.shader.notes.copy()
+    shader = replace(undecided.shader, graph=graph, notes=notes)
+    given = [result.value for result in undecided.results]
+    deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
+    roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
+    roots = passed("guards of a profile", "stored", inline(graph, roots, notes, deciding))
+    made = zip(undecided.results, roots, strict=True)
+    results = tuple(changed(result, value=value) for result, value in made)
+    return split_stages(shader, results, undecided.derived), notes
+
+
+def keeps(profile: Profile, guard: Guard) -> bool:
+    """Whether a guard stays in the texts for a profile."""
+    domain = profile.agrees.get(guard.builtin, BUILTINS[guard.builtin].domain)
+    return not (guard.by_profile and domain(guard.facts))
+
+
+class _Deciding(Guarding):
+    """Replaces calls, with what was known of their operands when the guards were looked at."""
+
+    def __init__(
+        self, graph: Graph, notes: Notes, known: Ranges, domains: Mapping[str, Domain]
+    ) -> None:
+        ranges = Ranges(())
+        super().__init__(graph, ranges, notes, PathConditions((), ranges), domains)
+        self._known = known
+
+    def decided(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
+        """For ``rewrite``, of calls only: what becomes of one."""
+        self.at = self.notes.spans.get(node.id, self.at)
+        for operand, given in zip(operands, node.operands, strict=True):
+            self.ranges.assume(operand, self._known.of(given))
+        return self.make("call", node.type, operands, node.data)
