@@ -1,4 +1,8 @@
-"""Prints one stage: its functions, its body and its interface."""
+"""Prints one stage: its functions, the body of its entry point, its inputs and outputs.
+
+The emitter makes a ``StagePrinter`` for each stage of a program, and hands the ``EntryView`` that
+it returns to the skeleton.
+"""
 
 from __future__ import annotations
 
@@ -85,12 +89,12 @@ class StagePrinter:
         return [self._marks.mark(test, condition), INDENT + forms.discard, forms.end]
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
-        """Printers for one function body."""
+        """The two printers of one function body."""
         expressions = Expressions(self._context, self._leaves, self._natives, self._functions)
         return expressions, Statements(self._context, expressions, namer, self._marks)
 
     def _value(self, expressions: Expressions, node: Node | None) -> str:
-        """The text of a value that a statement of the skeleton is for; empty for none."""
+        """A value that a statement in the skeleton uses; empty if there is none."""
         return "" if node is None else self._marks.mark(expressions.text(node), node)
 
     def _function(self, function: Function) -> FunctionView:
@@ -121,7 +125,7 @@ class StagePrinter:
         )
 
     def _locals(self) -> Namer:
-        """A namer whose names hide nothing that this stage's file declares."""
+        """A namer for locals, which never hide what the stage's file declares."""
         if not self._target.global_fields:
             return self._names.locals(())
         fields = [
