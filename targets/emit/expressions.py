@@ -22,7 +22,8 @@ from .natives import Callee, Natives
 from .precedence import Binding, Text, choice
 
 DEEPEST = 200
-"""Expressions nested deeper are refused by naga; the scheduler stays far below."""
+"""The printer calls itself for operands in place; the scheduler gives deeper ones a name, long
+before Python or a compiler has enough (naga refuses what is nested much deeper)."""
 
 
 class Expressions:
