@@ -18,6 +18,7 @@ from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.diagnostics.nearest import suggestion
 from .compiler.diagnostics.source import Source, Span
 from .compiler.frontend import Frontend
+from .compiler.inputs import Inputs
 from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
@@ -167,6 +168,8 @@ class CompileResult:
 
     materials: tuple[CompiledMaterial, ...]
     diagnostics: tuple[Diagnostic, ...]
+    inputs: Inputs
+    """What was read on the way, and where it was looked for."""
 
     def __iter__(self) -> Iterator[CompiledMaterial]:
         """The materials in the order of the file."""
@@ -236,7 +239,7 @@ def compile(
         compiled.append(_compiled(shader, staged, lacking, chosen, options))
     if report.failed:
         raise CompileError(report.diagnostics)
-    return CompileResult(tuple(compiled), report.diagnostics)
+    return CompileResult(tuple(compiled), report.diagnostics, frontend.inputs)
 
 
 def check(

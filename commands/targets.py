@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .console import wants_color
 from .options import format_option
+from .terminal import wants_color
 
 if TYPE_CHECKING:
     from ..targets.emit.description import Profile, Target

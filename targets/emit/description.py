@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal
 
+from ...compiler.ir.stages import RASTERISED, Chain
 from ...compiler.ir.types import Dimension, Sample, ScalarKind, Type
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain, SamplerUse
@@ -190,8 +191,10 @@ class Profile:
     """Lines that open each file: version, extensions, default precisions."""
     requires: Mapping[str, str] = EMPTY
     """By native, the line that opens a file in which it is used."""
+    stages: Chain = RASTERISED
+    """Those that it has, in any order."""
     single_file: bool = False
-    """Both stages can stand in one text."""
+    """All stages can stand in one text."""
     samplers: Samplers = Samplers()
     framebuffer: Framebuffer = Framebuffer()
     limits: Limits = Limits()
@@ -260,7 +263,7 @@ class Target:
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """How each of ``SYSTEM_INPUTS`` is spelled."""
+    """How the inputs of the stages that its profiles have are spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY

@@ -1,4 +1,8 @@
-"""Prints one stage: its functions, its body and its interface."""
+"""Prints one stage: its functions, the body of its entry point, its inputs and outputs.
+
+The emitter makes a ``StagePrinter`` for each stage of a program, and hands the ``EntryView`` that
+it returns to the skeleton.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +24,7 @@ from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
 
 _ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "render target"}
-"""What an output's field is to a language, by the kind of result."""
+"""The role of an output's field, by the kind of the result."""
 
 
 class StagePrinter:
@@ -90,12 +94,12 @@ class StagePrinter:
         return [self._marks.mark(test, condition), INDENT + forms.discard, forms.end]
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
-        """Printers for one function body."""
+        """The two printers of one function body."""
         expressions = Expressions(self._context, self._leaves, self._natives, self._functions)
         return expressions, Statements(self._context, expressions, namer, self._marks)
 
     def _value(self, expressions: Expressions, node: Node | None) -> str:
-        """The text of a value that a statement of the skeleton is for; empty for none."""
+        """A value that a statement in the skeleton uses; empty if there is none."""
         return "" if node is None else self._marks.mark(expressions.text(node), node)
 
     def _function(self, function: Function) -> FunctionView:
@@ -126,7 +130,7 @@ class StagePrinter:
         )
 
     def _locals(self) -> Namer:
-        """A namer whose names hide nothing that this stage's file declares."""
+        """A namer for locals, which never hide what the stage's file declares."""
         if not self._target.global_fields:
             return self._names.locals(())
         fields = [

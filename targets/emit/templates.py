@@ -1,9 +1,11 @@
-"""The skeletons around the printed pieces. User's text is only ever data to them.
+"""Loads and fills in skeletons, the Jinja2 templates of whole files.
 
-A language's skeleton extends ``skeleton.j2``. Jinja resolves inheritance whenever a template is
-rendered, with a copy of all variables for each block, and hides variables of loops from blocks.
-Here blocks are put into the place of those they override before a skeleton is compiled: that costs
-nothing afterwards, and a block sees what stands around it.
+The emitter calls ``render`` for each text. Text of the user is data to a skeleton, never code.
+
+A language's skeleton extends ``skeleton.j2`` and overrides blocks of it. Jinja resolves inheritance
+each time that a template is rendered: it copies all variables for each block, and a block does not
+see the variables of the loop around it. So inheritance is resolved here, once, before a skeleton is
+compiled: every block is replaced by what the language says instead.
 """
 
 from __future__ import annotations
@@ -23,17 +25,17 @@ if TYPE_CHECKING:
 
 _EXTENDS = re.compile(r'\{% extends "([\w.]+)" %\}\n')
 _BRANCHES = ("body", "elif_", "else_")
-"""Where statements of Jinja hold other statements."""
+"""The fields of Jinja's statements that hold other statements."""
 
 
 def render(path: Path, context: Mapping[str, object]) -> str:
-    """The skeleton at ``path``, filled in."""
+    """The skeleton at ``path``, filled in with ``context``."""
     return _template(path).render(context)
 
 
 @cache
 def _template(path: Path) -> Template:
-    """The skeleton, compiled to Python once for each content and version of Jinja."""
+    """The compiled skeleton, which is kept between processes by its content."""
     from jinja2 import Template as Compiled
     from jinja2 import __version__ as version
 
@@ -48,7 +50,7 @@ def _template(path: Path) -> Template:
 
 
 def _sources(path: Path) -> Iterator[str]:
-    """The text of a skeleton, and of what it extends: beside it, or else what all share."""
+    """The text of a skeleton, then that of the one it extends: a file beside it, or one in here."""
     source = path.read_text(encoding="utf-8")
     extends = _EXTENDS.match(source)
     yield source[extends.end() :] if extends else source
@@ -58,7 +60,7 @@ def _sources(path: Path) -> Iterator[str]:
 
 
 def _flat(environment: Environment, sources: tuple[str, ...]) -> Tree:
-    """The last source as one template; of a block that several have, the first has it its way."""
+    """One template: the last source, in which blocks of the sources before it replace its own."""
     from jinja2.nodes import Block
 
     *heirs, base = map(environment.parse, sources)
@@ -71,7 +73,7 @@ def _flat(environment: Environment, sources: tuple[str, ...]) -> Tree:
 
 
 def _without_blocks(nodes: list[Node], overriding: Mapping[str, Block]) -> Iterator[Node]:
-    """``nodes`` with what stands in blocks instead of the blocks."""
+    """``nodes`` with the content of each block in its place."""
     from jinja2.nodes import Block
 
     for node in nodes:

@@ -54,6 +54,8 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
                     yield Excess(what, number + 1, limit, block.name)
 
 
+OTHER_PROFILE = "compile for a profile that has this stage"
+
 COMPARED_AND_LOADED = Lack(
     "texture that is both compared and loaded", "declare a second `map` for one of the two"
 )
@@ -61,6 +63,9 @@ COMPARED_AND_LOADED = Lack(
 
 def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
     """What the profile cannot do, each with the id of a node that wants it."""
+    for stage in program.stages:
+        if stage.row not in profile.stages:
+            yield Lack(f"{stage.name} stage", OTHER_PROFILE), stage.roots[0].id
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield profile.cannot[native.builtin], native.node

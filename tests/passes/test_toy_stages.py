@@ -48,6 +48,7 @@ from burnish.targets import registry
 from burnish.targets.emit.description import PipelineInput
 from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise
+from burnish.targets.legalise.limits import lacks
 
 HERE = Span(Source("toy.burnish", ""), 0, 0)
 
@@ -238,6 +239,14 @@ def test_it_is_emitted(between: tuple[Shader, Staged]) -> None:
         assert name.format("in") in reader
     assert "gl_Position" not in vertex + fragment
     assert "gl_Position" in geometry and "gl_PrimitiveID" in geometry
+
+
+def test_a_profile_without_the_stage_lacks_it(between: tuple[Shader, Staged]) -> None:
+    program = between[1].program
+    _, profile = registry.select("glsl:vulkan")
+    ((lack, _),) = lacks(program, profile)
+    assert lack.feature == "geometry stage"
+    assert not list(lacks(program, changed(profile, stages=(VERTEX, GEOMETRY, FRAGMENT))))
 
 
 def test_it_is_drawn(between: tuple[Shader, Staged]) -> None:

@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from ...diagnostics import rules
 from ...diagnostics.nearest import nearest
 from ...diagnostics.source import Span
-from ...ir.stages import SYSTEM_INPUTS
 from ...syntax import ast
 from ...syntax.rewriting import called_here
 from ..hints import advice
 from ..names.modules import Module
 from ..state.context import Context
+from ..state.crossings import INPUTS
 from ..state.scope import Scope
 
 
@@ -23,7 +23,7 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
         ctx.report.add(rules.OUTSIDE_LIGHT, span, name=name, hint=hint if in_term else "")
         return
     parts = () if scope.parts is None else scope.parts.declared
-    known = [*scope.locals, *parts, *scope.module.visible(), *SYSTEM_INPUTS]
+    known = [*scope.locals, *parts, *scope.module.visible(), *INPUTS]
     for instance in (scope.instance, scope.surface):
         if instance is not None and instance.record.baseless:
             return

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path, PurePosixPath
+from typing import Protocol
 
 from ....frozen import frozen
 from ...diagnostics import rules
@@ -102,6 +103,13 @@ Read = Callable[[Path, Report, str], Source | None]
 Parse = Callable[[Source, Report], ast.File]
 
 
+class Looked(Protocol):
+    """Is told of each place where an imported file was looked for."""
+
+    def __call__(self, root: Path, path: Path, /, *, found: bool) -> None:
+        """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
+
+
 @dataclass(slots=True)
 class _Linking:
     """A module whose imports are being read."""
@@ -126,6 +134,7 @@ class Loader:
         parse: Parse,
         parse_library: Parse,
         read: Read,
+        looked: Looked,
     ) -> None:
         self._report = report
         self._library = library
@@ -133,6 +142,7 @@ class Loader:
         self._parse = parse
         self._parse_library = parse_library
         self._read = read
+        self._looked = looked
         self._modules: dict[Path, Module] = {}
         self._loading: list[tuple[Path, Span]] = []
         self._prelude: Module | None = None
@@ -301,7 +311,9 @@ class Loader:
             if not path.is_relative_to(root.resolve()):
                 self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
                 return None
-            if path.is_file():
+            is_file = path.is_file()
+            self._looked(root, found, found=is_file)
+            if is_file:
                 return self._load(found, path, wanted)
         self._report.add(
             rules.MISSING_IMPORT, wanted.span, path=relative, hint=self._suggest(wanted)
