@@ -26,12 +26,8 @@ from .natives import Callee, Natives
 from .precedence import Binding, Text, choice
 
 DEEPEST = 200
-<<<<<<< HEAD
-"""The printer calls itself for operands in place; the scheduler gives deeper ones a name, long
-before Python or a compiler has enough (naga refuses what is nested much deeper)."""
-=======
-"""naga refuses expressions that are nested deeper; the scheduler stays far below."""
->>>>>>> main
+"""The printer calls itself for operands in place. The scheduler names deeper ones long before this;
+naga refuses expressions that are nested much deeper."""
 
 
 class Expressions:
