@@ -180,6 +180,10 @@ class Limits:
     """Bytes of one uniform block."""
     render_targets: int = 8
     """Render targets that a pass writes."""
+    groups: int | None = None
+    """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
+    bindings: int | None = None
+    """Numbers of bindings in a group; likewise."""
 
 
 @frozen(kw_only=True)

@@ -144,7 +144,7 @@ WEBGPU = Profile(
     doc="WGSL as browsers and wgpu take it.",
     agrees=AGREES,
     single_file=True,
-    limits=Limits(block_bytes=65536),
+    limits=Limits(groups=4, bindings=1000, block_bytes=65536),
     checkers=("naga", "tint"),
 )
 
