@@ -385,12 +385,13 @@ def _lacking(
 ) -> dict[str, tuple[Diagnostic, ...]]:
     """For each profile, the features that it lacks and a shader needs."""
     found = {}
+    places = {extern.place.name: extern.span for extern in shader.externs}
     for target, profile in chosen:
         name, report = _name(target, profile), Report()
         for excess in excesses(staged.program, profile):
             report.add(
-                rules.TOO_MANY, None, count=excess.count, what=f"{excess.what} of {shader.name}",
-                target=name, limit=excess.limit,
+                rules.TOO_MANY, places.get(excess.block), count=excess.count,
+                what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
             )  # fmt: skip
         for lack, node in lacks(staged.program, profile):
             report.add(
