@@ -323,3 +323,13 @@ def test_there_may_be_no_fragments() -> None:
     assert (found["targets"], found["varyings"]) == ([], [])
     (cluster,) = picture(shader, staged, everything=False).clusters
     assert {box.name for box in cluster.boxes if box.kind == "result"} == {"moved", "distance"}
+
+
+def test_what_is_captured_is_handed_on() -> None:
+    target, profile = registry.select("glsl:vulkan")
+    program = stage(captured(), Options()).program
+    (file,) = emit(legalise(program, target, profile)).files
+    assert (file.suffix, file.entries) == ("vert.glsl", {"vertex": "main"})
+    assert "layout(location = 0) out vec3 v_moved;" in file.text
+    assert "layout(location = 1) out float v_distance;" in file.text
+    assert "v_moved = place + cos(place);" in file.text
