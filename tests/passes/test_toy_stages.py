@@ -28,8 +28,10 @@ from burnish.compiler.ir.shader import (
 )
 from burnish.compiler.ir.stages import (
     CLIP_POSITION,
+    FLAT,
     FRAGMENT,
     FRAGMENTS,
+    SMOOTH,
     TARGET,
     VARYING,
     VERTEX,
@@ -277,6 +279,19 @@ def test_nothing_may_skip_a_stage() -> None:
     with pytest.raises(InvalidGraphError, match="made of values per vertex and per emitted"):
         crossed = build.cross(toy.graph, uv, INTO_GEOMETRY)
         verify([toy.call("add", VEC2, uv, crossed)], stage="semantics")
+
+
+def test_a_value_may_cross_in_two_ways() -> None:
+    toy = Toy()
+    uv = toy.attribute("uv", VEC2)
+    smooth, flat = (build.cross(toy.graph, uv, crossing) for crossing in (SMOOTH, FLAT))
+    color = build.vector(toy.graph, (smooth, flat))
+    shader = toy.shader([Result(TARGET, FRAGMENT, color, "color")], VERTEX, FRAGMENT)
+    program = stage(shader, Options()).program
+    slots = [(varying.field.name, varying.field.mode) for varying in program.varyings]
+    assert slots == [("uv", "perspective"), ("uv_2", "flat")]
+    _, fragment = emit(legalise(program, *registry.select("glsl:vulkan"))).files
+    assert "out_color = vec4(v_uv, v_uv_2);" in fragment.text
 
 
 MISFITS = {
