@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from ..stdlib.builtins import BUILTINS
 from .ir.leaves import Attribute, Parameter, Resource
 from .ir.node import Formal, Node
-from .ir.operations import CALL, CONSTANT, FOLD, MEMBER, SWIZZLE, builtin_of
+from .ir.operations import CALL, CONSTANT, CROSS, FOLD, MEMBER, SWIZZLE, builtin_of
 from .ir.shader import Notes
 from .ir.types import Scalar
 
@@ -98,7 +98,7 @@ class Formulas:
                 condition, then, otherwise = map(part, operands)
                 return f"if {condition} then {then} else {otherwise}"
             case "cross":
-                return f"@vertex {part(operands[0], _TIGHTEST)}"
+                return f"@{CROSS.data(node).origin} {part(operands[0], _TIGHTEST)}"
             case "fold":
                 data = FOLD.data(node)
                 word = _FOLDS.get(data.operator, data.operator)

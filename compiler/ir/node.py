@@ -8,9 +8,9 @@ in the passes recurses over the graph.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from operator import attrgetter
-from typing import Literal
+from typing import Literal, get_args
 
 from ...frozen import frozen
 from .types import INT, Type
@@ -153,10 +153,14 @@ class Applying(Binder):
         return list(operands[1:])
 
 
+HEADS: Mapping[Op, str] = {op: f".{op}" for op in get_args(Op) if op not in ("call", "native")}
+"""The heads of nodes that are no builtins."""
+
+
 class Node:
     """One value. Compare with ``is``; build only through ``Graph``."""
 
-    __slots__ = ("data", "free", "id", "op", "operands", "type", "variables")
+    __slots__ = ("data", "free", "head", "id", "op", "operands", "type", "variables")
 
     def __init__(
         self, op: Op, type_: Type, operands: tuple[Node, ...], data: Hashable, id_: int
@@ -166,6 +170,8 @@ class Node:
         self.operands = operands
         self.data = data
         self.id = id_
+        self.head: Hashable = HEADS.get(op, data)
+        """What kind of value it is: its builtin, or its operation with a dot before the name."""
         self.free, self.variables = _free(op, operands, data)
         """In ``free``, bit i is set when the binder i levels out (de Bruijn) occurs free;
         ``variables`` are the formals of binders further out."""

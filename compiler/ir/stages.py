@@ -11,7 +11,7 @@ To add a stage is to add a row; ``docs/architecture.md`` lists what else it need
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Literal
 
 from ...frozen import frozen
@@ -125,7 +125,7 @@ Chain = tuple[StageRow, ...]
 RASTERISED: Chain = (VERTEX, FRAGMENT)
 """What draws a mesh: the vertices of its triangles, and the fragments that these cover."""
 
-SYSTEM_INPUTS: Mapping[str, SystemInput] = {
-    supplied.name: supplied for row in STAGES.values() for supplied in row.inputs
-}
-"""What the pipeline supplies to any stage, by name."""
+
+def inputs_of(chain: Iterable[StageRow]) -> dict[str, SystemInput]:
+    """What the pipeline supplies to these stages, by name."""
+    return {supplied.name: supplied for row in chain for supplied in row.inputs}

@@ -15,7 +15,7 @@ from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from .cost import cost, cost_of
 from .draw_constants import DrawConstants
-from .simplify import Simplifier, substitute_through
+from .simplify import Simplifier
 from .walks import operands_of, visible
 
 TRIVIAL = 4
@@ -41,7 +41,7 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
         if node.id in kept:
             return None
         replacements = dict(zip(formals_of(node), operands[1:], strict=True))
-        written = substitute_through(simplifier, operands[0], replacements)
+        written = simplifier.substituted(operands[0], replacements)
         # What a light adds keeps the names of its terms, which say what it is.
         if written.id not in bodies and node.operands[0].id not in notes.terms:
             notes.forget_function(written)
@@ -79,7 +79,7 @@ class _Prices:
         if (body.id, fixed) not in self._left:
             pairs = zip(formals, fixed, strict=True)
             known = {formal: value for formal, value in pairs if value is not None}
-            left = substitute_through(self._simplifier, body, known)
+            left = self._simplifier.substituted(body, known)
             outside = {node.id for node in visible((body,)) if not node.variables}
             self._left[body.id, fixed] = _varying_cost(left, outside)
         return self._left[body.id, fixed]

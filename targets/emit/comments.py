@@ -24,6 +24,7 @@ def comment_lines(text: str, mark: str = "///") -> list[str]:
     return [f"{mark} {line}".rstrip() for line in cleaned] if any(cleaned) else []
 
 
+@lru_cache(maxsize=1024)
 def comment_line(text: str, mark: str = "///") -> str:
     """``text`` as one comment, its lines joined; empty for a blank text."""
     if not text:

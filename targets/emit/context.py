@@ -1,4 +1,7 @@
-"""What printing any part of a program needs to know."""
+"""What all printers of one program share.
+
+The emitter makes one ``Context`` for a program and a profile, and hands it to every printer.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +20,7 @@ from .texture_declarations import TextureSpeller
 
 
 class Context:
-    """A program, the language to print it in, and what was decided for all of it."""
+    """A program, its language, and what was decided once for all of its texts."""
 
     def __init__(self, legal: Legal, names: Names, flip_y: bool) -> None:
         program, target, profile = legal.program, legal.target, legal.profile
@@ -38,7 +41,7 @@ class Context:
         }
         """The block, the name there and the stored type of each parameter."""
         self.read_parameters: dict[Parameter, Text] = {}
-        """How those are read of which that is known already."""
+        """The texts of parameters that were printed before."""
         self.types = TypeSpeller(target.types, names.structs)
         """Writes types, with the final names of structs."""
         self.textures = TextureSpeller(target.textures, program)

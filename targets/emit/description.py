@@ -11,11 +11,17 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal
 
+from ...compiler.ir.stages import RASTERISED, STAGES, Chain
 from ...compiler.ir.types import Dimension, Sample, ScalarKind, Type
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain, SamplerUse
 from .forms import Forms
 from .reserved import Reserved
+
+STAGE_STRUCTS = tuple(
+    f"{name.capitalize()}{side}" for name in STAGES for side in ("Input", "Output")
+)
+"""What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
 
 FieldRole = Literal["attribute", "varying", "render target"]
 """Vertex input, value between the stages, or render target."""
@@ -174,6 +180,10 @@ class Limits:
     """Bytes of one uniform block."""
     render_targets: int = 8
     """Render targets that a pass writes."""
+    groups: int | None = None
+    """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
+    bindings: int | None = None
+    """Numbers of bindings in a group; likewise."""
 
 
 @frozen(kw_only=True)
@@ -186,8 +196,10 @@ class Profile:
     """Lines that open each file: version, extensions, default precisions."""
     requires: Mapping[str, str] = EMPTY
     """By native, the line that opens a file in which it is used."""
+    stages: Chain = RASTERISED
+    """Those that it has, in any order."""
     single_file: bool = False
-    """Both stages can stand in one text."""
+    """All stages can stand in one text."""
     samplers: Samplers = Samplers()
     framebuffer: Framebuffer = Framebuffer()
     limits: Limits = Limits()
@@ -256,7 +268,7 @@ class Target:
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """How each of ``SYSTEM_INPUTS`` is spelled."""
+    """How the inputs of the stages that its profiles have are spelled."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
     """What marks a field in the text, from its role, name and location."""
     registers: Mapping[BindingKind, str] = EMPTY

@@ -1,4 +1,4 @@
-"""``#line`` directives, by which a downstream compiler speaks of lines of the material.
+"""``#line`` directives, which make a downstream compiler name lines of the material.
 
 They are put into a finished text. Where a target numbers its files, 0 is the text itself, and a
 comment at its end lists the others.
@@ -14,7 +14,7 @@ from ...frozen import frozen
 from .comments import comment_line
 
 _NEUTRAL = re.compile(r"[{}\s]*(else[{}\s]*)?$")
-"""Lines about which no compiler has anything to say."""
+"""Lines that no compiler complains about."""
 
 
 @frozen
@@ -24,7 +24,7 @@ class Directed:
     text: str
     spans: Mapping[int, Span]
     sources: tuple[Source, ...]
-    """The files that directives name; in a target that numbers them, from 1."""
+    """The files that the directives name. Languages that number them count from 1."""
 
 
 def directed(text: str, spans: Mapping[int, Span], form: str, name: str) -> Directed:

@@ -1,4 +1,8 @@
-"""From a program to the texts of one target: the only door into the backends."""
+"""Prints a program in one language: ``emit`` is what ``api.py`` calls after ``legalise``.
+
+Everything about the language is in the rows of its ``Target`` and in its skeleton. What is computed
+where has been decided before.
+"""
 
 from __future__ import annotations
 
@@ -10,13 +14,13 @@ from ...compiler.ir.shader import Notes
 from ...frozen import frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
-from . import templates
 from .comments import comment_line, comment_lines
 from .context import Context
 from .declarations import Declarations
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
+from .templates import renderer
 from .texture_declarations import helpers, opening_lines
 from .views import EntryView, FileView
 from .wrapping import wrapped
@@ -24,7 +28,7 @@ from .wrapping import wrapped
 
 @frozen
 class EmitOptions:
-    """What a caller may choose about the text."""
+    """What a caller can choose about the texts."""
 
     flip_y: bool = False
     """Negate clip-space y: for passes that draw into textures where row 0 is the bottom one."""
@@ -57,7 +61,7 @@ class Emission:
     names: Names
     bindings: Bindings
     host_uniforms: tuple[str, ...]
-    """Loose float uniforms that the host has to set besides the blocks."""
+    """Names of plain float uniforms that the host has to set, besides the blocks."""
     notes: Notes | None = None
     """What is noted of the nodes in ``EmittedFile.origins``, if not by the shader (``Legal``)."""
 
@@ -71,7 +75,7 @@ def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
 
 
 class _Emitter:
-    """Prints one program for one profile."""
+    """Prints one program in one profile."""
 
     def __init__(self, legal: Legal, options: EmitOptions) -> None:
         self._program = legal.program
@@ -124,15 +128,8 @@ class _Emitter:
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
         view = self._view(stages, entries)
-        return templates.render(
-            self._target.folder / self._target.template,
-            {
-                "file": view,
-                "forms": self._target.forms,
-                "profile": self._profile,
-                "flip_y": self._options.flip_y,
-            },
-        )
+        fill_in = renderer(self._target.folder / self._target.template)
+        return fill_in(view, self._target.forms, self._profile, self._options.flip_y)
 
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))

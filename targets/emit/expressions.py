@@ -1,4 +1,8 @@
-"""Prints the nodes of one function body, each as the text of an expression."""
+"""Prints nodes of the graph as expressions, for one function body.
+
+``Statements`` asks for the text of each value that a statement needs. A node that an earlier
+statement has bound to a name is printed as that name, and every other node in place.
+"""
 
 from __future__ import annotations
 
@@ -22,11 +26,12 @@ from .natives import Callee, Natives
 from .precedence import Binding, Text, choice
 
 DEEPEST = 200
-"""Expressions nested deeper are refused by naga; the scheduler stays far below."""
+"""The printer calls itself for operands in place. The scheduler names deeper ones long before this;
+naga refuses expressions that are nested much deeper."""
 
 
 class Expressions:
-    """Prints nodes; a node that a statement has bound is that statement's name."""
+    """Prints the nodes of one function body."""
 
     def __init__(
         self,
@@ -40,7 +45,7 @@ class Expressions:
         self.formals: dict[Formal, str] = {}
         """Names of the parameters, loop indices and states in scope."""
         self.states: dict[tuple[int, str], str] = {}
-        """Names of what loops with several states leave, by the loop's id and the member."""
+        """Names of the final states of loops with several, by the loop's id and the member."""
         self._forms = context.target.forms
         self._literals = context.target.literals
         self._types = context.types
@@ -68,11 +73,11 @@ class Expressions:
         return text
 
     def accumulated(self, operator: str, name: str, value: Node) -> str:
-        """The statement by which a turn of a fold adds its value to a variable."""
+        """The statement by which an iteration of a fold adds its value to a variable."""
         short = self._forms.accumulate.get(operator)
         if short is not None:
             return short.format(name=name, value=self.text(value))
-        # The value comes first: what may leave its second operand out shall not leave that out.
+        # The value comes first: `&&` and `||` may skip their second operand.
         operands = self.operand(value), Text(name, Binding.NAME)
         combined = self._natives.combined(operator, value.type, operands)
         return self._forms.assign.format(name=name, value=combined.text)
@@ -206,7 +211,7 @@ class Expressions:
         "apply": _call,
         "formal": _formal,
     }
-    """How each operation is written; loops are statements."""
+    """The method that prints each operation; loops are not among them, as they are statements."""
 
 
 def _number(text: str) -> Text:

@@ -1,4 +1,4 @@
-"""The small template language of targets' rows, and the rows of expressions and statements.
+"""Forms: the small templates in a language's rows, and the rows of statements and expressions.
 
 A *form* is a text with fields in braces, filled in by ``str.format``: ``if ({condition}) {{``. A
 brace that is meant as such is doubled. Every row says which fields its form can have, and a test

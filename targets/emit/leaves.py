@@ -1,4 +1,4 @@
-"""How one stage reads what comes from outside: parameters, textures, inputs, varyings."""
+"""Prints what one stage reads from outside: parameters, textures, inputs and varyings."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .precedence import Binding, Text
 
 
 class Leaves:
-    """Finds the text of a stage's leaves."""
+    """Prints the leaves of the graph for one stage."""
 
     def __init__(
         self,
@@ -60,7 +60,7 @@ class Leaves:
         return Text(self._names.textures[RESOURCE.data(node).name], Binding.NAME)
 
     def texture(self, node: Node, builtin: str) -> Text:
-        """A texture as a read of it wants it: together with its sampler, if it uses that."""
+        """A texture as ``builtin`` reads it: together with its sampler, if the read uses that."""
         if BUILTINS[builtin].sampler is None:
             return self.resource(node)
         text = self._texture.format(
@@ -79,12 +79,15 @@ class Leaves:
         return self._read(self._names.attributes[ATTRIBUTE.data(node).name])
 
     def input(self, name: str) -> tuple[Text, Type]:
-        """A value that the pipeline supplies, and the type it has there."""
+        """A value that the pipeline supplies, and its type in the language."""
         supplied = self._inputs[name]
         return Text(supplied.read.format(name=name)), supplied.type
 
     def interpolated(self, node: Node, wanted: tuple[int, ...] | None = None) -> Text:
-        """A varying, or those of its lanes that hold the value (or the ``wanted`` ones of it)."""
+        """A value that crosses: the varying, or those of its lanes that hold the value.
+
+        ``wanted`` are the lanes of the value that are used, if not all are.
+        """
         slot, first, total = self._crossings[node.operands[0].id, CROSS.data(node).mode]
         text = self._read(self._names.varyings[slot])
         lanes = tuple(range(width(node.type))) if wanted is None else wanted

@@ -1,4 +1,4 @@
-"""Makes the user's names legal in one language, and different from each other."""
+"""Turns a material's names into legal names of one language that differ from each other."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ _LONGEST = 128
 
 
 class Namer:
-    """Hands out names; a name that is wanted twice, or not allowed, gets a suffix."""
+    """Hands out the names of one scope. A name that is taken or reserved gets a suffix."""
 
     def __init__(self, reserved: Reserved, taken: Iterable[str] = ()) -> None:
         self._reserved = reserved
         self._taken = set(taken)
         self._scopes: list[list[str]] = []
         self._numbers: dict[str, int] = {}
-        """Where to go on counting, so that a name wanted very often stays cheap."""
+        """By stem, the last number that was tried: so a name that is wanted often stays cheap."""
 
     def declare(self, wanted: str) -> str:
-        """A legal name that nothing visible has: ``wanted`` itself wherever possible."""
+        """A legal name that nothing visible has yet: ``wanted`` itself if possible."""
         name = _base(wanted)
         if name[:1].isdigit() or not self._free(name):
             name = next(filter(self._free, self._others(name)))
@@ -35,7 +35,7 @@ class Namer:
         return name
 
     def inner(self) -> Namer:
-        """A namer for a scope that must not hide any name declared so far."""
+        """A namer for an inner scope, which must not hide any name declared so far."""
         return Namer(self._reserved, self._taken)
 
     def enter(self) -> None:
@@ -51,7 +51,7 @@ class Namer:
         return name not in self._taken and not self._reserved.refuses(name)
 
     def _others(self, base: str) -> Iterable[str]:
-        """Names to take instead of one that cannot be had."""
+        """Names to try instead of ``base``, which is taken or reserved."""
         stem = base.rstrip("_") or "user"
         if stem[0].isdigit() or self._reserved.refuses(f"{stem}_2"):
             # A suffix cannot help a word such as ``gl_FragColor``.
@@ -65,5 +65,8 @@ class Namer:
 
 @lru_cache(maxsize=1024)
 def _base(wanted: str) -> str:
-    """Never two underscores in a row, which GLSL and WGSL keep for themselves."""
+    """``wanted`` in letters that are allowed.
+
+    It has no two underscores in a row, since GLSL and WGSL reserve such names.
+    """
     return _UNDERSCORES.sub("_", _UNUSUAL.sub("_", wanted))[:_LONGEST]

@@ -1,7 +1,8 @@
 """The final names of everything a program declares outside of functions.
 
-They are decided once for both stages, so that stages that are matched by name agree and the
-reflection can list what the text says. Blocks come first: a host sees their names most.
+They are decided once for all stages of a program. So stages that are matched by name agree, and the
+reflection lists the names that the text has. Blocks are named first, since hosts see their names
+most: what comes later gets a suffix where two names would be equal.
 """
 
 from __future__ import annotations
@@ -20,24 +21,24 @@ from .reserved import Reserved
 
 @frozen
 class Names:
-    """Final names, by the program's own."""
+    """Final names, by the names that the program suggests."""
 
     blocks: Mapping[str, str]
     variables: Mapping[str, str]
-    """The variable that a block is, in languages where members are reached through one."""
+    """The variable of each block, in languages where members are read through one."""
     members: Mapping[tuple[str, str], str]
     """By block (or struct) and member."""
     structs: dict[str, str]
     textures: Mapping[str, str]
     samplers: Mapping[str, str]
-    """By texture, of those that are read by one."""
+    """By texture; only textures that are read by a sampler have one."""
     attributes: Mapping[str, str]
     varyings: Mapping[str, str]
     render_targets: Mapping[str, str]
     functions: Mapping[tuple[StageName, Node], str]
     """By stage and the function's body."""
     common: frozenset[str]
-    """Names that locals of either stage must not hide."""
+    """Names that locals of any stage must not hide."""
     reserved: Reserved
 
     def member(self, block: str, member: str) -> str:
@@ -69,7 +70,7 @@ class _Naming:
         self._common = set(target.fixed_names)
 
     def names(self) -> Names:
-        """All names; the ones that hosts see are declared first."""
+        """All names. Those that hosts see are declared first."""
         program = self._program
         blocks = {block.name: self._declare(block.name) for block in program.blocks}
         variables = self._variables(blocks)
@@ -127,7 +128,7 @@ class _Naming:
         )
 
     def _fields(self) -> _Fields:
-        """Inputs and outputs: names of the whole file, or of the structs they are members of."""
+        """Names of inputs and outputs, which are global variables or members of structs."""
         target, program = self._target, self._program
         shared = self._module.inner() if target.global_fields else None
         supplied = [name for stage in program.stages for name in stage.builtin_inputs]
@@ -138,11 +139,12 @@ class _Naming:
             names = dict.fromkeys(field.name for field in fields)
             return {name: namer.declare(prefix + name) for name in names}
 
-        crossing = [field for face in program.interfaces for field in face.fields]
-        written = [output.field for output in program.results_of(TARGET) if output.field]
+        outputs = [output for stage in program.stages for output in stage.results]
+        written = [out.field for out in outputs if out.field and out.kind == TARGET]
+        handed_on = [out.field for out in outputs if out.field and out.kind != TARGET]
         return _Fields(
             attributes=declare(program.vertex_inputs),
-            varyings=declare(crossing, target.varying_prefix),
+            varyings=declare(handed_on, target.varying_prefix),
             render_targets=declare(written, target.output_prefix),
         )
 

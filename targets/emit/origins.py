@@ -1,7 +1,8 @@
-"""Which line of a text computes which value: marks that pass through the skeletons with the text.
+"""Finds out which line of a finished text computes which value, for the source map.
 
-A mark is a number between two characters of the private use area, which neither names nor comments
-can contain. It stands in a statement, wherever a skeleton puts that.
+While statements are printed, a mark is put into each: a number between two characters of the
+private use area, which neither names nor comments can contain. Marks pass through the skeleton with
+the statements, and are taken out of the finished text.
 """
 
 from __future__ import annotations
@@ -17,14 +18,14 @@ _MARK = re.compile(f"{_OPEN}([0-9]+){_CLOSE}")
 
 
 class Marks:
-    """The values that the statements of one text compute."""
+    """The marks of one text, and the values that its statements compute."""
 
     def __init__(self, forms: Forms) -> None:
         self._nodes: list[Node] = []
         self._forms = forms
 
     def mark(self, text: str, node: Node) -> str:
-        """``text`` with a mark that it computes ``node``."""
+        """``text`` with a mark which says that it computes ``node``."""
         self._nodes.append(node)
         return f"{_OPEN}{len(self._nodes) - 1}{_CLOSE}{text}"
 
@@ -40,14 +41,14 @@ class Marks:
             for number, line in enumerate(lines, start=1)
             if _OPEN in line and (found := _MARK.search(line))
         }
-        cleaned = [_MARK.sub("", line) if _OPEN in line else line for line in lines]
-        return "\n".join(cleaned), dict(_completed(cleaned, own, self._forms))
+        cleaned = _MARK.sub("", text)
+        return cleaned, dict(_completed(cleaned.split("\n"), own, self._forms))
 
 
 def _completed(
     lines: Sequence[str], own: Mapping[int, Node], forms: Forms
 ) -> Iterator[tuple[int, Node]]:
-    """What every statement of a function that has any mark is for."""
+    """The value that each statement computes or is there for, in functions that have any mark."""
     no_statements = {"", forms.end, forms.else_}
     for first, last in _top_level(lines, forms.end):
         node = next((own[number] for number in range(first, last) if number in own), None)
@@ -62,7 +63,7 @@ def _completed(
 
 
 def _top_level(lines: Sequence[str], end: str) -> Iterator[tuple[int, int]]:
-    """The lines up to, but without, each ``end`` that closes something in the first column."""
+    """Ranges of lines, each up to an ``end`` in the first column."""
     first = 1
     for number, line in enumerate(lines, start=1):
         if line.startswith(end):

@@ -1,4 +1,4 @@
-"""A backend's side of the reflection: final names, bindings and conventions of an emission."""
+"""What the reflection says of one emission: final names, bindings and conventions."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def backend_table(
     flip_y: bool,
     source_maps: Mapping[str, Mapping[int, Span]],
 ) -> BackendTable:
-    """What a host has to know of an emission; ``files`` are file names by stage (or ``both``)."""
+    """What a host has to know about an emission; ``files`` are file names by stage or ``both``."""
     names, bindings = emission.names, emission.bindings
     turned = flip_y and not profile.framebuffer.clip_y_down
     return BackendTable(

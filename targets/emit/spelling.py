@@ -1,4 +1,4 @@
-"""Types as a target writes them."""
+"""Writes types and declarations of values in one language."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class TypeSpeller:
         self._declared: dict[tuple[Type, bool], str] = {}
 
     def type(self, type_: Type) -> str:
-        """The type where it stands alone, as in a constructor or a result."""
+        """The type where no name stands beside it, as in a constructor or a result."""
         written = self._written.get(type_)
         if written is None:
             written = self._written[type_] = self._type(type_)
@@ -43,11 +43,11 @@ class TypeSpeller:
         raise TypeError(f"{type_} is no value's type")
 
     def declare(self, name: str, type_: Type) -> str:
-        """``name`` with its type, as variables, parameters and members are declared."""
+        """The declaration of a variable, parameter or member of a struct."""
         return self._declare(name, type_, stored=False)
 
     def declare_stored(self, name: str, type_: Type) -> str:
-        """The same for a member of a block, where matrices state their order."""
+        """The declaration of a block's member, whose type may be another one in memory."""
         return self._declare(name, type_, stored=True)
 
     def _declare(self, name: str, type_: Type, stored: bool) -> str:

@@ -1,12 +1,14 @@
-"""Prints one stage: its functions, its body and its interface."""
+"""Prints one stage: its functions, the body of its entry point, its inputs and outputs.
+
+The emitter makes a ``StagePrinter`` for each stage of a program, and hands the ``EntryView`` that
+it returns to the skeleton.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Field, Function, Stage
-from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET, VARYING
+from ...compiler.ir.program import Field, Function, Output, Stage
+from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET
 from .comments import comment_line, comment_lines
 from .context import Context
 from .declarations import Declarations
@@ -18,9 +20,6 @@ from .natives import Callee, Natives
 from .origins import Marks
 from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
-
-_ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "render target"}
-"""What an output's field is to a language, by the kind of result."""
 
 
 class StagePrinter:
@@ -61,7 +60,7 @@ class StagePrinter:
         functions = [self._function(function) for function in stage.functions]
         lines = statements.lines(stage.region)
         stored = [
-            (self._field(output.field, _ROLES[output.kind]), output.value)
+            (self._field(output.field, _role(output)), output.value)
             for output in stage.results
             if output.field is not None
         ]
@@ -90,12 +89,12 @@ class StagePrinter:
         return [self._marks.mark(test, condition), INDENT + forms.discard, forms.end]
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
-        """Printers for one function body."""
+        """The two printers of one function body."""
         expressions = Expressions(self._context, self._leaves, self._natives, self._functions)
         return expressions, Statements(self._context, expressions, namer, self._marks)
 
     def _value(self, expressions: Expressions, node: Node | None) -> str:
-        """The text of a value that a statement of the skeleton is for; empty for none."""
+        """A value that a statement in the skeleton uses; empty if there is none."""
         return "" if node is None else self._marks.mark(expressions.text(node), node)
 
     def _function(self, function: Function) -> FunctionView:
@@ -126,13 +125,13 @@ class StagePrinter:
         )
 
     def _locals(self) -> Namer:
-        """A namer whose names hide nothing that this stage's file declares."""
+        """A namer for locals, which never hide what the stage's file declares."""
         if not self._target.global_fields:
             return self._names.locals(())
         fields = [
             *(self._field_name(field, self._input_role) for field in self._stage.inputs),
             *(
-                self._field_name(output.field, _ROLES[output.kind])
+                self._field_name(output.field, _role(output))
                 for output in self._stage.results
                 if output.field is not None
             ),
@@ -167,3 +166,8 @@ class StagePrinter:
             for name in self._stage.builtin_inputs
             if (row := inputs[name]).semantic
         ]
+
+
+def _role(output: Output) -> FieldRole:
+    """What an output is to a language: all but render targets goes on along the pipeline."""
+    return "render target" if output.kind == TARGET else "varying"

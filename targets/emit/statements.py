@@ -1,4 +1,9 @@
-"""Prints regions as lines of text. Nesting is walked with a stack, for users write deep ``if``s."""
+"""Prints the statements of a region as lines of text.
+
+``stage.py`` makes a ``Statements`` for each function body. What a statement looks like is a form of
+the language (``forms.py``). Nested regions are walked with a stack, since materials may nest ``if``
+deeply.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +24,7 @@ from .origins import Marks
 INDENT = "    "
 
 Lines: TypeAlias = Iterator["str | Lines"]
-"""Lines of a block, and the lines of blocks inside it."""
+"""The lines of a block; an iterator among them yields the lines of a block inside it."""
 
 
 class Statements:
@@ -36,7 +41,7 @@ class Statements:
         self._mark = marks.mark
 
     def lines(self, region: Region) -> list[str]:
-        """The statements of ``region``; what they bind stays bound."""
+        """The statements of ``region``, indented. Names that they bind can be used afterwards."""
         lines: list[str] = []
         open_ = [self._region(region)]
         while open_:
@@ -71,7 +76,7 @@ class Statements:
         yield self._mark(text, let.node)
 
     def _form(self, node: Node) -> str:
-        """How a value that stays as it is gets its name."""
+        """The form that gives a name to a value that never changes."""
         if node.op != "array":
             return self._forms.let
         constant = all(element.op == "constant" for element in node.operands)
@@ -109,18 +114,22 @@ class Statements:
         self._expressions.bound[loop.node.id] = name
 
     def _variable(self, name: str, node: Node, value: str, owner: Node | None = None) -> str:
-        """``owner`` has a place in the source where the value, a bare constant, may have none."""
+        """A variable with its first value.
+
+        The line belongs to ``owner`` in the source map, if there is one: a value that is a bare
+        constant has no place in the source.
+        """
         typed = self._types.declare(name, node.type)
         text = self._forms.variable_set.format(name=name, typed=typed, value=value)
         return self._mark(text, owner or node)
 
     def _opened(self, loop: Loop | Iterate, count: str, going: Node | None = None) -> str:
-        """A loop's first line; what is declared from now on is inside of it.
+        """A loop's first line. What is declared after this call is inside of the loop.
 
-        A condition stands there if nothing has to be computed for it before: loops with one way
-        out are what drivers know best.
+        The condition ``going`` is part of that line if no statement has to come before it: drivers
+        know loops with a single exit best.
         """
-        # Declared out here, since C-like languages once kept a loop's variable for what follows.
+        # The name is declared outside: old C compilers kept a loop's variable after the loop.
         index = self._namer.declare(loop.index.name)
         self._namer.enter()
         self._expressions.formals[loop.index] = index
@@ -142,7 +151,7 @@ class Statements:
             yield self._mark(combined, loop.value)
 
     def _iterate(self, loop: Iterate) -> Lines:
-        """States as variables; a loop that a condition in its middle leaves."""
+        """A loop with a variable for each state. A condition may leave it in its middle."""
         expressions = self._expressions
         count = self._count(loop)
         starts = [expressions.text(state.start) for state in loop.states]
@@ -163,7 +172,7 @@ class Statements:
             expressions.states[loop.node.id, str(position)] = name
 
     def _step(self, loop: Iterate, names: list[str]) -> Lines:
-        """One turn: whether to stop, and what the states become."""
+        """The body of such a loop: the condition that leaves it, and the states' new values."""
         expressions = self._expressions
         with self._inside():
             yield from self._region(loop.head)
@@ -187,7 +196,7 @@ class Statements:
         return self._mark(self._forms.assign.format(name=name, value=value), node)
 
     def _count(self, loop: Loop | Iterate) -> str:
-        """How often to turn: never more than the bound, whatever the host has set."""
+        """The number of iterations. It never exceeds the bound, whatever value the host has set."""
         kind: ScalarKind = "uint" if loop.count.type == UINT else "int"
         bound = literal(loop.bound, kind, self._literals)
         if isinstance(loop.count.data, int) and loop.count.op == "constant":
@@ -195,14 +204,14 @@ class Statements:
         return self._forms.at_most.format(value=self._expressions.text(loop.count), bound=bound)
 
     def _block(self, region: Region, name: str, value: Node) -> Lines:
-        """A nested region that ends in giving ``value`` to the variable ``name``."""
+        """A nested region whose last statement assigns ``value`` to the variable ``name``."""
         with self._inside():
             yield from self._region(region)
             yield self._assigned(name, self._expressions.text(value), value)
 
     @contextmanager
     def _inside(self) -> Iterator[None]:
-        """A nested block: what is bound in it is known no longer behind it."""
+        """A nested block. The names that are bound in it are forgotten at its end."""
         bound = self._expressions.bound
         outer = len(bound)
         self._namer.enter()

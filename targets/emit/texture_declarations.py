@@ -1,4 +1,4 @@
-"""Textures and samplers as a target declares them."""
+"""Types of textures and samplers, and what else a file has to declare in order to read them."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ class TextureSpeller:
         return self._spelled(self._names.textures[type_.sample], type_)
 
     def sampler(self, resource: Resource) -> str:
-        """The type of its sampler; empty where nothing is read by one."""
+        """The type of its sampler; empty if no read uses one."""
         if resource not in self._sampled:
             return ""
         return self._names.samplers[sampler_use(resource)]
 
     def combined(self, resource: Resource) -> str:
-        """The type of both in one object; empty where the language has no such."""
+        """The type of an object that is both; empty if the language has none."""
         type_ = texture_type(resource)
         compared = resource in self._sampled and sampler_use(resource) == "comparison"
         form = self._names.compared if compared else self._names.combined.get(type_.sample, "")
@@ -41,7 +41,7 @@ class TextureSpeller:
 
 
 def texture_type(resource: Resource) -> Texture:
-    """The type of a resource, all of which are textures."""
+    """The type of a resource. All resources are textures."""
     assert isinstance(resource.type, Texture)
     return resource.type
 
@@ -54,7 +54,7 @@ def sampler_use(resource: Resource) -> SamplerUse:
 def opening_lines(
     profile: Profile, textures: TextureSpeller, reads: Iterable[TextureRead]
 ) -> list[str]:
-    """What a file has to say first to read textures as it does."""
+    """The lines that have to open a file because of how it reads textures."""
     found: dict[str, None] = {}
     for read in reads:
         if read.builtin in profile.requires:
@@ -65,7 +65,7 @@ def opening_lines(
 
 
 def helpers(target: Target, textures: TextureSpeller, reads: Iterable[TextureRead]) -> list[str]:
-    """The functions that reads need, each a text of some lines."""
+    """The helper functions that the reads call, each a text of several lines."""
     found: dict[str, None] = {}
     for read in reads:
         forms = target.helpers.get(read.builtin)

@@ -1,8 +1,10 @@
-"""Breaks lines that are too long where a person would, in all C-like languages alike.
+"""Breaks long lines in the places where a person would break them.
 
-Outside of brackets the loosest operators are broken at, each opening a line. Where there is none,
-the widest bracket is: what it encloses stands indented between its two lines, arguments filled in
-like words. Comments break at words, and one that follows a declaration moves above it.
+The emitter calls ``wrapped`` on a finished text. A line is broken at its loosest operators outside
+of brackets, and each of them opens a new line. If it has none, it is broken at its widest pair of
+brackets: what they enclose is indented between two lines, and arguments fill lines as words do.
+Comments are broken between words, and a comment behind a declaration moves above it. Operators and
+brackets are those of C, in every language.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from .precedence import INFIX, Binding
 
 WIDTH = 110
 STEP = 4
-"""By how much each level is indented further."""
+"""How much deeper each level is indented."""
 
 _BINDINGS = {
     **{symbol: rule.result for symbol, rule in INFIX.items()},
@@ -42,7 +44,7 @@ Place = TypeVar("Place")
 
 
 def wrapped(text: str, places: Mapping[int, Place]) -> tuple[str, dict[int, Place]]:
-    """``text`` with its long lines broken, and ``places`` by the 1-based lines that it has then."""
+    """``text`` with its long lines broken, and ``places`` by the 1-based lines of the result."""
     given = text.split("\n")
     if max(map(len, given)) <= WIDTH:
         return text, dict(places)
@@ -62,7 +64,7 @@ def wrapped(text: str, places: Mapping[int, Place]) -> tuple[str, dict[int, Plac
 
 
 def broken(line: str) -> list[str]:
-    """A line as several, none too long if it can be helped."""
+    """A long line as several lines, as few of them too long as possible."""
     if line.startswith("#"):
         return [line]
     text = line.lstrip(" ")
@@ -78,7 +80,7 @@ def broken(line: str) -> list[str]:
 
 
 def _layout(text: str, indent: int, column: int) -> list[str]:
-    """``text`` from ``indent`` on, what it continues with in ``column``.
+    """``text`` in lines: the first starts at ``indent``, and the others at ``column``.
 
     It calls itself for parts, which the scheduler does not let nest deeply.
     """
@@ -91,7 +93,7 @@ def _layout(text: str, indent: int, column: int) -> list[str]:
 
 
 def _chain(operands: Sequence[str], indent: int, column: int) -> list[str]:
-    """Each operand in a line of its own, but factors filled in like words."""
+    """A line for each operand; factors fill lines as words do."""
     binding = _BINDINGS[operands[1].split(" ", 1)[0]]
     if binding == Binding.PRODUCT or len(operands) == 2:
         around = _around_bracket(operands, indent, column)
@@ -106,8 +108,8 @@ def _chain(operands: Sequence[str], indent: int, column: int) -> list[str]:
 
 
 def _around_bracket(operands: Sequence[str], indent: int, column: int) -> list[str]:
-    """What stands around the only operand that has to be broken anyway, in the lines of its
-    brackets; nothing where that is no way."""
+    """Lines for operands of which only one is too long: it is broken at its brackets, and the
+    others stand in the lines of those. Empty if that does not work."""
     starts = [indent, *(column for _ in operands[1:])]
     wide = [k for k, start in enumerate(starts) if start + len(operands[k]) > WIDTH]
     if len(wide) != 1 or len(_operands(operands[wide[0]])) > 1:
@@ -135,7 +137,7 @@ def _enclosed(text: str, start: int, indent: int, column: int) -> list[str]:
 
 
 def _arguments(items: Iterable[str], column: int) -> list[str]:
-    """As many to a line as there is room for; one that is broken has its lines for itself."""
+    """As many arguments in a line as fit; one that has to be broken shares its lines with none."""
     lines: list[str] = []
     for line in _filled_lines(items, WIDTH - column):
         lines += _layout(line, column, column + STEP)
@@ -155,7 +157,7 @@ def _filled_lines(words: Iterable[str], room: int) -> Iterator[str]:
 
 
 def _operands(text: str) -> list[str]:
-    """``text`` before each of its loosest operators; one that it begins with is part of it."""
+    """``text`` split in front of each of its loosest operators; each part begins with its own."""
     found = [token for token in _outermost(text) if token.lastgroup == "operator"]
     if all(token[0] != "?" for token in found):
         found = [token for token in found if token[0] != ":"]
@@ -166,14 +168,14 @@ def _operands(text: str) -> list[str]:
 
 
 def _items(text: str) -> list[str]:
-    """What separators part, each with the one behind it."""
+    """The parts between separators, each with the separator behind it."""
     ends = [token.end() for token in _outermost(text) if token.lastgroup == "separator"]
     bounds = zip([0, *ends], [*ends, len(text)], strict=True)
     return [text[first:last].strip() for first, last in bounds]
 
 
 def _widest_bracket(text: str) -> tuple[int, int] | None:
-    """Where the outermost bracket that encloses most opens and closes."""
+    """The places of that outermost pair of brackets that encloses the most."""
     brackets: list[tuple[int, int]] = []
     opened = 0
     for token in _outermost(text):
@@ -186,7 +188,7 @@ def _widest_bracket(text: str) -> tuple[int, int] | None:
 
 @lru_cache(maxsize=64)
 def _outermost(text: str) -> Sequence[re.Match[str]]:
-    """The tokens that no bracket encloses, with those brackets themselves."""
+    """The tokens outside of brackets, and the outermost brackets themselves."""
     found: list[re.Match[str]] = []
     depth = 0
     for token in _TOKEN.finditer(text):

@@ -8,7 +8,7 @@ from ...compiler.ir.program import NativeUse, Program, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture
 from ...frozen import frozen
-from ..emit.description import Lack, Profile
+from ..emit.description import Lack, Limits, Profile
 from ..emit.texture_declarations import sampler_use
 
 
@@ -19,6 +19,8 @@ class Excess:
     what: str
     count: int
     limit: int
+    block: str = ""
+    """The host's own block that is the reason."""
 
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
@@ -37,7 +39,22 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     ):
         if count > limit:
             yield Excess(what, count, limit)
+    yield from _excessive_places(program, profile.limits)
 
+
+def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
+    """Places of the host's own blocks that the profile does not have. They count from 0."""
+    for block in program.blocks:
+        if block.host is not None:
+            for what, number, limit in (
+                ("bind groups", block.host.group, limits.groups),
+                ("bindings in a group", block.host.binding, limits.bindings),
+            ):
+                if limit is not None and number >= limit:
+                    yield Excess(what, number + 1, limit, block.name)
+
+
+OTHER_PROFILE = "compile for a profile that has this stage"
 
 COMPARED_AND_LOADED = Lack(
     "texture that is both compared and loaded", "declare a second `map` for one of the two"
@@ -46,6 +63,9 @@ COMPARED_AND_LOADED = Lack(
 
 def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
     """What the profile cannot do, each with the id of a node that wants it."""
+    for stage in program.stages:
+        if stage.row not in profile.stages:
+            yield Lack(f"{stage.name} stage", OTHER_PROFILE), stage.roots[0].id
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield profile.cannot[native.builtin], native.node

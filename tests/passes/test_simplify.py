@@ -85,11 +85,6 @@ def test_lanes_that_all_hold_decide_a_choice(kit: Kit) -> None:
     assert kit.simplified(kit.call("or", flags, all_hold)) is all_hold
 
 
-def test_a_choice_by_one_condition_is_a_selection(kit: Kit) -> None:
-    c, x, y = kit.leaf("c", BOOL), kit.leaf("x"), kit.leaf("y")
-    assert kit.simplified(kit.call("choose", c, x, y, type_=FLOAT)).op == "select"
-
-
 def test_zero_times_anything_is_zero(kit: Kit) -> None:
     v = kit.leaf("v", VEC3)
     product = kit.call("mul", v, kit.number(0.0))

@@ -28,8 +28,10 @@ from burnish.compiler.ir.shader import (
 )
 from burnish.compiler.ir.stages import (
     CLIP_POSITION,
+    FLAT,
     FRAGMENT,
     FRAGMENTS,
+    SMOOTH,
     TARGET,
     VARYING,
     VERTEX,
@@ -48,6 +50,7 @@ from burnish.targets import registry
 from burnish.targets.emit.description import PipelineInput
 from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise
+from burnish.targets.legalise.limits import lacks
 
 HERE = Span(Source("toy.burnish", ""), 0, 0)
 
@@ -240,6 +243,14 @@ def test_it_is_emitted(between: tuple[Shader, Staged]) -> None:
     assert "gl_Position" in geometry and "gl_PrimitiveID" in geometry
 
 
+def test_a_profile_without_the_stage_lacks_it(between: tuple[Shader, Staged]) -> None:
+    program = between[1].program
+    _, profile = registry.select("glsl:vulkan")
+    ((lack, _),) = lacks(program, profile)
+    assert lack.feature == "geometry stage"
+    assert not list(lacks(program, changed(profile, stages=(VERTEX, GEOMETRY, FRAGMENT))))
+
+
 def test_it_is_drawn(between: tuple[Shader, Staged]) -> None:
     found = picture(*between, everything=False)
     assert [cluster.title for cluster in found.clusters if cluster.is_stage] == [
@@ -268,6 +279,19 @@ def test_nothing_may_skip_a_stage() -> None:
     with pytest.raises(InvalidGraphError, match="made of values per vertex and per emitted"):
         crossed = build.cross(toy.graph, uv, INTO_GEOMETRY)
         verify([toy.call("add", VEC2, uv, crossed)], stage="semantics")
+
+
+def test_a_value_may_cross_in_two_ways() -> None:
+    toy = Toy()
+    uv = toy.attribute("uv", VEC2)
+    smooth, flat = (build.cross(toy.graph, uv, crossing) for crossing in (SMOOTH, FLAT))
+    color = build.vector(toy.graph, (smooth, flat))
+    shader = toy.shader([Result(TARGET, FRAGMENT, color, "color")], VERTEX, FRAGMENT)
+    program = stage(shader, Options()).program
+    slots = [(varying.field.name, varying.field.mode) for varying in program.varyings]
+    assert slots == [("uv", "perspective"), ("uv_2", "flat")]
+    _, fragment = emit(legalise(program, *registry.select("glsl:vulkan"))).files
+    assert "out_color = vec4(v_uv, v_uv_2);" in fragment.text
 
 
 MISFITS = {
@@ -314,3 +338,13 @@ def test_there_may_be_no_fragments() -> None:
     assert (found["targets"], found["varyings"]) == ([], [])
     (cluster,) = picture(shader, staged, everything=False).clusters
     assert {box.name for box in cluster.boxes if box.kind == "result"} == {"moved", "distance"}
+
+
+def test_what_is_captured_is_handed_on() -> None:
+    target, profile = registry.select("glsl:vulkan")
+    program = stage(captured(), Options()).program
+    (file,) = emit(legalise(program, target, profile)).files
+    assert (file.suffix, file.entries) == ("vert.glsl", {"vertex": "main"})
+    assert "layout(location = 0) out vec3 v_moved;" in file.text
+    assert "layout(location = 1) out float v_distance;" in file.text
+    assert "v_moved = place + cos(place);" in file.text

@@ -27,7 +27,7 @@ from burnish.compiler.ir.stages import (
     DISCARD,
     FRAGMENT,
     FRAGMENTS,
-    SYSTEM_INPUTS,
+    STAGES,
     TARGET,
     VARYING,
     VERTEX,
@@ -35,6 +35,7 @@ from burnish.compiler.ir.stages import (
     Crossing,
     InterpolationMode,
     StageRow,
+    inputs_of,
 )
 from burnish.compiler.ir.types import (
     BOOL,
@@ -78,7 +79,7 @@ class Maker:
         return build.cross(self.graph, value, Crossing(VERTICES, FRAGMENTS, mode))
 
     def input(self, name: str, type_: Type) -> Node:
-        return self.graph.node("input", type_, (), SYSTEM_INPUTS[name])
+        return self.graph.node("input", type_, (), inputs_of(STAGES.values())[name])
 
     def formal(self, formal: Formal, type_: Type) -> Node:
         return self.graph.node("formal", type_, (), formal)

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from burnish.compiler.ir.stages import SYSTEM_INPUTS
+from burnish.compiler.ir.stages import inputs_of
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.row import Builtin, nowhere
 from burnish.targets import registry
@@ -67,7 +67,10 @@ def test_targets_are_found_by_their_folders() -> None:
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_pipeline_inputs_are_spelled(selected: Selected) -> None:
-    assert SYSTEM_INPUTS.keys() <= {**selected.target.inputs, **selected.profile.inputs}.keys()
+    assert (
+        inputs_of(selected.profile.stages).keys()
+        <= {**selected.target.inputs, **selected.profile.inputs}.keys()
+    )
 
 
 def test_attributes_have_semantics() -> None:

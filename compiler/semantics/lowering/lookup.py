@@ -12,7 +12,6 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir.node import Node
-from ...ir.stages import SYSTEM_INPUTS
 from ...ir.types import Array
 from ...syntax import ast
 from ..declarations.contracts import as_declared
@@ -21,6 +20,7 @@ from ..declarations.written_types import declared_type
 from ..hints import advice
 from ..names.modules import Symbol
 from ..state.context import Context
+from ..state.crossings import INPUTS
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import FAILURE, Application, Inherited, Scope, Value
 from .bodies import part_value
@@ -44,8 +44,8 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
         return _symbol_value(ctx, symbols[0], span)
     if scope.surface is not None and scope.surface.has(name):
         return slot(ctx, scope.surface, name, span)
-    if name in SYSTEM_INPUTS and scope.surface is not None:
-        return ctx.crossings.supplied(SYSTEM_INPUTS[name])
+    if name in INPUTS and scope.surface is not None:
+        return ctx.crossings.supplied(INPUTS[name])
     unknown_name(ctx, name, span, scope)
     return FAILURE
 

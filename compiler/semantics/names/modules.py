@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path, PurePosixPath
+from typing import Protocol
 
 from ....frozen import frozen
 from ...diagnostics import rules
@@ -102,6 +103,13 @@ Read = Callable[[Path, Report, str], Source | None]
 Parse = Callable[[Source, Report], ast.File]
 
 
+class Looked(Protocol):
+    """Is told of each place where an imported file was looked for."""
+
+    def __call__(self, root: Path, path: Path, /, *, found: bool) -> None:
+        """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
+
+
 @dataclass(slots=True)
 class _Linking:
     """A module whose imports are being read."""
@@ -126,6 +134,7 @@ class Loader:
         parse: Parse,
         parse_library: Parse,
         read: Read,
+        looked: Looked,
     ) -> None:
         self._report = report
         self._library = library
@@ -133,9 +142,11 @@ class Loader:
         self._parse = parse
         self._parse_library = parse_library
         self._read = read
+        self._looked = looked
         self._modules: dict[Path, Module] = {}
         self._loading: list[tuple[Path, Span]] = []
         self._prelude: Module | None = None
+        self._offers: dict[str, str] | None = None
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -261,11 +272,12 @@ class Loader:
         for name in names:
             symbols = found.declared.get(name.text)
             if symbols is None:
-                meant = nearest(name.text, found.declared)
+                hint = respelling(name.text, name.span, found.declared)
+                meant = "" if isinstance(hint, str) else hint.fixes[0].edits[0].text
                 module.missing.update((name.text, meant or name.text))
                 self._report.add(
                     rules.UNKNOWN_EXPORT, name.span, name=name.text, path=found.file.source.name,
-                    hint=respelling(name.text, name.span, found.declared),
+                    hint=hint,
                 )  # fmt: skip
             else:
                 known = module.imported.setdefault(name.text, symbols)
@@ -301,7 +313,9 @@ class Loader:
             if not path.is_relative_to(root.resolve()):
                 self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
                 return None
-            if path.is_file():
+            is_file = path.is_file()
+            self._looked(root, found, found=is_file)
+            if is_file:
                 return self._load(found, path, wanted)
         self._report.add(
             rules.MISSING_IMPORT, wanted.span, path=relative, hint=self._suggest(wanted)
@@ -320,15 +334,21 @@ class Loader:
             yield root, relative
 
     def _offering(self, name: str) -> str:
+        """The import path of the library file that declares a name; empty if none does."""
+        if self._offers is None:
+            self._offers = dict(reversed(list(self._offered())))
+        return self._offers.get(name, "")
+
+    def _offered(self) -> Iterator[tuple[str, str]]:
+        """The names that library files declare, each with the import path of its file."""
         for path in sorted(self._library.glob("*.burnish")):
             if path.stem in _NOT_IMPORTED:
                 continue
             source = self._read(path, self._report, _library_name(path))
             tree = None if source is None else self._parse_library(source, self._report)
             for declaration in () if tree is None else tree.declarations:
-                if not isinstance(declaration, ast.Import) and declaration.name.text == name:
-                    return f"std.{path.stem}"
-        return ""
+                if not isinstance(declaration, ast.Import):
+                    yield declaration.name.text, f"std.{path.stem}"
 
     def _suggest(self, wanted: ast.Import) -> Hint:
         if wanted.quoted:

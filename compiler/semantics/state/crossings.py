@@ -16,9 +16,21 @@ from ...ir.domains import Domains
 from ...ir.node import Graph, Node, reachable
 from ...ir.operations import INPUT
 from ...ir.shader import Notes
-from ...ir.stages import FLAT, SMOOTH, VERTEX, VERTICES, StageRow, SystemInput
+from ...ir.stages import (
+    FLAT,
+    RASTERISED,
+    SMOOTH,
+    VERTEX,
+    VERTICES,
+    StageRow,
+    SystemInput,
+    inputs_of,
+)
 from ...ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
 from .scope import FAILURE, Failure
+
+INPUTS = inputs_of(RASTERISED)
+"""The names by which expressions read what the pipeline supplies."""
 
 
 class Crossings:

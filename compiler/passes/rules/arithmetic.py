@@ -1,0 +1,161 @@
+"""Rules of sums, products, powers and the like."""
+
+from __future__ import annotations
+
+from ...ir import build
+from ...ir.node import Node
+from ...ir.types import Matrix, Scalar, Vector, scalar_kind
+from .rule import (
+    ANY,
+    Builder,
+    Rule,
+    Site,
+    are_same,
+    builtin,
+    constant,
+    inner,
+    is_float,
+    is_numeric,
+    lanes,
+    made,
+    operand,
+    uniform_lane,
+)
+
+
+def _negated(b: Builder, at: Site) -> Node:
+    return b.call("neg", at.type, b.fitted(at.operands[1], at.type))
+
+
+def _is_whole_negation(_b: Builder, at: Site) -> bool:
+    return at.operands[1].type == at.type
+
+
+def _is_signed(_b: Builder, at: Site) -> bool:
+    return scalar_kind(at.type) != "uint"
+
+
+def _is_no_matrix_and_same(b: Builder, at: Site) -> bool:
+    return are_same(b, at) and not isinstance(at.type, Matrix)
+
+
+# --- a factor that two products share ------------------------------------------------------------
+
+
+def _factored(b: Builder, at: Site) -> Node | None:
+    """The factor has the type of the sum: no scalar part of a product is parted from it."""
+    left, right = at.operands
+    if at.op != "call" or not is_float(b, at) or _has_matrix(left) or _has_matrix(right):
+        return None
+    common = [o for o in left.operands if o in right.operands and o.type == at.type]
+    if not common:
+        return None
+    rests = [_other(product, common[0]) for product in (left, right)]
+    if not all(rest.type == at.type for rest in rests):
+        return None
+    return b.call("mul", at.type, b.call("add", at.type, *rests), common[0])
+
+
+def _other(product: Node, factor: Node) -> Node:
+    left, right = product.operands
+    return right if left is factor else left
+
+
+def _has_matrix(node: Node) -> bool:
+    return any(isinstance(each.type, Matrix) for each in node.operands)
+
+
+# --- equal lanes ---------------------------------------------------------------------------------
+
+
+def _is_vector_call(b: Builder, at: Site) -> bool:
+    return at.op == "call" and isinstance(at.type, Vector) and is_numeric(b, at)
+
+
+def _equal_lane(b: Builder, node: Node) -> Node | None:
+    """The scalar that fills every lane of ``node``, if one does."""
+    if isinstance(node.type, Scalar):
+        return node
+    if node.op == "splat":
+        return node.operands[0]
+    value, kind = uniform_lane(node), scalar_kind(node.type)
+    if value is None or kind is None:
+        return None
+    return build.constant(b.graph, Scalar(kind), value)
+
+
+def _of_scalars(b: Builder, at: Site) -> Node | None:
+    """The operation of the scalars, in every lane, where all operands have equal lanes."""
+    found = [_equal_lane(b, each) for each in at.operands]
+    scalars = [lane for lane in found if lane is not None]
+    if len(scalars) < len(found) or not isinstance(at.type, Vector):
+        return None
+    return b.make("splat", at.type, (b.call(str(at.data), Scalar(at.type.kind), *scalars),))
+
+
+def _with_scalar(b: Builder, at: Site) -> Node | None:
+    """The operation with each vector of equal lanes as a scalar; one vector has to be left."""
+    changed = []
+    for each in at.operands:
+        lane = _equal_lane(b, each) if isinstance(each.type, Vector) else None
+        changed.append(each if lane is None else lane)
+    if tuple(changed) == at.operands or not any(isinstance(o.type, Vector) for o in changed):
+        return None
+    return b.call(str(at.data), at.type, *changed)
+
+
+_EQUAL_LANES = made("splat", "constant")
+
+
+def _is_transposed_product(_b: Builder, at: Site) -> bool:
+    return isinstance(at.operands[0].operands[1].type, Scalar)
+
+
+def _untransposed(b: Builder, at: Site) -> Node:
+    matrix, factor = at.operands[0].operands
+    return b.call("mul", at.type, matrix.operands[0], factor)
+
+
+def _is_not_negative(b: Builder, at: Site) -> bool:
+    return b.ranges.of(at.operands[0]).lo >= 0
+
+
+ARITHMETIC = (
+    Rule("zero added", "Adding zero changes nothing.",
+         ("add",), (lanes(0), ANY), operand(1), either=True),
+    Rule("negation added", "Adding what is negated is subtracting it.",
+         ("add",), (ANY, builtin("neg")),
+         lambda b, at: b.call("sub", at.type, at.operands[0], at.operands[1].operands[0]),
+         _is_whole_negation),
+    Rule("common factor", "The sum a * x + b * x is (a + b) * x, which is one product less.",
+         ("add",), (builtin("mul"), builtin("mul")), _factored),
+    Rule("zero subtracted", "Subtracting zero changes nothing.",
+         ("sub",), (ANY, lanes(0)), operand(0)),
+    Rule("subtracted from zero", "Zero minus a value is its negation.",
+         ("sub",), (lanes(0), ANY), _negated, _is_signed),
+    Rule("subtracted from itself", "A value minus itself is zero.",
+         ("sub",), (ANY, ANY), constant(0), _is_no_matrix_and_same),
+    Rule("times zero", "Zero times any finite value is zero.",
+         ("mul",), (lanes(0), ANY), constant(0), is_numeric, either=True),
+    Rule("times one", "A product with one is the other factor.",
+         ("mul",), (lanes(1), ANY), operand(1), is_numeric, either=True),
+    Rule("times minus one", "A product with minus one is the other factor, negated.",
+         ("mul",), (lanes(-1), ANY), _negated, is_numeric, either=True),
+    Rule("divided by one", "Dividing by one changes nothing.",
+         ("div",), (ANY, lanes(1)), operand(0), is_numeric),
+    Rule("zero divided", "Zero divided by anything is zero: so is 0 / 0 by definition.",
+         ("div",), (lanes(0), ANY), constant(0), is_float),
+    Rule("equal lanes", "Arithmetic with equal lanes in all operands is that of scalars, once.",
+         ("add", "sub", "mul", "div"), ANY, _of_scalars, _is_vector_call, some=_EQUAL_LANES),
+    Rule("scalar operand", "A vector of equal lanes is the scalar, which arithmetic takes as well.",
+         ("add", "sub", "mul", "div"), ANY, _with_scalar, _is_vector_call, some=_EQUAL_LANES),
+    Rule("negated twice", "The negation of a negation is the value.",
+         ("neg",), (builtin("neg"),), inner),
+    Rule("to the power of one", "A value that is not negative, to the power of one, is itself.",
+         ("pow",), (ANY, lanes(1)), operand(0), _is_not_negative),
+    Rule("transposed twice", "The transpose of a transpose is the matrix.",
+         ("transpose",), (builtin("transpose"),), inner),
+    Rule("transposed around a factor", "Two transposes cancel, with a scalar factor between them.",
+         ("transpose",), (builtin("mul", parts=(builtin("transpose"), ANY)),),
+         _untransposed, _is_transposed_product),
+)  # fmt: skip

@@ -1,0 +1,190 @@
+"""Rules of loops: those that never turn, change nothing, or are better written out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from ...ir import build
+from ...ir.build import Number
+from ...ir.node import Folding, Formal, Iterating, Node
+from ...ir.operations import FORMAL, LOOPS, with_role
+from ...ir.types import INT
+from ...reference.evaluate import evaluate
+from ..cost import cost, cost_of
+from .rule import ANY, CONSTANT, Builder, Rule, Site, uniform_lane
+from .structure import representable
+
+UNROLLED = 2
+"""Loops of at most so many turns are written out."""
+MOST_UNROLLED = 4
+"""Up to so many, if they come to no more than this many operations:"""
+UNROLLED_COST = 12
+LONGEST_FIXED = 4096
+"""Loops of constants are computed when compiling if they come to no more operations."""
+
+_COMPUTED = with_role("constant", "join", "part", "choice") | {"call"}
+"""What the reference computes for constants."""
+
+NEUTRAL: Mapping[str, Number] = {"add": 0, "mul": 1, "and": True, "or": False}
+"""What changes nothing, term by term; of the least and the greatest no constant does."""
+
+
+def _folding(at: Site) -> Folding:
+    assert isinstance(at.data, Folding)
+    return at.data
+
+
+def _iterating(at: Site) -> Iterating:
+    assert isinstance(at.data, Iterating)
+    return at.data
+
+
+def _turns(at: Site) -> int | None:
+    """How often a loop turns, where that is known; no count may be above its bound."""
+    assert isinstance(at.data, Folding | Iterating)
+    count, bound = at.operands[0], at.data.bound
+    if bound == 0:
+        return 0
+    if count.op != "constant" or not isinstance(count.data, int):
+        return None
+    return max(min(count.data, bound), 0)
+
+
+def _never_turns(_b: Builder, at: Site) -> bool:
+    return _turns(at) == 0
+
+
+# --- folds ---------------------------------------------------------------------------------------
+
+
+def _adds_nothing(_b: Builder, at: Site) -> bool:
+    operator = _folding(at).operator
+    return operator in NEUTRAL and uniform_lane(at.operands[2]) == NEUTRAL[operator]
+
+
+def _is_fixed(_b: Builder, at: Site) -> bool:
+    """Whether a loop computes with constants and its own index, and not for too long."""
+    turns = _turns(at)
+    if turns is None:
+        return False
+    seen: set[int] = set()
+    pending = [at.operands[2]]
+    while pending:
+        node = pending.pop()
+        if node.id in seen:
+            continue
+        seen.add(node.id)
+        own = node.op == "formal" and FORMAL.data(node) in _folding(at).variables
+        if not (own or node.op in _COMPUTED) or len(seen) * turns > LONGEST_FIXED:
+            return False
+        pending += node.operands
+    return True
+
+
+def _evaluated(b: Builder, at: Site) -> Node | None:
+    loop = b.graph.node("fold", at.type, at.operands, at.data)
+    return representable(b, at.type, evaluate(loop))
+
+
+def _fold_is_short(_b: Builder, at: Site) -> bool:
+    return _is_short(_turns(at), at.operands[2:], frozenset(_folding(at).variables))
+
+
+def _fold_unrolled(b: Builder, at: Site) -> Node:
+    (index,) = _folding(at).variables
+    _count, result, body = at.operands
+    for i in range(_turns(at) or 0):
+        term = b.substituted(body, {index: build.constant(b.graph, INT, i)})
+        result = b.call(_folding(at).operator, at.type, result, term)
+    return result
+
+
+# --- loops over states ---------------------------------------------------------------------------
+
+
+def _starts(at: Site) -> tuple[Node, ...]:
+    return at.operands[1 : 1 + _iterating(at).states]
+
+
+def _going(at: Site) -> Node:
+    return at.operands[1 + _iterating(at).states]
+
+
+def _nexts(at: Site) -> tuple[Node, ...]:
+    return at.operands[2 + _iterating(at).states :]
+
+
+def _unchanged(b: Builder, at: Site) -> Node:
+    return _states(b, at, _starts(at))
+
+
+def _states(b: Builder, at: Site, states: tuple[Node, ...]) -> Node:
+    return states[0] if len(states) == 1 else b.graph.node("struct", at.type, states)
+
+
+def _stops_at_once(_b: Builder, at: Site) -> bool:
+    return uniform_lane(_going(at)) is False
+
+
+def _changes_nothing(_b: Builder, at: Site) -> bool:
+    (_turn, *states), nexts = _iterating(at).variables, _nexts(at)
+    return len(states) == 1 and nexts[0].data is states[0]
+
+
+def _loop_is_short(_b: Builder, at: Site) -> bool:
+    never_stops = uniform_lane(_going(at)) is True
+    return never_stops and _is_short(_turns(at), _nexts(at), frozenset(_iterating(at).variables))
+
+
+def _loop_unrolled(b: Builder, at: Site) -> Node:
+    states = _starts(at)
+    for i in range(_turns(at) or 0):
+        given = (build.constant(b.graph, INT, i), *states)
+        here = dict(zip(_iterating(at).variables, given, strict=True))
+        states = tuple(b.substituted(following, here) for following in _nexts(at))
+    return _states(b, at, states)
+
+
+def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Formal]) -> bool:
+    """Whether a loop is so short, in turns or in operations, that it is better written out.
+
+    A loop in it is not copied. Only what changes from turn to turn counts, and is looked at only
+    so far as to know that it is too much.
+    """
+    if turns is None or turns > MOST_UNROLLED:
+        return False
+    spent, seen = 0, set()
+    pending = list(bodies)
+    while pending:
+        node = pending.pop()
+        if node.id in seen or node.variables.isdisjoint(formals):
+            continue
+        seen.add(node.id)
+        if node.op in LOOPS:
+            return False
+        spent += (cost(node) if node.op == "apply" else cost_of(node)) * turns
+        if turns > UNROLLED and spent > UNROLLED_COST:
+            return False
+        pending += node.operands
+    return True
+
+
+LOOP_RULES = (
+    Rule("fold of nothing", "A fold that never turns is what it starts with.",
+         (".fold",), (ANY, ANY, ANY), lambda _b, at: at.operands[1], _never_turns),
+    Rule("fold of neutral terms", "Terms that change nothing leave what a fold starts with.",
+         (".fold",), (ANY, ANY, ANY), lambda _b, at: at.operands[1], _adds_nothing),
+    Rule("fold of constants", "A fold of constants is computed when compiling, if it is short.",
+         (".fold",), (ANY, CONSTANT, ANY), _evaluated, _is_fixed),
+    Rule("fold written out", "A fold of few turns, or of few operations, is written out.",
+         (".fold",), (ANY, ANY, ANY), _fold_unrolled, _fold_is_short),
+    Rule("loop of no turns", "A loop that never turns leaves its states as they are.",
+         (".iterate",), ANY, _unchanged, _never_turns),
+    Rule("loop that stops at once", "A loop that does not go on leaves its states as they are.",
+         (".iterate",), ANY, _unchanged, _stops_at_once),
+    Rule("loop that changes nothing", "A state that stays as it is, is what it starts with.",
+         (".iterate",), ANY, _unchanged, _changes_nothing),
+    Rule("loop written out", "A loop of few turns, or of few operations, that never stops early "
+         "is written out.",
+         (".iterate",), ANY, _loop_unrolled, _loop_is_short),
+)  # fmt: skip

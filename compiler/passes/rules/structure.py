@@ -1,0 +1,218 @@
+"""Rules of what is put together, taken apart, chosen, or handed to the next stage."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from ....stdlib.builtins import BUILTINS
+from ...ir import build
+from ...ir.build import Number
+from ...ir.node import Node
+from ...ir.operations import SWIZZLE
+from ...ir.refinements import OPPOSITES
+from ...ir.types import Scalar, Type, Vector, width
+from ...reference.namespace import Lanes
+from ...reference.operations import apply, constant_lanes
+from .rule import ANY, CONSTANT, Builder, Rule, Site, are_same, builtin, inner, lanes, made, operand
+
+LARGEST_FLOAT = 3.4028234663852886e38
+
+
+# --- constants -----------------------------------------------------------------------------------
+
+
+def _is_foldable(_b: Builder, at: Site) -> bool:
+    row = BUILTINS[str(at.data)]
+    return isinstance(at.type, Scalar | Vector) and not row.uniform_control_flow
+
+
+def _folded(b: Builder, at: Site) -> Node | None:
+    """The value of a builtin of constants, where float32 can hold it."""
+    values = [constant_lanes(each.type, each.data) for each in at.operands]
+    call = b.graph.node("call", at.type, at.operands, at.data)
+    return representable(b, at.type, apply(call, values))
+
+
+def representable(b: Builder, type_: Type, values: Lanes) -> Node | None:
+    """A constant, where float32 can hold it."""
+    for value in values:
+        if isinstance(value, float) and not (isfinite(value) and abs(value) <= LARGEST_FLOAT):
+            return None
+    return _constant_of(b, type_, tuple(values))
+
+
+def _constant_of(b: Builder, type_: Type, values: tuple[Number, ...]) -> Node:
+    return build.constant(b.graph, type_, values if isinstance(type_, Vector) else values[0])
+
+
+# --- lanes ---------------------------------------------------------------------------------------
+
+
+def _lanes(at: Site) -> tuple[int, ...]:
+    assert isinstance(at.data, tuple)
+    return at.data
+
+
+def _picked_constant(b: Builder, at: Site) -> Node:
+    (source,) = at.operands
+    values = constant_lanes(source.type, source.data)
+    return _constant_of(b, at.type, tuple(values[lane] for lane in _lanes(at)))
+
+
+def _picked_twice(b: Builder, at: Site) -> Node:
+    (source,) = at.operands
+    first = SWIZZLE.data(source)
+    return b.make("swizzle", at.type, source.operands, tuple(first[lane] for lane in _lanes(at)))
+
+
+def _picked_of_splat(b: Builder, at: Site) -> Node:
+    return build.splat(b.graph, inner(b, at), len(_lanes(at)))
+
+
+def _picked_of_part(b: Builder, at: Site) -> Node | None:
+    """Lanes of a joined vector, where they all come from one of its parts."""
+    wanted, first = _lanes(at), 0
+    for part in at.operands[0].operands:
+        last = first + width(part.type)
+        if all(first <= lane < last for lane in wanted):
+            if isinstance(part.type, Scalar):
+                return build.splat(b.graph, part, len(wanted))
+            return b.make("swizzle", at.type, (part,), tuple(lane - first for lane in wanted))
+        first = last
+    return None
+
+
+def _is_whole(_b: Builder, at: Site) -> bool:
+    return _lanes(at) == tuple(range(width(at.operands[0].type)))
+
+
+def _joined_constants(b: Builder, at: Site) -> Node:
+    values = (constant_lanes(each.type, each.data) for each in at.operands)
+    return _constant_of(b, at.type, tuple(lane for part in values for lane in part))
+
+
+def _are_one_scalar(b: Builder, at: Site) -> bool:
+    return are_same(b, at) and isinstance(at.operands[0].type, Scalar)
+
+
+def _rejoined(b: Builder, at: Site) -> Node | None:
+    """Lanes of one vector, taken apart and joined again."""
+    sources = {each.operands[0] if each.op == "swizzle" else each for each in at.operands}
+    if len(sources) != 1 or not isinstance((source := sources.pop()).type, Vector):
+        return None
+    found: tuple[int, ...] = ()
+    for each in at.operands:
+        is_whole = each.op != "swizzle"
+        found += tuple(range(width(each.type))) if is_whole else SWIZZLE.data(each)
+    return b.make("swizzle", at.type, (source,), found)
+
+
+def _filled_constant(b: Builder, at: Site) -> Node:
+    (value,) = constant_lanes(at.operands[0].type, at.operands[0].data)
+    return _constant_of(b, at.type, (value,) * width(at.type))
+
+
+# --- parts ---------------------------------------------------------------------------------------
+
+
+def _position(at: Site) -> int:
+    position = at.operands[1].data
+    assert isinstance(position, int)
+    return position
+
+
+def _is_lane(_b: Builder, at: Site) -> bool:
+    return isinstance(at.operands[0].type, Vector)
+
+
+def _of_equal_elements(_b: Builder, at: Site) -> bool:
+    elements = at.operands[0].operands
+    return all(element is elements[0] for element in elements)
+
+
+def _given_member(b: Builder, at: Site) -> Node:
+    return build.member(b.graph, at.operands[0], str(at.data))
+
+
+# --- choices -------------------------------------------------------------------------------------
+
+
+def _is_whole_truth(_b: Builder, at: Site) -> bool:
+    return at.type == at.operands[0].type
+
+
+def _swapped(b: Builder, at: Site) -> Node:
+    condition, then, otherwise = at.operands
+    return b.make("select", at.type, (condition.operands[0], otherwise, then), at.data)
+
+
+def _computing_side_first(b: Builder, at: Site) -> Node:
+    condition, then, otherwise = at.operands
+    opposite = b.make(condition.op, condition.type, (condition,), "not")
+    return b.make("select", at.type, (opposite, otherwise, then), at.data)
+
+
+def _only_otherwise_computes(_b: Builder, at: Site) -> bool:
+    return at.operands[2].op != "constant"
+
+
+def _sides_are_same(_b: Builder, at: Site) -> bool:
+    return at.operands[1] is at.operands[2]
+
+
+_CHOICES = (".select", "choose")
+
+FOLDING = (
+    Rule("constants", "A builtin of constants is the constant that the reference computes.",
+         ("*",), CONSTANT, _folded, _is_foldable),
+)  # fmt: skip
+
+STRUCTURE = (
+    Rule("lanes of a constant", "Lanes of a constant are a constant.",
+         (".swizzle",), (CONSTANT,), _picked_constant),
+    Rule("lanes of lanes", "Lanes of lanes are lanes of the vector itself.",
+         (".swizzle",), (made("swizzle"),), _picked_twice),
+    Rule("lanes of one scalar", "Every lane of a filled vector is the scalar.",
+         (".swizzle",), (made("splat"),), _picked_of_splat),
+    Rule("lanes of a part", "Lanes that come from one part of a joined vector are that part's.",
+         (".swizzle",), (made("vector"),), _picked_of_part),
+    Rule("all lanes in order", "All lanes in their order are the vector itself.",
+         (".swizzle",), (ANY,), operand(0), _is_whole),
+    Rule("constants joined", "Constants, joined, are a constant.",
+         (".vector",), CONSTANT, _joined_constants),
+    Rule("one scalar joined", "A vector of one scalar in all lanes is filled with it.",
+         (".vector",), ANY, lambda b, at: b.make("splat", at.type, at.operands[:1]),
+         _are_one_scalar),
+    Rule("joined again", "Lanes of one vector, taken apart and joined, are lanes of that vector.",
+         (".vector",), ANY, _rejoined, some=made("swizzle")),
+    Rule("constant filled in", "A vector filled with a constant is a constant.",
+         (".splat",), (CONSTANT,), _filled_constant),
+    Rule("element of equal ones", "Of elements that are all one value, each is that value.",
+         (".index",), (made("array"), ANY), lambda _b, at: at.operands[0].operands[0],
+         _of_equal_elements),
+    Rule("lane by number", "A vector indexed by a constant is one of its lanes.",
+         (".index",), (ANY, CONSTANT),
+         lambda b, at: b.make("swizzle", at.type, at.operands[:1], (_position(at),)), _is_lane),
+    Rule("part by number", "A column or element of what was put together is what was put there.",
+         (".index",), (made("matrix", "array"), CONSTANT),
+         lambda _b, at: at.operands[0].operands[_position(at)]),
+    Rule("member of a structure", "A member of what was put together is what was put there.",
+         (".member",), (made("struct"),), _given_member),
+    Rule("chosen already", "A choice by a constant is no choice.",
+         _CHOICES, (lanes(True), ANY, ANY), operand(1)),
+    Rule("refused already", "A choice by a constant is no choice.",
+         _CHOICES, (lanes(False), ANY, ANY), operand(2)),
+    Rule("equal sides", "A choice between a value and itself is that value.",
+         _CHOICES, (ANY, ANY, ANY), operand(1), _sides_are_same),
+    Rule("chosen by an opposite", "A choice by the opposite of a truth is that by the truth, "
+         "the other way round.",
+         (".select",), (builtin("not"), ANY, ANY), _swapped),
+    Rule("computing side first", "The side that computes something comes first: it is the one "
+         "that a branch may skip.",
+         (".select",), (builtin(*OPPOSITES), CONSTANT, ANY), _computing_side_first,
+         _only_otherwise_computes),
+    Rule("truth chosen", "A choice between true and false is the condition.",
+         (".select",), (ANY, lanes(True), lanes(False)), operand(0), _is_whole_truth),
+    Rule("constant crossing", "A constant is the same in every stage.",
+         (".cross",), (CONSTANT,), operand(0)),
+)  # fmt: skip

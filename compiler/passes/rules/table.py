@@ -1,0 +1,63 @@
+"""All simplification rules, and which of them can apply to an operation.
+
+``RULES`` is in the order in which rules are tried. Looking them up has to be fast, as every node
+that passes build asks: which rules can apply is kept by the heads of an operation and its operands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable
+
+from ....stdlib.builtins import BUILTINS
+from .arithmetic import ARITHMETIC
+from .bits import BIT_RULES
+from .bounds import BOUNDS
+from .loops import LOOP_RULES
+from .rule import Rule
+from .structure import FOLDING, STRUCTURE
+
+RULES: tuple[Rule, ...] = (
+    *FOLDING, *ARITHMETIC, *BOUNDS, *BIT_RULES, *STRUCTURE, *LOOP_RULES,
+)  # fmt: skip
+
+MOST_KEPT = 20_000
+"""Combinations of heads that are kept; a program has some hundreds."""
+
+Candidate = tuple[Rule, bool]
+"""A rule, and whether it looks at the operands the other way round."""
+
+
+class RuleTable:
+    """Rules by what they are for."""
+
+    def __init__(self, rules: Iterable[Rule]) -> None:
+        self._on: dict[Hashable, list[Rule]] = {}
+        for rule in rules:
+            for head in BUILTINS if rule.on == ("*",) else rule.on:
+                self._on.setdefault(head, []).append(rule)
+        self._found: dict[tuple[Hashable, ...], tuple[Candidate, ...]] = {}
+
+    def candidates(self, heads: tuple[Hashable, ...]) -> tuple[Candidate, ...]:
+        """The rules that can apply to an operation: its head comes first, then its operands'."""
+        found = self._found.get(heads)
+        if found is None:
+            if len(self._found) >= MOST_KEPT:
+                self._found.clear()
+            self._found[heads] = found = tuple(self._search(heads[0], heads[1:]))
+        return found
+
+    def _search(self, head: Hashable, operands: tuple[Hashable, ...]) -> Iterable[Candidate]:
+        for rule in self._on.get(head, ()):
+            for is_swapped in rule.orders:
+                if rule.admits(operands[::-1] if is_swapped else operands):
+                    yield rule, is_swapped
+
+
+ALL = RuleTable(RULES)
+
+
+def rule_table(without: frozenset[str]) -> RuleTable:
+    """The table without some rules, by name: tests take each away to see what it is good for."""
+    if without.isdisjoint(rule.name for rule in RULES):
+        return ALL
+    return RuleTable(rule for rule in RULES if rule.name not in without)
