@@ -17,6 +17,8 @@ class Source:
 
     name: str
     text: str
+    compared: int = field(default=0, repr=False)
+    """How many names were compared with unknown ones in this text; ``nearest.py`` keeps count."""
     _line_starts: list[int] | None = field(default=None, repr=False)
 
     @property

@@ -11,6 +11,7 @@ from ...compiler.ir.types import BOOL, UINT, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..emit.description import (
+    STAGE_STRUCTS,
     Limits,
     PipelineInput,
     Profile,
@@ -166,6 +167,6 @@ TARGET = Target(
     global_members=False,
     fixed_names=(
         "main", *ENTRY_POINTS, "input", "output", "clip_position",
-        "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
+        *STAGE_STRUCTS,
     ),
 )  # fmt: skip
