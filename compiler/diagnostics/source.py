@@ -16,6 +16,8 @@ class Source:
 
     name: str
     text: str
+    compared: int = 0
+    """How many names were compared with unknown ones in this text; ``nearest.py`` keeps count."""
     _line_starts: list[int] | None = None
 
     @property

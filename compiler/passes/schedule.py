@@ -65,8 +65,9 @@ class Scheduler:
         self._apart: set[int] = set()
         """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
         self._coordinates: set[int] = set()
-        """Where textures are read. One that chooses has a name: glslang's SPIR-V joins texture and
-        sampler before it computes the coordinate, and a ``?:`` would part join and read."""
+        """Operands of texture reads and derivatives. One in which a ``?:`` would be printed has a
+        name, as it is easier to read so in every language. (The SPIR-V that glslang makes is even
+        wrong without: the ``?:`` parts the read from what joins texture and sampler for it.)"""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
         self._together = needing_uniform_flow(reachable(self._roots))

@@ -145,6 +145,7 @@ class Loader:
         self._modules: dict[Path, Module] = {}
         self._loading: list[tuple[Path, Span]] = []
         self._prelude: Module | None = None
+        self._offers: dict[str, str] | None = None
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -270,11 +271,12 @@ class Loader:
         for name in names:
             symbols = found.declared.get(name.text)
             if symbols is None:
-                meant = nearest(name.text, found.declared)
+                hint = respelling(name.text, name.span, found.declared)
+                meant = "" if isinstance(hint, str) else hint.fixes[0].edits[0].text
                 module.missing.update((name.text, meant or name.text))
                 self._report.add(
                     rules.UNKNOWN_EXPORT, name.span, name=name.text, path=found.file.source.name,
-                    hint=respelling(name.text, name.span, found.declared),
+                    hint=hint,
                 )  # fmt: skip
             else:
                 known = module.imported.setdefault(name.text, symbols)
@@ -331,15 +333,21 @@ class Loader:
             yield root, relative
 
     def _offering(self, name: str) -> str:
+        """The import path of the library file that declares a name; empty if none does."""
+        if self._offers is None:
+            self._offers = dict(reversed(list(self._offered())))
+        return self._offers.get(name, "")
+
+    def _offered(self) -> Iterator[tuple[str, str]]:
+        """The names that library files declare, each with the import path of its file."""
         for path in sorted(self._library.glob("*.burnish")):
             if path.stem in _NOT_IMPORTED:
                 continue
             source = self._read(path, self._report, _library_name(path))
             tree = None if source is None else self._parse_library(source, self._report)
             for declaration in () if tree is None else tree.declarations:
-                if not isinstance(declaration, ast.Import) and declaration.name.text == name:
-                    return f"std.{path.stem}"
-        return ""
+                if not isinstance(declaration, ast.Import):
+                    yield declaration.name.text, f"std.{path.stem}"
 
     def _suggest(self, wanted: ast.Import) -> Hint:
         if wanted.quoted:

@@ -10,8 +10,9 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
 from ....frozen import fresh, frozen, record
-from ...diagnostics.diagnostic import Report
+from ...diagnostics.diagnostic import Diagnostic, Report
 from ...diagnostics.source import Span
+from ...ir.meaning import Meaning
 from ...ir.node import Formal, Graph, Node, reachable
 from ...ir.ranges import Ranges
 from ...ir.shader import ExternInfo, Notes, ParameterInfo
@@ -70,6 +71,10 @@ class Progress:
     """How many values are computed inside each other on Python's stack (``evaluation``)."""
 
 
+Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
+"""What a body knows of an argument: its value, or what kind of value it is."""
+
+
 class Context:
     """One elaboration: the graph, and everything its expressions can refer to."""
 
@@ -94,6 +99,8 @@ class Context:
         """Values of functions and of the file's constants."""
         self.light_bodies: dict[Application, LightBody | Failure] = {}
         """Bodies of terms that are summed over the lights."""
+        self.call_sizes: dict[Symbol, int] = {}
+        """How many bodies one call of a function comes to (``call_sizes``)."""
         self.entered: set[Symbol] = set()
         """Functions and terms whose bodies were evaluated."""
         self.placeholders: set[Node] = set()
@@ -103,6 +110,12 @@ class Context:
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
         self.shaded: dict[tuple[Instance, Hashable], Instance] = {}
         """Surfaces with slots replaced by ``with``, by the surface and the new values."""
+        self.shaded_from: dict[Instance, tuple[Instance, Mapping[str, Node | Failure]]] = {}
+        """For each of these the surface without replacements, and the new values."""
+        self.bodies: dict[Signature, SharedBody | Failure | None] = {}
+        """Bodies that serve all calls with a signature; ``None`` where calls have a say in it."""
+        self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
+        """What is wrong with a function's body as long as nothing is known of its arguments."""
 
     def reached(self) -> Iterator[Symbol]:
         """The functions, terms, constants and structures that were checked by being used."""
@@ -113,6 +126,32 @@ class Context:
     def is_left_to_a_use(self, node: Node) -> bool:
         """Whether a value depends on a placeholder, so that only a use can say what it is."""
         return not self.placeholders.isdisjoint(reachable((node,)))
+
+
+@frozen
+class Signature:
+    """What calls of a function have in common that share a body."""
+
+    symbol: Symbol
+    given: tuple[Given, ...]
+    """What is known of each argument, and then of each replaced slot."""
+    constants: tuple[Node | None, ...]
+    """For each number, vector and matrix among these the constant that it is, if it is one."""
+    units: tuple[bool, ...]
+    """For each of them whether it has length one."""
+    surface: Instance | None
+    """What is shaded, without replaced slots."""
+    slots: tuple[str, ...]
+    """The names of the slots that are replaced."""
+
+
+@frozen
+class SharedBody:
+    """What a function gives for a signature."""
+
+    body: Node
+    applied: bool
+    """Whether it is closed, and to be applied to arguments; otherwise it is the value as it is."""
 
 
 @frozen
