@@ -10,9 +10,10 @@ One material comes out as HLSL, GLSL and WGSL that mean the same. See ``docs/`` 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
+TYPE_CHECKING = False  # As in ``typing``, which takes longer to import than all else here.
 if TYPE_CHECKING:
+    from typing import Any
+
     from .api import (
         CompiledMaterial,
         CompileResult,

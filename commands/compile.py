@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from .console import FAILED, show
+from .console import FAILED, rendered, show
 from .options import file_argument, hoist_option, pass_option, rig_option, search_option
+from .results import STDOUT, Output, Question, keep, print_output
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
-
-STDOUT = "-"
 
 
 class Request(NamedTuple):
@@ -35,6 +34,7 @@ class Request(NamedTuple):
     flip_y: bool
     single_file: bool
     line_directives: bool
+    cache: bool
 
 
 def _split(_context: click.Context, _option: click.Parameter, given: Iterable[str]) -> Any:
@@ -74,6 +74,12 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
     help="Write #line directives, so that other tools name lines of the material in messages.",
 )
 @hoist_option
+@click.option(
+    "--cache/--no-cache",
+    default=True,
+    help="Write again what was compiled before if nothing has changed, or compile in any case.",
+    show_default=True,
+)
 def compile_(watch: bool, **chosen: Any) -> None:
     """Compile the materials of FILE.
 
@@ -103,11 +109,17 @@ def _succeeds(request: Request) -> bool:
     try:
         result = _compiled(request)
         warnings = result.diagnostics
-        _deliver(request, result)
+        if request.validate:
+            _insist_on_acceptance(result)
+        output = _output(request, result)
+        _deliver(output)
     except CompileError as error:
         show((*warnings, *error.diagnostics))
         return False
     show(warnings)
+    question = click.get_current_context().obj
+    if isinstance(question, Question):
+        keep(question, output, result.inputs)
     return True
 
 
@@ -128,24 +140,37 @@ def _compiled(request: Request) -> CompileResult:
     )
 
 
-def _deliver(request: Request, result: CompileResult) -> None:
-    if request.validate:
-        _insist_on_acceptance(result)
+def _output(request: Request, result: CompileResult) -> Output:
+    """What the command line asks for: files in a folder, or shaders on standard output."""
+    warnings = rendered(result.diagnostics)
     if request.output == STDOUT:
-        _print(result)
-        return
-    from .output import write_all
-
+        files = [file for material in result.materials for file in material.files]
+        headings = (f"// ======== {file.name}\n" if len(files) > 1 else "" for file in files)
+        printed = (heading + file.text for heading, file in zip(headings, files, strict=True))
+        return Output(STDOUT, {}, "".join(printed), warnings)
     texts: dict[str, str] = {}
+    lines = []
     for material in result.materials:
+        reflection = f"{material.name}.json"
         texts |= {file.name: file.text for file in material.files}
-        texts[_reflection_name(material)] = _reflection_text(material)
-    write_all(Path(request.output), texts)
-    for material in result.materials:
-        click.echo(
-            f"{material.name}: {len(material.files)} shaders and {_reflection_name(material)} "
-            f"in {request.output}"
-        )
+        texts[reflection] = _reflection_text(material)
+        shaders = f"{len(material.files)} shaders and {reflection}"
+        lines.append(f"{material.name}: {shaders} in {request.output}\n")
+    return Output(request.output, texts, "".join(lines), warnings)
+
+
+def _deliver(output: Output) -> None:
+    """Write the files and print what there is to print, or raise ``CompileError``."""
+    from .output import unwritable, write_all
+
+    if output.folder != STDOUT:
+        write_all(Path(output.folder), output.texts)
+    try:
+        print_output(output.printed)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise unwritable(Path("standard output"), error.strerror or str(error)) from error
 
 
 def _insist_on_acceptance(result: CompileResult) -> None:
@@ -157,28 +182,6 @@ def _insist_on_acceptance(result: CompileResult) -> None:
     if any(diagnostic.severity == "error" for diagnostic in found):
         raise CompileError(found)
     show(found)
-
-
-def _print(result: CompileResult) -> None:
-    """Print the shaders as they are, with a heading for each one if there are several.
-
-    They are printed as bytes, so that comments with any characters come out in every terminal.
-    """
-    from .output import unwritable
-
-    files = [file for material in result.materials for file in material.files]
-    try:
-        for file in files:
-            heading = f"// ======== {file.name}\n" if len(files) > 1 else ""
-            click.echo((heading + file.text).encode(), nl=False)
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        raise unwritable(Path("standard output"), error.strerror or str(error)) from error
-
-
-def _reflection_name(material: CompiledMaterial) -> str:
-    return f"{material.name}.json"
 
 
 def _reflection_text(material: CompiledMaterial) -> str:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from typing import IO, TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
+
+from .terminal import wants_color
 
 if TYPE_CHECKING:
     from ..compiler.diagnostics.diagnostic import Diagnostic, Severity
@@ -17,25 +18,28 @@ FAILED = 1
 """The exit code for errors in the input."""
 
 
-def wants_color(stream: IO[Any] | None) -> bool:
-    """Whether to use colours: on a terminal, unless its user has set ``NO_COLOR``.
-
-    ``None`` is a stream that was closed before the program began.
-    """
-    return stream is not None and stream.isatty() and not os.environ.get("NO_COLOR")
-
-
 def show(diagnostics: Iterable[Diagnostic]) -> None:
     """Print each diagnostic once to standard error, and how many there were."""
+    print_rendered(rendered(diagnostics))
+
+
+def print_rendered(text: str) -> None:
+    """Print what ``rendered`` has given to standard error."""
+    if text:
+        click.echo(text, err=True, nl=False, color=True)
+
+
+def rendered(diagnostics: Iterable[Diagnostic]) -> str:
+    """What ``show`` prints: empty where there is nothing to say."""
     found = tuple(
         {(one.rule.code, one.message, str(one.span)): one for one in diagnostics}.values()
     )
     if not found:
-        return
+        return ""
     from ..compiler.diagnostics.render import render_all
 
     text = render_all(found, color=wants_color(sys.stderr))
-    click.echo(f"{text}\n\n{_counted(found)}", err=True, color=True)
+    return f"{text}\n\n{_counted(found)}\n"
 
 
 def remark(severity: Severity, text: str) -> None:

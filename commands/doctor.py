@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .console import FAILED, wants_color
+from .console import FAILED
+from .terminal import wants_color
 
 if TYPE_CHECKING:
     from ..targets.toolchain.tools import ToolState

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
+from .results import put_in_place
 
 
 def obstacle(folder: Path, file: str = "") -> str | None:
@@ -29,32 +30,14 @@ def obstacle(folder: Path, file: str = "") -> str | None:
 
 
 def write_all(folder: Path, texts: Mapping[str, str]) -> None:
-    """Write each text under its name, or raise ``CompileError`` and change nothing.
-
-    Everything is first written to a temporary folder inside the final one, because a rename on the
-    same disk cannot run out of space, and nobody ever sees half a file.
-    """
+    """Write each text under its name, or raise ``CompileError`` and change nothing."""
     blocked = next((name for name in texts if (folder / name).is_dir()), None)
     if blocked is not None:
         raise unwritable(folder / blocked, "it is a folder")
-    staging = folder / f".burnish-{os.getpid()}"
     try:
-        staging.mkdir(parents=True, exist_ok=True)
-        _write_through(staging, folder, texts)
+        put_in_place(str(folder), texts)
     except OSError as error:
         raise unwritable(folder, error.strerror or str(error)) from error
-
-
-def _write_through(staging: Path, folder: Path, texts: Mapping[str, str]) -> None:
-    try:
-        for name, text in texts.items():
-            (staging / name).write_bytes(text.encode())
-        for name in texts:
-            (staging / name).replace(folder / name)
-    finally:
-        for name in texts:
-            (staging / name).unlink(missing_ok=True)
-        staging.rmdir()
 
 
 def unwritable(path: Path, reason: str) -> CompileError:

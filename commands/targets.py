@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .console import wants_color
 from .options import format_option
+from .terminal import wants_color
 
 if TYPE_CHECKING:
     from ..targets.emit.description import Profile, Target
@@ -76,6 +76,7 @@ def _profile_data(profile: Profile) -> dict[str, Any]:
     return {
         "name": profile.name,
         "doc": profile.doc,
+        "stages": [row.name for row in profile.stages],
         "combined_samplers": profile.samplers.combined,
         "explicit_bindings": profile.explicit_bindings,
         "varyings_by_name": profile.varyings_by_name,

@@ -1,28 +1,33 @@
-"""Values that are costly to compute and never change: kept in files named after their content.
+"""Values that take long to compute, kept in files from one process to the next.
 
-The parse tables, the compiled standard library and the precompiled templates all start here. A
-cache is a convenience only: where it cannot be read or written, the value is computed again. What
-an older compiler has left is deleted in time.
+``cached`` keeps the parser's tables, the syntax trees of the standard library and the precompiled
+templates. ``load`` and ``store`` keep what ``burnish compile`` has written, for
+``commands/results.py``. A cache is only a convenience: where it cannot be read or written, values
+are computed again. Files are put in place whole, begin with a digest of the rest, and are deleted
+when newer ones need their room. So any number of processes may share the folder or be killed while
+they write to it, and it may be full, read-only or missing.
+
+This module is loaded before anything else is, so it imports little.
 """
 
 from __future__ import annotations
 
-import marshal
 import os
-import re
 import sys
-from collections.abc import Callable
-from contextlib import suppress
-from typing import TypeVar
 
-T = TypeVar("T")
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeVar
+
+    T = TypeVar("T")
 
 KEPT = 256
-"""Values that stay when one is written: those of about ten versions of the compiler."""
+"""How many values of each name stay when one is written."""
+ROOM = 64 << 20
+"""Bytes that the values of each name may take together."""
 
 _DIGEST_SIZE = 8
-_OWN = re.compile(r"[a-z]+-[0-9a-f]{16}\.bin(\.[0-9]+\.tmp)?")
-"""Names of files that are written here: the folder may hold others."""
 
 
 def folder() -> str:
@@ -30,9 +35,17 @@ def folder() -> str:
     chosen = os.environ.get("BURNISH_CACHE")
     if chosen:
         return chosen
-    from platformdirs import user_cache_path
+    platform: str = sys.platform
+    if platform != "linux":
+        from platformdirs import user_cache_path
 
-    return str(user_cache_path("burnish"))
+        return str(user_cache_path("burnish"))
+    # What platformdirs says of Linux, without the time that it takes to import.
+    caches = os.environ.get("XDG_CACHE_HOME", "").strip() or os.path.expanduser("~/.cache")  # noqa: PTH111
+    if caches.startswith("~"):
+        # Nobody knows the user's home. Where no file can be, none is looked for in vain.
+        caches = os.devnull
+    return os.path.join(caches, "burnish")  # noqa: PTH118
 
 
 def cached(name: str, ingredients: tuple[str, ...], compute: Callable[[], T]) -> T:
@@ -41,67 +54,86 @@ def cached(name: str, ingredients: tuple[str, ...], compute: Callable[[], T]) ->
     The value must be made of what ``marshal`` can write: numbers, texts, tuples, lists, dicts and
     code objects. Ingredients are everything the value depends on; the Python version is implied.
     """
-    path = os.path.join(folder(), f"{name}-{_key(ingredients)}.bin")  # noqa: PTH118
-    found, value = _read(path)
-    if found:
-        return value  # type: ignore[return-value]
+    import marshal
+
+    key = digest(marshal.dumps((sys.version, *ingredients), 2))
+    stored = load(name, key)
+    if stored is not None:
+        found: T = marshal.loads(stored)
+        return found
     value = compute()
-    _write(path, value)
+    store(name, key, marshal.dumps(value))  # type: ignore[arg-type]
     return value
 
 
-def _digest(data: bytes) -> bytes:
+def digest(data: bytes) -> str:
     """The hash that Python's own cache files use: 64 bits, and far cheaper to load than hashlib."""
     from importlib.util import source_hash
 
-    return source_hash(data)
+    return source_hash(data).hex()
 
 
-def _key(ingredients: tuple[str, ...]) -> str:
-    parts = (sys.version, *ingredients)
-    return _digest(marshal.dumps(parts, 2)).hex()
+def load(name: str, key: str) -> bytes | None:
+    """What was stored under a name and a key, if it is there, whole and undamaged.
 
-
-def _read(path: str) -> tuple[bool, object]:
-    """Whether a whole, undamaged value lies at ``path``, and that value.
-
-    ``marshal`` may crash on damaged data, so the digest in front is checked first.
+    Names are of lower-case letters, keys are digests.
     """
     try:
-        with open(path, "rb") as file:  # noqa: PTH123
+        with open(_path(name, key), "rb") as file:  # noqa: PTH123
             content = file.read()
     except OSError:
-        return False, None
-    digest, payload = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
-    if _digest(payload) != digest:
-        return False, None
-    return True, marshal.loads(payload)
+        return None
+    head, payload = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
+    return payload if digest(payload) == head.hex() else None
 
 
-def _write(path: str, value: object) -> None:
-    """Put ``value`` in place in one step, so that no reader ever sees half a file."""
-    payload = marshal.dumps(value)  # type: ignore[arg-type]
+def store(name: str, key: str, payload: bytes) -> None:
+    """Keep ``payload`` under a name and a key, in place of what was there before, if possible.
+
+    The file is put in place in one step, so that no reader ever sees half of it.
+    """
+    path = _path(name, key)
     temporary = f"{path}.{os.getpid()}.tmp"
     try:
-        os.makedirs(os.path.dirname(path), exist_ok=True)  # noqa: PTH103, PTH120
-        with open(temporary, "wb") as file:  # noqa: PTH123
-            file.write(_digest(payload) + payload)
-        os.replace(temporary, path)  # noqa: PTH105
-        _prune(os.path.dirname(path))  # noqa: PTH120
+        place = os.path.dirname(path)  # noqa: PTH120
+        os.makedirs(place, exist_ok=True)  # noqa: PTH103
+        try:
+            with open(temporary, "wb") as file:  # noqa: PTH123
+                file.write(bytes.fromhex(digest(payload)) + payload)
+            os.replace(temporary, path)  # noqa: PTH105
+        except OSError:
+            os.unlink(temporary)  # noqa: PTH108
+            raise
+        _prune(place, name)
     except OSError:
         return
 
 
-def _prune(place: str) -> None:
-    """Delete the values that were written first, where there are too many, and halves of values.
+def _path(name: str, key: str) -> str:
+    return os.path.join(folder(), f"{name}-{key}.bin")  # noqa: PTH118
 
-    One that is still in use is computed again, and so is new then.
+
+def _prune(place: str, name: str) -> None:
+    """Delete the values of a name that were written first, where there are too many of them.
+
+    So go halves of values that a killed process has left. A value that is still in use is computed
+    again, and so is new then.
     """
+    import re
+
+    own = re.compile(re.escape(name) + r"-[0-9a-f]{16}\.bin(\.[0-9]+\.tmp)?")
     with os.scandir(place) as entries:
-        own = [entry for entry in entries if _OWN.fullmatch(entry.name)]
-    if len(own) <= KEPT:
+        found = [(entry.path, entry.stat()) for entry in entries if own.fullmatch(entry.name)]
+    found.sort(key=lambda each: each[1].st_mtime_ns, reverse=True)
+    taken = 0
+    for number, (path, status) in enumerate(found):
+        taken += status.st_size
+        if number >= KEPT or taken > ROOM:
+            _delete(path)
+
+
+def _delete(path: str) -> None:
+    try:
+        os.unlink(path)  # noqa: PTH108
+    except OSError:
         return
-    newest_first = sorted(own, key=lambda entry: entry.stat().st_mtime_ns, reverse=True)
-    for entry in newest_first[KEPT:]:
-        with suppress(OSError):
-            os.unlink(entry.path)  # noqa: PTH108

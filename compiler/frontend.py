@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from itertools import product
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from .diagnostics import rules
 from .diagnostics.diagnostic import Report
 from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
+from .inputs import Inputs
 from .ir.shader import Shader
 from .library import FOLDER, parse_library
 from .semantics.inheritance.flattening import Records, records_of
@@ -31,17 +33,26 @@ class Frontend:
     """Reads one file with its imports and elaborates its materials."""
 
     def __init__(self, report: Report, search_path: Sequence[Path] = ()) -> None:
+        self.inputs = Inputs()
         for folder in search_path:
-            if not folder.is_dir():
+            if folder.is_dir():
+                self.inputs.searched(folder)
+            else:
                 report.add(rules.MISSING_FOLDER, None, path=folder)
         self._report = report
         self._records = Records(report)
-        self._loader = Loader(report, FOLDER, search_path, parse, parse_library, load_source)
+        self._loader = Loader(
+            report, FOLDER, search_path, parse, parse_library, self._read, self.inputs.looked
+        )
 
     def open_file(self, path: Path) -> Module | None:
         """The module in a file; ``None`` after reporting that it cannot be read."""
-        source = load_source(path, self._report)
+        source = self._read(path, self._report)
         return None if source is None else self._loader.main(source, path)
+
+    def _read(self, path: Path, report: Report, name: str = "") -> Source | None:
+        """The text of a file, and a note that it was read."""
+        return load_source(path, report, name, partial(self.inputs.read, path))
 
     def open_text(self, text: str, name: str) -> Module:
         """The module in a text; its quoted imports are looked up along the search path."""
@@ -126,7 +137,11 @@ class Frontend:
         if wanted is None:
             if not concrete and not self._report.failed:
                 unfinished = records_of(module, "material", abstract=True)
-                hint = f"`{unfinished[0].name}` is abstract: declare an heir" if unfinished else ""
+                hint = (
+                    f"`{unfinished[0].name}` is abstract: declare a material that extends it"
+                    if unfinished
+                    else ""
+                )
                 path = module.file.source.name
                 self._report.add(rules.NO_MATERIAL, _whole(module), path=path, hint=hint)
             return concrete

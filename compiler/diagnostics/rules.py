@@ -570,8 +570,8 @@ EXTERN_ARRAY = _error(
 EXTERN_NUMBER = _error(
     "B0443",
     "expected a whole number from 0 to {largest}",
-    "WebGPU has four bind groups, with binding numbers below 1000; and a block has 16 KiB on every "
-    "device of OpenGL ES.",
+    "A group and a binding are numbers of 16 bits, and no block is larger than 64 KiB. How many "
+    "groups, and how large a block, a target has is checked where a material is compiled for it.",
 )
 EXTERN_PLACE_TAKEN = _error(
     "B0444",

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 
+from ...frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of, reachable
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
@@ -35,7 +35,7 @@ BOUND = (0, 0)
 """Size and depth, where it is used, of a value that has a name, and of a leaf."""
 
 
-@dataclass(eq=False, slots=True)
+@record
 class _Block:
     """A region under construction."""
 
@@ -45,7 +45,7 @@ class _Block:
     loop: frozenset[Formal] = frozenset()
     """The variables, where this is the body of a loop."""
     depth: int = 0
-    nodes: list[Node] = field(default_factory=list)
+    nodes: list[Node] = fresh(factory=list)
 
 
 class Scheduler:
@@ -65,8 +65,9 @@ class Scheduler:
         self._apart: set[int] = set()
         """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
         self._coordinates: set[int] = set()
-        """Where textures are read. One that chooses has a name: glslang's SPIR-V joins texture and
-        sampler before it computes the coordinate, and a ``?:`` would part join and read."""
+        """Operands of texture reads and derivatives. One in which a ``?:`` would be printed has a
+        name, as it is easier to read so in every language. (The SPIR-V that glslang makes is even
+        wrong without: the ``?:`` parts the read from what joins texture and sampler for it.)"""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
         self._together = needing_uniform_flow(reachable(self._roots))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import os
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 from ..diagnostics import rules
@@ -15,15 +16,23 @@ from ..diagnostics.source import Source
 SIZE_LIMIT = 16 * 1024 * 1024
 
 
-def load_source(path: str | os.PathLike[str], report: Report, name: str = "") -> Source | None:
+def load_source(
+    path: str | os.PathLike[str],
+    report: Report,
+    name: str = "",
+    seen: Callable[[bytes], None] | None = None,
+) -> Source | None:
     """The text of the file at ``path``; None where it cannot be had, and ``report`` says why.
 
-    ``name`` is what messages call it; by default the path as given.
+    ``name`` is what messages call it; by default the path as given. ``seen`` is called with the
+    bytes that were read.
     """
     name = name or os.fspath(path)
     content = _content(path, name, report)
     if content is None:
         return None
+    if seen is not None:
+        seen(content)
     if b"\0" in content:
         encoded = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
         reason = "it is UTF-16" if encoded else "it contains NUL bytes"

@@ -69,6 +69,10 @@ _CHARACTERS = {
 """What is meant by characters that painting and writing programs put in."""
 
 
+_NEARBY = 80
+"""How many characters around a place are looked at: the work must not grow with the file."""
+
+
 def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
     """Report the slip; the token that was probably meant, or None to leave it out."""
     if kind == "BAD_NUMBER":
@@ -169,7 +173,8 @@ def _color(digits: str, span: Span) -> Hint:
 
 def _is_defined(span: Span) -> bool:
     """Whether what stands here is given a value or a type, as only names are."""
-    return re.match(r"\s*(?:=(?!=)|:)", span.source.text[span.end :][:40]) is not None
+    behind = span.source.text[span.end : span.end + _NEARBY]
+    return re.match(r"\s*(?:=(?!=)|:)", behind) is not None
 
 
 def _foreign(word: str, span: Span, report: Report) -> Token:
@@ -189,15 +194,15 @@ def _set_apart(word: str, span: Span) -> str:
     if not word.isalpha():
         return word
     text = span.source.text
-    before, behind = text[: span.start][-1:], text[span.end : span.end + 1]
+    before, behind = text[max(span.start - 1, 0) : span.start], text[span.end : span.end + 1]
     return f"{' ' * before.isalnum()}{word}{' ' * behind.isalnum()}"
 
 
 def _joined_or_counted(span: Span) -> Hint:
     """What ``a ++ b`` joins elsewhere, or what ``a++`` counts."""
-    text = span.source.text
-    before, behind = re.search(r"\w+(?= *$)", text[: span.start]), text[span.end :]
-    if before and re.match(r" *[\w(\[#.]", behind):
+    text, start = span.source.text, max(span.start - _NEARBY, 0)
+    before = re.search(r"\w+(?= *$)", text[start : span.start])
+    if before and re.match(r" *[\w(\[#.]", text[span.end : span.end + _NEARBY]):
         return fix_it("numbers are added by `+`; arrays are not joined", (span, "+"))
     name = before[0] if before else "x"
     return f"nothing changes its value: an equation gives a new name to `{name} + 1`"

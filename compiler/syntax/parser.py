@@ -93,6 +93,8 @@ class _Parser:
         self._words = load_tables().literals
         self.skipped: list[range] = []
         """Places in the text at which nothing was read, behind what could not be."""
+        self._given_up = 0
+        """The token up to which names were kept of what could not be read."""
         self.unread: set[str] = set()
         """Names that what could not be read may have declared."""
 
@@ -171,8 +173,13 @@ class _Parser:
 
         Those in front of them on the line are of them, too.
         """
-        while start > 0 and self._tokens[start - 1].kind == "NAME" and self._same_line(start):
+        while (
+            start > self._given_up
+            and self._tokens[start - 1].kind == "NAME"
+            and self._same_line(start)
+        ):
             start -= 1
+        self._given_up = min(end, len(self._tokens))
         for index in range(start, min(end + 1, len(self._tokens))):
             if self._tokens[index].kind == "NAME" and (index < end or index <= failed + 1):
                 self.unread.add(self._tokens[index].text)

@@ -20,7 +20,11 @@ def quoted(expression: ast.Expression) -> str:
 
 def spanned(span: Span) -> str:
     """The text at a place, where that is short; otherwise ``…``."""
-    text = span.source.text[span.start : span.end]
+    return shortened(span.text)
+
+
+def shortened(text: str) -> str:
+    """A text if it is short enough for a message; otherwise ``…``."""
     return text if len(text) <= LONGEST and "\n" not in text else "…"
 
 

@@ -11,12 +11,17 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal
 
-from ...compiler.ir.stages import RASTERISED, Chain
+from ...compiler.ir.stages import RASTERISED, STAGES, Chain
 from ...compiler.ir.types import Dimension, Sample, ScalarKind, Type
 from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain, SamplerUse
 from .forms import Forms
 from .reserved import Reserved
+
+STAGE_STRUCTS = tuple(
+    f"{name.capitalize()}{side}" for name in STAGES for side in ("Input", "Output")
+)
+"""What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
 
 FieldRole = Literal["attribute", "varying", "render target"]
 """Vertex input, value between the stages, or render target."""
@@ -175,6 +180,10 @@ class Limits:
     """Bytes of one uniform block."""
     render_targets: int = 8
     """Render targets that a pass writes."""
+    groups: int | None = None
+    """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
+    bindings: int | None = None
+    """Numbers of bindings in a group; likewise."""
 
 
 @frozen(kw_only=True)

@@ -26,7 +26,8 @@ from .natives import Callee, Natives
 from .precedence import Binding, Text, choice
 
 DEEPEST = 200
-"""naga refuses expressions that are nested deeper; the scheduler stays far below."""
+"""The printer calls itself for operands in place. The scheduler names deeper ones long before this;
+naga refuses expressions that are nested much deeper."""
 
 
 class Expressions:

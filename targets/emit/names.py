@@ -139,11 +139,12 @@ class _Naming:
             names = dict.fromkeys(field.name for field in fields)
             return {name: namer.declare(prefix + name) for name in names}
 
-        crossing = [field for face in program.interfaces for field in face.fields]
-        written = [output.field for output in program.results_of(TARGET) if output.field]
+        outputs = [output for stage in program.stages for output in stage.results]
+        written = [out.field for out in outputs if out.field and out.kind == TARGET]
+        handed_on = [out.field for out in outputs if out.field and out.kind != TARGET]
         return _Fields(
             attributes=declare(program.vertex_inputs),
-            varyings=declare(crossing, target.varying_prefix),
+            varyings=declare(handed_on, target.varying_prefix),
             render_targets=declare(written, target.output_prefix),
         )
 

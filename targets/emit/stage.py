@@ -6,11 +6,9 @@ it returns to the skeleton.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Field, Function, Stage
-from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET, VARYING
+from ...compiler.ir.program import Field, Function, Output, Stage
+from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET
 from .comments import comment_line, comment_lines
 from .context import Context
 from .declarations import Declarations
@@ -22,9 +20,6 @@ from .natives import Callee, Natives
 from .origins import Marks
 from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
-
-_ROLES: Mapping[str, FieldRole] = {VARYING: "varying", TARGET: "render target"}
-"""The role of an output's field, by the kind of the result."""
 
 
 class StagePrinter:
@@ -64,11 +59,12 @@ class StagePrinter:
         expressions, statements = self._body(namer)
         functions = [self._function(function) for function in stage.functions]
         lines = statements.lines(stage.region)
-        stored = [
-            (self._field(output.field, _ROLES[output.kind]), output.value)
-            for output in stage.results
-            if output.field is not None
-        ]
+        stored = []
+        for output in stage.results:
+            if output.field is not None:
+                stored.append((self._field(output.field, _role(output)), output.value))
+            elif output.kind not in (CLIP_POSITION, DISCARD):
+                raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
             name=name,
@@ -136,7 +132,7 @@ class StagePrinter:
         fields = [
             *(self._field_name(field, self._input_role) for field in self._stage.inputs),
             *(
-                self._field_name(output.field, _ROLES[output.kind])
+                self._field_name(output.field, _role(output))
                 for output in self._stage.results
                 if output.field is not None
             ),
@@ -171,3 +167,8 @@ class StagePrinter:
             for name in self._stage.builtin_inputs
             if (row := inputs[name]).semantic
         ]
+
+
+def _role(output: Output) -> FieldRole:
+    """What an output is to a language: all but render targets goes on along the pipeline."""
+    return "render target" if output.kind == TARGET else "varying"

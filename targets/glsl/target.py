@@ -138,6 +138,7 @@ VULKAN = Profile(
     doc="GLSL 4.50 for Vulkan: separate textures and samplers, everything placed explicitly.",
     framebuffer=Framebuffer(clip_y_down=True),
     preamble=("#version 450",),
+    limits=Limits(groups=4),
     agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),
     requires=dict.fromkeys(

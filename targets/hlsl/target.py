@@ -12,6 +12,7 @@ from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..emit.description import (
+    STAGE_STRUCTS,
     FieldRole,
     Limits,
     PipelineInput,
@@ -207,6 +208,6 @@ TARGET = Target(
     reserved=partial(read_reserved, FOLDER / "reserved.txt"),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "clip_position",
-        "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
+        *STAGE_STRUCTS,
     ),
 )  # fmt: skip

@@ -8,7 +8,7 @@ from ...compiler.ir.program import NativeUse, Program, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture
 from ...frozen import frozen
-from ..emit.description import Lack, Profile
+from ..emit.description import Lack, Limits, Profile
 from ..emit.texture_declarations import sampler_use
 
 
@@ -19,6 +19,8 @@ class Excess:
     what: str
     count: int
     limit: int
+    block: str = ""
+    """The host's own block that is the reason."""
 
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
@@ -37,6 +39,19 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     ):
         if count > limit:
             yield Excess(what, count, limit)
+    yield from _excessive_places(program, profile.limits)
+
+
+def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
+    """Places of the host's own blocks that the profile does not have. They count from 0."""
+    for block in program.blocks:
+        if block.host is not None:
+            for what, number, limit in (
+                ("bind groups", block.host.group, limits.groups),
+                ("bindings in a group", block.host.binding, limits.bindings),
+            ):
+                if limit is not None and number >= limit:
+                    yield Excess(what, number + 1, limit, block.name)
 
 
 OTHER_PROFILE = "compile for a profile that has this stage"

@@ -17,9 +17,11 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ..emit.description import (
+    STAGE_STRUCTS,
     FieldRole,
     Limits,
     Literals,
@@ -247,7 +249,7 @@ TARGET = Target(
     resource_arguments=True,
     line_directive='#line {line} "{name}"',
     fixed_names=(
-        *HELPERS, "vs_main", "fs_main", "input", "output", "clip_position",
-        "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
+        *HELPERS, *ENTRY_POINTS, "input", "output", "clip_position",
+        *STAGE_STRUCTS,
     ),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""From a reflection to a pipeline: what a driver has to know of a material, and by which names."""
+"""Makes a driver's pipeline from a reflection: formats, bindings and names for one route."""
 
 from __future__ import annotations
 
@@ -28,29 +28,30 @@ FORMATS: Mapping[str, TargetFormat] = {
     "rg32f": "rg32float",
     "rgba8": "rgba8unorm",
     "rgba8_srgb": "rgba8unorm-srgb",
-    # Nobody sees the order of lanes in memory.
+    # The order of lanes in memory is not visible.
     "bgra8": "rgba8unorm",
     "bgra8_srgb": "rgba8unorm-srgb",
-    # Drivers need not draw to ten bits a lane; eight are clamped and blended alike.
+    # Not all drivers can draw to ten bits a lane; eight bits are clamped and blended in the same
+    # way.
     "rgb10a2": "rgba8unorm",
     "rgba16f": "rgba16float",
     "rgba32f": "rgba32float",
 }
-"""What is drawn to for each target format of the language."""
+"""The format to draw to for each target format of the language."""
 
 EXACT: Mapping[str, TargetFormat] = {
     "float": "r32float",
     "vec2": "rg32float",
     "vec4": "rgba32float",
 }
-"""By what is written to a target, the format that keeps every value of it."""
+"""For each type that is written to a target, a format that can hold every value of it."""
 
 VERTEX_FORMATS: Mapping[str, VertexFormat] = {
     "float": "float32", "vec2": "float32x2", "vec3": "float32x3", "vec4": "float32x4",
     "int": "sint32", "ivec2": "sint32x2", "ivec3": "sint32x3", "ivec4": "sint32x4",
     "uint": "uint32", "uvec2": "uint32x2", "uvec3": "uint32x3", "uvec4": "uint32x4",
 }  # fmt: skip
-"""By a vertex input's representation."""
+"""The format of a vertex input, by its representation."""
 
 
 def pipeline(
@@ -63,10 +64,10 @@ def pipeline(
 ) -> Pipeline:
     """The pipeline of one material on one route.
 
-    Inputs, blocks, textures and targets stand in the order of the reflection; textures that no
-    stage reads have no slot. With ``exact`` the targets keep what the shader writes, neither
-    rounded to the format that the pass asks for nor blended. Raises ``KeyError`` if the reflection
-    does not have the route's profile.
+    Inputs, blocks, textures and targets are in the order of the reflection; a texture that no stage
+    reads has no slot. With ``exact`` the targets keep what the shader writes: they are neither
+    rounded to the declared format nor blended. Raises ``KeyError`` if the reflection lacks the
+    route's profile.
     """
     backend = reflection["backends"][route.profile]
     on_vulkan = DRIVERS[route.driver].module == "vulkan"
@@ -84,7 +85,7 @@ def pipeline(
         ),
         cull=cull,
         flip_y=backend["flip_y"],
-        # Vulkan's viewport shows all texts the right way round, also those for other APIs.
+        # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
         front_face="ccw" if on_vulkan else backend["front_face"],
         first_row="top" if on_vulkan else backend["first_row"],
         host_uniforms=tuple(backend["host_uniforms"]),
@@ -92,7 +93,7 @@ def pipeline(
 
 
 def target_format(row: Mapping[str, Any], *, exact: bool) -> TargetFormat:
-    """What is drawn to for one of the reflection's targets; see ``FORMATS`` and ``EXACT``."""
+    """The format to draw to for one of the reflection's targets; see ``FORMATS`` and ``EXACT``."""
     return EXACT[row["representation"]] if exact else FORMATS[row["format"]]
 
 

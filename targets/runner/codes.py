@@ -1,7 +1,8 @@
-"""From a material's texts to what a route's driver takes: SPIR-V by the real compilers, or text.
+"""Makes what a route's driver takes from a material's texts: SPIR-V by real compilers, or text.
 
-Compilers run in parallel, and what they made is kept: the same text, flags and tools give the same
-module. Nothing that was refused is kept.
+``render`` and ``conform`` call it before they draw. Compilers run in parallel, and a store keeps
+what they made: the same text, flags and tools give the same module. Nothing is kept of a text that
+was refused.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from .routes import Route
 from .store import Store, digest, digest_of_sources
 
 STORE = "spirv"
-"""The name of the store that keeps modules."""
+"""The name of the store that keeps SPIR-V modules."""
 
 
 class ShaderFile(Protocol):
@@ -30,53 +31,53 @@ class ShaderFile(Protocol):
 
     @property
     def name(self) -> str:
-        """``Rubber.frag.glsl``."""
+        """The name of its file, such as ``Rubber.frag.glsl``."""
 
     @property
     def target(self) -> str:
-        """``glsl``."""
+        """The language, such as ``glsl``."""
 
     @property
     def profile(self) -> str:
-        """``vulkan``."""
+        """The profile, such as ``vulkan``."""
 
     @property
     def entry_points(self) -> Mapping[StageName, str]:
-        """Entry point of each stage in the text."""
+        """The entry point of each stage in the text."""
 
     @property
     def text(self) -> str:
-        """All of it."""
+        """The whole text."""
 
     @property
     def spans(self) -> Mapping[int, Span]:
-        """By 1-based line of the text, what in the material it computes."""
+        """For each line of the text, counted from 1, the part of the material that it computes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """One material to be compiled for one route."""
+    """One material that shall be compiled for one route."""
 
     route: Route
     files: Sequence[ShaderFile]
-    """Its texts; those of other profiles are passed over."""
+    """Its texts; those of other profiles are ignored."""
 
 
 @dataclass(frozen=True, slots=True)
 class Codes:
-    """The stages as a driver takes them."""
+    """The stages of one material in the form that a driver takes."""
 
     stages: Mapping[StageName, Code]
 
 
 class CodeError(Exception):
-    """A route's compiler made nothing of a text; says why, and of what in the material."""
+    """A route's compiler refused a text; says why, and which part of the material it concerns."""
 
 
 def compile_one(route: Route, files: Sequence[ShaderFile], toolchain: Toolchain) -> Codes:
-    """The stages of one material for one route.
+    """Compile the stages of one material for one route.
 
-    Raises ``CodeError`` if the route's compiler is missing, breaks down or refuses a text, and
+    Raises ``CodeError`` if the route's compiler is missing, crashes or refuses a text, and
     ``KeyError`` if the files have no text for the route.
     """
     (result,) = compile_all([Request(route, files)], toolchain)
@@ -86,7 +87,8 @@ def compile_one(route: Route, files: Sequence[ShaderFile], toolchain: Toolchain)
 
 
 def compile_all(requests: Sequence[Request], toolchain: Toolchain) -> list[Codes | CodeError]:
-    """The stages for each request, or why there are none; the compilers run at the same time.
+    """Compile the stages of each request, in parallel; an error stands for stages that were
+    refused.
 
     Raises ``KeyError`` if a request's files have no text for its route.
     """
@@ -101,7 +103,7 @@ def compile_all(requests: Sequence[Request], toolchain: Toolchain) -> list[Codes
 
 
 def _make(jobs: Sequence[Job], toolchain: Toolchain) -> dict[Job, bytes | Verdict]:
-    """A module for each job, or the verdict of the compiler that made none."""
+    """A module for each job, or the verdict of the compiler that refused it."""
     store = Store(STORE)
     versions = {name: toolchain.versions(name) for name in {job.checker for job in jobs}}
     names = {job: _digest(job, versions[job.checker]) for job in jobs}
@@ -151,7 +153,7 @@ def _digest(job: Job, versions: Sequence[str]) -> str:
 
 @cache
 def _toolchain_digest() -> str:
-    """Changes with the code that puts together the compilers' command lines."""
+    """A digest of the code that decides on the compilers' command lines."""
     return digest_of_sources(Path(toolchain_file).parent)
 
 
@@ -165,7 +167,7 @@ def _refusal(route: Route, file: ShaderFile, verdict: Verdict) -> str:
 
 
 def _located(file: ShaderFile, message: Message) -> Iterator[str]:
-    """A compiler's message, and the line of the material that it is about."""
+    """A compiler's message, and the line of the material that it concerns."""
     place = ":".join(str(part) for part in (file.name, message.line, message.column) if part)
     yield f"  {place}: {message.text}"
     span = file.spans.get(message.line) if message.line else None

@@ -1,7 +1,7 @@
-"""The meshes that come with the runner, and what a mesh is.
+"""The type of meshes, and the meshes that come with the runner.
 
-All lie within the unit ball around the origin (the cube's and the plane's corners a little
-outside), y up, with triangles counter-clockwise as seen from outside.
+They lie in the unit ball around the origin (the corners of the cube and the plane a little
+outside), with y upwards and triangles counter-clockwise as seen from outside.
 """
 
 from __future__ import annotations
@@ -20,32 +20,34 @@ CHANNELS = {
     "position": 3, "normal": 3, "uv": 2, "tangent": 4, "color": 4, "uv2": 2, "joints": 4,
     "weights": 4,
 }  # fmt: skip
-"""What a mesh may have at each vertex, and its lanes.
+"""What a mesh may have at each vertex, with the number of lanes.
 
-``uv`` has v down. ``tangent`` points along u; its w is the sign with which
-``cross(normal, tangent)`` points up, against v. ``color`` is linear, alpha last. ``uv2`` is a
-second unwrapping. ``joints`` are numbers of bones, and ``weights`` how much each of them moves the
-vertex; they add up to 1.
+``uv`` has v pointing downwards. ``tangent`` points along u; its w is the sign with which
+``cross(normal, tangent)`` points up, against v. ``color`` is linear, with alpha last. ``uv2`` are
+second texture coordinates. ``joints`` are the numbers of bones, and ``weights`` say how much each
+of them moves the vertex; they add up to 1.
 """
 
 BONES = 4
-"""How many bones move the meshes here, each a slice of their height, the lowest one first."""
+"""The number of bones of the meshes here. Each moves a slice of the height, the lowest one
+first."""
 
 
 class MeshError(ValueError):
-    """A mesh cannot be used; the text says why, for people."""
+    """A mesh cannot be used; the text tells people why."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Mesh:
-    """Triangles with something at each vertex."""
+    """Triangles, with values at each vertex."""
 
     channels: Mapping[str, NDArray[Any]]
-    """By channel (see ``CHANNELS``) or by the name of a vertex input: (vertices, lanes)."""
+    """By channel (see ``CHANNELS``) or name of a vertex input, of shape (vertices, lanes)."""
     triangles: Indices
-    """Vertex numbers, (triangles, 3); the first of a triangle is its provoking vertex."""
+    """Indices of vertices, of shape (triangles, 3); the first of a triangle is its provoking
+    vertex."""
     instances: Mapping[str, NDArray[Any]] = field(default_factory=dict)
-    """By the name of a vertex input that each instance has: (instances, lanes)."""
+    """By name of a vertex input per instance, of shape (instances, lanes)."""
     instance_count: int = 1
 
     def __post_init__(self) -> None:
@@ -68,19 +70,19 @@ class Mesh:
             raise MeshError(f"a triangle names a vertex that is not one of the {len(self)}")
 
     def __len__(self) -> int:
-        """How many vertices there are."""
+        """The number of vertices."""
         return len(self.channels["position"])
 
 
 def mesh(name: str) -> Mesh:
-    """The mesh of that name in ``MESHES``; ``KeyError`` if there is none."""
+    """The mesh with this name in ``MESHES``; ``KeyError`` if there is none."""
     return MESHES[name]()
 
 
 def farthest_first(mesh: Mesh, eye: Sequence[float]) -> Mesh:
-    """The mesh with its triangles ordered for blending, for a viewer at ``eye`` in object space.
+    """The mesh with its triangles sorted for blending, for a viewer at ``eye`` in object space.
 
-    What stands behind has to be in the picture before what is blended with it.
+    A triangle must be in the picture before nearer ones are blended with it.
     """
     middles = mesh.channels["position"][mesh.triangles].mean(axis=1)
     distances = np.linalg.norm(middles - np.asarray(eye), axis=1)
@@ -88,7 +90,8 @@ def farthest_first(mesh: Mesh, eye: Sequence[float]) -> Mesh:
 
 
 def sphere(around: int = 64, down: int = 32) -> Mesh:
-    """The unit sphere by latitude and longitude, u eastwards from behind, v from the north pole."""
+    """The unit sphere by latitude and longitude; u goes eastwards from the back, v from the north
+    pole."""
     u, v = _lattice(around, down)
     longitude, latitude = 2 * np.pi * u - np.pi, np.pi * v
     ring = np.sin(latitude)
@@ -98,7 +101,7 @@ def sphere(around: int = 64, down: int = 32) -> Mesh:
 
 
 def torus(around: int = 64, across: int = 32, radius: float = 0.7, tube: float = 0.3) -> Mesh:
-    """A ring in the xz plane, u around it, v across the tube from the top outwards."""
+    """A ring in the xz plane; u goes around the ring, v around the tube from the top outwards."""
     u, v = _lattice(around, across)
     longitude, angle = 2 * np.pi * u - np.pi, 2 * np.pi * v
     out = np.stack([np.sin(longitude), 0 * u, np.cos(longitude)], 1)
@@ -108,7 +111,7 @@ def torus(around: int = 64, across: int = 32, radius: float = 0.7, tube: float =
 
 
 def plane(cells: int = 8) -> Mesh:
-    """A square from -1 to 1 in the xy plane that faces +z, upright for who looks along -z."""
+    """A square from -1 to 1 in the xy plane that faces +z, upright for a viewer along -z."""
     u, v = _lattice(cells, cells)
     position = np.stack([2 * u - 1, 1 - 2 * v, 0 * u], 1)
     normal = np.broadcast_to([0.0, 0.0, 1.0], position.shape)
@@ -117,7 +120,7 @@ def plane(cells: int = 8) -> Mesh:
 
 
 def cube(half: float = 0.7) -> Mesh:
-    """An axis-aligned cube, each side with the whole texture."""
+    """An axis-aligned cube; each side shows the whole texture."""
     face = plane(1)
     parts = []
     for turn in _SIDES:
@@ -140,7 +143,7 @@ _SIDES = (
     ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
     ((1, 0, 0), (0, 0, 1), (0, -1, 0)),
 )
-"""For each side of a cube, where the x, y and z axis of a face that looks along +z go."""
+"""For each side of a cube, the directions of the x, y and z axis of a side that faces +z."""
 
 MESHES: Mapping[str, Callable[[], Mesh]] = {
     "sphere": sphere,
@@ -151,13 +154,13 @@ MESHES: Mapping[str, Callable[[], Mesh]] = {
 
 
 def _lattice(across: int, down: int) -> tuple[Floats, Floats]:
-    """u and v of the vertices of a grid of cells, row by row."""
+    """The u and v of the vertices of a grid of cells, row by row."""
     v, u = np.meshgrid(np.linspace(0, 1, down + 1), np.linspace(0, 1, across + 1), indexing="ij")
     return u.ravel(), v.ravel()
 
 
 def _faces(across: int, down: int) -> Indices:
-    """Two triangles for each cell of a lattice, counter-clockwise where u goes right, v down."""
+    """Two triangles for each cell of a grid, counter-clockwise if u goes right and v down."""
     corner = (np.arange(down)[:, None] * (across + 1) + np.arange(across)).ravel()
     right, below = corner + 1, corner + across + 1
     halves = np.stack([corner, below, below + 1, corner, below + 1, right], 1)
@@ -185,10 +188,10 @@ def _made(
 
 
 def _skin(position: Floats) -> tuple[Floats, Indices]:
-    """Weights and bones of each vertex: the two bones whose middles lie around its height."""
+    """The weights and bones of each vertex: the two bones whose centres are around its height."""
     height = np.clip((position[:, 1] + 1) / 2, 0, 1) * (BONES - 1)
     lower = np.minimum(np.floor(height), BONES - 2).astype(np.int64)
-    # In steps that floats hold exactly, so that the weights add up to 1.
+    # Weights are multiples of a step that floats represent exactly, so that they add up to 1.
     share = np.round((height - lower) * 64) / 64
     none = np.zeros(len(position))
     return (
@@ -198,7 +201,7 @@ def _skin(position: Floats) -> tuple[Floats, Indices]:
 
 
 def _not_degenerate(triangles: Indices, position: Floats) -> Indices:
-    """Without the triangles that a pole has shrunk to a line."""
+    """The triangles without those that a pole has shrunk to a line."""
     a, b, c = (position[triangles[:, i]] for i in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     kept: Indices = triangles[area > 1e-9]

@@ -1,4 +1,4 @@
-"""Pictures for people: what a render target holds, as an image file."""
+"""Writes the contents of a render target as an image file for people."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ Floats = NDArray[np.float64]
 
 
 def to_image(pixels: Floats, *, lanes: int = 4) -> Image.Image:
-    """A target, (height, width, 4), as a screen shows it: linear light in sRGB, without alpha.
+    """A target of shape (height, width, 4) as a screen shows it: sRGB, without alpha.
 
-    A target that has but one of the ``lanes`` is shown in grey. What is not finite is shown in
-    magenta, which no picture has by chance.
+    A target with a single lane is shown in grey. Numbers that are not finite are shown in magenta,
+    which no picture contains by accident.
     """
     rgb = np.repeat(pixels[..., :1], 3, axis=2) if lanes == 1 else pixels[..., :3]
     finite = np.isfinite(rgb).all(axis=2, keepdims=True)
@@ -29,12 +29,12 @@ def to_image(pixels: Floats, *, lanes: int = 4) -> Image.Image:
 
 
 def check_format(path: Path) -> None:
-    """Raises ``PictureError`` unless the name's ending says how to write a picture."""
+    """Raise ``PictureError`` unless the ending of the name is that of a known image format."""
     _format(path)
 
 
 def save(image: Image.Image, path: Path) -> None:
-    """Writes an image, in the format that the name's ending says, whole or not at all.
+    """Write an image in the format that the ending of the name says, completely or not at all.
 
     Raises ``PictureError``.
     """
@@ -52,7 +52,7 @@ def save(image: Image.Image, path: Path) -> None:
 
 
 def _format(path: Path) -> str:
-    """Pillow's name of a format that can be written."""
+    """Pillow's name of the format to write."""
     Image.init()
     form = Image.EXTENSION.get(path.suffix.lower())
     if form is None or form not in Image.SAVE:

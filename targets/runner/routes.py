@@ -1,6 +1,6 @@
-"""The routes by which a material is drawn here: an emitted text, a compiler, a driver.
+"""The table of routes that can draw a material here: an emitted text, a compiler, a driver.
 
-Direct3D is not among them, because nothing here runs it; its texts are drawn on Vulkan, and DXC
+Direct3D is not among them, because nothing here runs it. Its texts are drawn on Vulkan; DXC also
 compiles them to DXIL, which is not drawn.
 """
 
@@ -19,21 +19,21 @@ from ..toolchain.tools import ToolState, inspect_all, tool_named
 
 @dataclass(frozen=True, slots=True)
 class DriverRow:
-    """What draws, and the worker process that it is driven from."""
+    """One row: a driver, and the worker process that drives it."""
 
     name: str
     title: str
     module: str
-    """The worker's: ``python -m MODULE ARGUMENTS…``."""
+    """The worker's module: ``python -m MODULE ARGUMENTS…``."""
     needs: tuple[str, ...]
-    """Names of tools, all of which it needs."""
+    """The names of the tools that it needs; all of them are required."""
     arguments: tuple[str, ...] = ()
-    """Of the worker; ``{name}`` becomes the path of that tool's first file."""
+    """The worker's arguments; ``{name}`` is replaced by the path of that tool's first file."""
     one_worker: bool = False
-    """Whether one process is enough, because it is slow to start and draws on all cores anyway."""
+    """Whether one process is enough, because it starts slowly and uses all cores anyway."""
 
     def command(self, states: Mapping[str, ToolState]) -> list[str]:
-        """What starts a worker, where ``states`` have all the tools that it needs."""
+        """The command that starts a worker; ``states`` has all the tools that it needs."""
         paths = {name: state.paths[0] for name, state in states.items() if state.paths}
         arguments = (argument.format_map(paths) for argument in self.arguments)
         return [sys.executable, "-m", f"{_PACKAGE}.drivers.{self.module}", *arguments]
@@ -44,27 +44,28 @@ class Route:
     """One way from a material to a picture."""
 
     name: str
-    """``lavapipe:glsl``: the driver and the way to it."""
+    """The driver and the way to it: ``lavapipe:glsl``."""
     title: str
     profile: str
-    """The text that is drawn: ``glsl:vulkan``."""
+    """The profile whose text is drawn: ``glsl:vulkan``."""
     driver: str
     """A key of ``DRIVERS``."""
     compiler: str | None = None
-    """The key in ``CHECKERS`` of what makes SPIR-V of it; None where the driver takes the text."""
+    """A key of ``CHECKERS``, whose compiler makes SPIR-V of the text; ``None`` if the driver takes
+    text."""
     flags: tuple[str, ...] = ()
-    """What the compiler has to be told besides."""
+    """Further command-line arguments of the compiler."""
 
     @property
     def needs(self) -> tuple[str, ...]:
-        """Names of tools, all of which it needs."""
+        """The names of all tools that it needs."""
         compiler = CHECKERS[self.compiler].needs if self.compiler else ()
         return (*compiler, *DRIVERS[self.driver].needs, *_EVERYTHING)
 
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """A way to any Vulkan driver."""
+    """A way to every Vulkan driver."""
 
     name: str
     title: str
@@ -75,7 +76,7 @@ class _Way:
 
 _PACKAGE = __name__.rpartition(".")[0]
 _EVERYTHING = ("numpy", "pillow")
-"""What drawing needs on every route, for meshes and textures."""
+"""The tools that every route needs, for meshes and textures."""
 _VULKAN = ("vulkan", "vulkan-validation")
 
 DRIVERS: Mapping[str, DriverRow] = {
@@ -101,9 +102,9 @@ DRIVERS: Mapping[str, DriverRow] = {
     )
 }  # fmt: skip
 
-# HLSL text means Direct3D, where SV_Position.w is the reciprocal of Vulkan's: both compilers have
-# to be told. DXC lays blocks out by Direct3D's rules, too, if it is asked to. naga's command line
-# turns the picture over unless it is told not to.
+# HLSL is written for Direct3D, where SV_Position.w is the reciprocal of Vulkan's, so both compilers
+# need a flag. DXC lays out blocks by Direct3D's rules only if it is asked to. naga's command line
+# turns the picture upside down unless a flag forbids it.
 _TO_VULKAN = (
     _Way("glsl", "GLSL by glslang", "glsl:vulkan", "glslang-vulkan"),
     _Way("hlsl-glslang", "HLSL by glslang", "hlsl:sm6", "glslang-hlsl", ("--hlsl-dx-position-w",)),
@@ -144,15 +145,15 @@ ALL = "all"
 
 
 class UnknownRouteError(ValueError):
-    """Somebody asked for a route that there is not; the text names the nearest."""
+    """There is no route with this name; the text suggests a similar one."""
 
 
 def select(names: Iterable[str]) -> tuple[Route, ...]:
-    """The routes that people mean, in the order of the table and none twice.
+    """The routes that somebody names, each once, in the order of the table.
 
-    A name is a route's, or either half of one, for all that have it (``lavapipe``, ``hlsl-dxc``),
-    or a pattern with ``*``, or ``all``; or several of them with commas. Raises
-    ``UnknownRouteError``.
+    A name is that of a route, or one half of it, which means all routes that have it (``lavapipe``,
+    ``hlsl-dxc``), or a pattern with ``*``, or ``all``, or several of these separated by commas.
+    Raises ``UnknownRouteError``.
     """
     wanted = [part.strip() for name in names for part in name.split(",")]
     chosen = set(chain.from_iterable(_meant(name) for name in wanted if name))
@@ -173,13 +174,13 @@ def _meant(name: str) -> list[str]:
 
 
 def inspect_tools(routes: Iterable[Route]) -> dict[str, ToolState]:
-    """What is known of all the tools that some routes need, by name; asks each for its version."""
+    """The states of all tools that some routes need, by name; determines the version of each."""
     needed = dict.fromkeys(chain.from_iterable(route.needs for route in routes))
     return inspect_all(tool_named(name) for name in needed)
 
 
 def problem(route: Route, states: Mapping[str, ToolState]) -> str | None:
-    """Why a route cannot be drawn, tool by tool; None when it can."""
+    """Why a route cannot draw, tool by tool; ``None`` if it can."""
     problems = (states[name].problem for name in route.needs)
     return "; ".join(text for text in problems if text) or None
 
@@ -191,5 +192,5 @@ def versions(route: Route, states: Mapping[str, ToolState]) -> dict[str, str]:
 
 
 def routes_needing(tool: str) -> tuple[str, ...]:
-    """The names of the routes that cannot be drawn without a tool."""
+    """The names of the routes that cannot draw without a tool."""
     return tuple(name for name, route in ROUTES.items() if tool in route.needs)

@@ -1,4 +1,4 @@
-"""Has jobs drawn by the drivers: their worker processes, and what they have drawn before."""
+"""Sends jobs to the drivers' worker processes, and keeps the pictures in a store."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ STORE = "pictures"
 """The name of the store that keeps pictures."""
 
 TIME_LIMIT = 120.0
-"""Seconds that one job may take, the start of its driver included."""
+"""How many seconds one job may take, including the start of its driver."""
 
 
 class Runner(Closing):
-    """Owns the drivers' workers; a context manager, for many jobs and many threads."""
+    """Owns the drivers' workers. Use it as a context manager, for many jobs and threads."""
 
     def __init__(
         self,
@@ -36,9 +36,10 @@ class Runner(Closing):
         parallel: int | None = None,
         reuse: bool = True,
     ) -> None:
-        """For these routes. ``parallel`` workers of each driver draw at once, one for each core.
+        """For these routes. ``parallel`` workers of each driver draw at once, by default one per
+        core.
 
-        Without ``reuse`` everything is drawn anew.
+        Without ``reuse`` nothing is taken from the store.
         """
         self._time_limit = time_limit
         self._states = inspect_tools(routes)
@@ -49,12 +50,12 @@ class Runner(Closing):
         self._locks = {name: Lock() for name in DRIVERS}
 
     def close(self) -> None:
-        """Ends all workers."""
+        """End all workers."""
         for pool in self._pools.values():
             pool.close()
 
     def problem(self, route: Route) -> str | None:
-        """Why a route cannot be drawn on this machine, tool by tool; None when it can."""
+        """Why a route cannot draw on this machine, tool by tool; ``None`` if it can."""
         return problem(route, self._states)
 
     def versions(self, route: Route) -> dict[str, str]:
@@ -62,7 +63,7 @@ class Runner(Closing):
         return versions(route, self._states)
 
     def device(self, route: Route) -> Device:
-        """What a route draws with; asked once. Raises ``DriverError``."""
+        """The device that a route draws with; it is asked only once. Raises ``DriverError``."""
         name = route.driver
         with self._locks[name]:
             if name not in self._devices:
@@ -114,7 +115,7 @@ class Runner(Closing):
 
 @cache
 def _runner_digest() -> str:
-    """Changes with the code that draws."""
+    """A digest of the code that draws."""
     return digest_of_sources(Path(__file__).parent)
 
 

@@ -1,7 +1,7 @@
-"""A camera, an object and lights, put in front of a material by what its parameters are called.
+"""Sets up a camera, an object and lights for a material, by the names of its parameters.
 
-What a parameter's name stands for is the library's to say: ``stdlib/scene.toml``. World space is
-right-handed with y up; clip space has z from 0 to w.
+``stdlib/scene.toml`` says what these names mean in a scene. World space is right-handed with y
+upwards; clip space has z from 0 to w.
 """
 
 from __future__ import annotations
@@ -29,30 +29,30 @@ Vector = tuple[float, float, float]
 _NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
 _GOLDEN_ANGLE = math.pi * (3 - math.sqrt(5))
 INSTANCES = 4
-"""How many instances are drawn of what tells them apart."""
+"""How many instances are drawn if the material distinguishes them."""
 
 _LIGHT_TINTS = ((1.0, 0.95, 0.85), (0.55, 0.75, 1.0), (1.0, 0.6, 0.45), (0.6, 1.0, 0.7))
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """Where everything is."""
+    """The positions of camera, object and lights."""
 
     eye: Vector = (0.9, 0.8, 3.0)
     target: Vector = (0.0, 0.0, 0.0)
     fov: float = math.radians(38)
-    """The whole vertical angle of view."""
+    """The vertical angle of view from bottom to top."""
     near: float = 0.1
     far: float = 20.0
     object_to_world: tuple[tuple[float, ...], ...] = tuple(map(tuple, np.eye(4).tolist()))
-    """Rows of the object's transform."""
+    """The rows of the object's transform."""
     light_distance: float = 3.0
-    """How far lights that stand somewhere are from the origin."""
+    """The distance from the origin of lights that have a position."""
     light_count: int = 3
-    """How many lights an array of lights gets, if it has room for them."""
+    """How many lights an array of lights gets, if it has space for them."""
 
     def apply(self, instance: Instance, aspect: float) -> None:
-        """Sets everything that the library says is a scene's; ``aspect`` is width over height."""
+        """Set all parameters that belong to a scene; ``aspect`` is width divided by height."""
         names = scene_names()
         given = {
             "world_to_clip": _columns(self.world_to_clip(aspect)),
@@ -67,13 +67,13 @@ class Scene:
         self._place_lights(instance, names["lights"])
 
     def world_to_clip(self, aspect: float) -> Matrix:
-        """Perspective times view."""
+        """The projection times the view transform."""
         return _perspective(self.fov, aspect, self.near, self.far) @ _look_at(self.eye, self.target)
 
     def _place_lights(self, instance: Instance, roles: Mapping[str, str]) -> None:
-        """Gives every light its place, also those that an array has beyond the count it is given.
+        """Set the parameters of all lights, including those of an array beyond its current count.
 
-        So a count can be changed afterwards.
+        So the count can be changed later.
         """
         lights = instance.reflection["lights"]
         counts = [self._count(row) for row in lights]
@@ -94,14 +94,14 @@ class Scene:
                 instance.set(row["count"], count)
 
     def _count(self, light: Mapping[str, Any]) -> int:
-        """How many lights a row of the reflection's stands for."""
+        """How many lights a row of the reflection means."""
         if light["capacity"] is None:
             return 1
         capacity: int = light["capacity"]
         return capacity if light["count"] is None else min(capacity, self.light_count)
 
     def _light(self, role: str, number: int, total: int) -> Vector:
-        """What light ``number`` of ``total`` has for a role."""
+        """The value of light ``number`` of ``total`` for a role."""
         towards = _light_direction(number)
         if role == "place":
             return _scaled(towards, self.light_distance)
@@ -113,16 +113,16 @@ class Scene:
 
 @cache
 def scene_names() -> Mapping[str, Mapping[str, str]]:
-    """What the library's names stand for, as tables of the scene's own words."""
+    """What the names of the library mean in a scene, by kind."""
     return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
 
 
 def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[Any]]:
-    """For each vertex input that the shader reads, the mesh's values, (vertices, lanes).
+    """The mesh's values for each vertex input that the shader reads, of shape (vertices, lanes).
 
-    For one that each instance has, (instances, lanes). A channel is found by what
-    ``stdlib/scene.toml`` says of the input's name, or by that name. Raises ``MeshError`` for what
-    the mesh does not have.
+    For inputs per instance the shape is (instances, lanes). ``stdlib/scene.toml`` says which
+    channel an input's name means; otherwise it is the channel of this name. Raises ``MeshError`` if
+    the mesh lacks one.
     """
     roles = scene_names()["attributes"]
     found = {}
@@ -141,9 +141,9 @@ def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[
 
 
 def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INSTANCES) -> Mesh:
-    """``mesh`` with a smooth pattern for each vertex input of the shader that it does not have.
+    """``mesh`` with a smooth pattern for each vertex input of the shader that it lacks.
 
-    It is there ``instances`` times if the shader tells instances apart and the mesh does not say.
+    If the shader distinguishes instances and the mesh has none, there are ``instances`` of them.
     """
     roles = scene_names()["attributes"]
     position = mesh.channels["position"]
@@ -166,7 +166,7 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INST
 
 
 def is_instanced(reflection: Mapping[str, Any]) -> bool:
-    """Whether a shader tells instances apart."""
+    """Whether a shader distinguishes instances."""
     rows = reflection["vertex_inputs"]
     return any("instance_index" in read for read in reflection["pipeline_inputs"].values()) or any(
         row["step"] == "instance" for row in rows
@@ -174,7 +174,7 @@ def is_instanced(reflection: Mapping[str, Any]) -> bool:
 
 
 def _of_instances(row: Mapping[str, Any], count: int) -> NDArray[Any]:
-    """What ``count`` instances have for an input: their places, or a pattern of their own."""
+    """The values of ``count`` instances for an input: their transforms, or a pattern."""
     column = row["column"]
     if column is not None and scene_names()["instances"].get(column["of"]) == "placement":
         return placements(count)[:, :, column["index"]]
@@ -182,7 +182,7 @@ def _of_instances(row: Mapping[str, Any], count: int) -> NDArray[Any]:
 
 
 def placements(count: int) -> NDArray[np.float64]:
-    """Transforms that put ``count`` small copies beside each other: (count, row, column)."""
+    """Transforms that place ``count`` small copies next to each other: (count, row, column)."""
     transforms = np.zeros((count, 4, 4))
     transforms[:, (0, 1, 2), (0, 1, 2)] = 0.5
     transforms[:, :3, 3] = _places(count)
@@ -191,7 +191,7 @@ def placements(count: int) -> NDArray[np.float64]:
 
 
 def _places(count: int) -> NDArray[np.float64]:
-    """Points around the origin, seen apart from each other; each has a depth of its own."""
+    """Positions around the origin that do not hide each other, each with its own depth."""
     turns = _GOLDEN_ANGLE * np.arange(count)
     ring = 0.75 * np.sqrt((np.arange(count) + 0.5) / count)
     depth = np.linspace(-0.4, 0.4, count) if count > 1 else np.zeros(1)
@@ -216,7 +216,7 @@ _LANES = {"float": 1, "int": 1, "uint": 1}
 
 
 def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
-    """``values`` with the lanes of the input: further ones are cut off, a missing fourth is 1."""
+    """``values`` with the input's number of lanes: others are removed, a missing fourth is 1."""
     representation = row["representation"]
     if representation[0] in "iu" and values.dtype.kind == "f":
         raise MeshError(
@@ -234,15 +234,15 @@ def _with_lanes(row: Mapping[str, Any], values: NDArray[Any]) -> NDArray[Any]:
 
 
 def pose() -> tuple[tuple[tuple[float, ...], ...], ...]:
-    """A transform for each of 64 bones: the meshes here bow, each bone more than the last one.
+    """A transform for each of 64 bones: the meshes here bend, each bone more than the last one.
 
-    Every bone turns around the origin of its own slice of the mesh; see ``meshes.BONES``.
+    Every bone rotates around the origin of its own slice of the mesh; see ``meshes.BONES``.
     """
     return tuple(_columns(_bent(min(number, BONES - 1))) for number in range(64))
 
 
 def _bent(number: int) -> Matrix:
-    """A turn around z for each bone from the lowest up, each in the turned frame of those below."""
+    """The rotation of a bone around z, in the rotated frame of the bones below it."""
     bent: Matrix = np.eye(4)
     for below in range(number):
         angle, height = math.radians(14), 2 * below / (BONES - 1) - 1
@@ -254,7 +254,7 @@ def _bent(number: int) -> Matrix:
 
 
 def _members(instance: Instance, light: Mapping[str, Any]) -> Iterator[str]:
-    """The names of a light's parameters, without the light's own."""
+    """The names of a light's parameters, without the light's own name."""
     if light["capacity"] is None:
         yield from (name.removeprefix(f"{light['name']}.") for name in light["parameters"])
         return
@@ -264,7 +264,8 @@ def _members(instance: Instance, light: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _light_direction(number: int) -> Vector:
-    """From the object towards a light: the first from the upper left, the others all around."""
+    """The direction from the object to a light: the first is at the upper left, the others all
+    around."""
     height = 0.65 - 0.35 * (number % 4) / 4
     angle = math.radians(-40) + _GOLDEN_ANGLE * number
     ring = math.sqrt(1 - height * height)
@@ -276,7 +277,7 @@ def _scaled(v: Vector, factor: float) -> Vector:
 
 
 def _columns(matrix: Matrix) -> tuple[tuple[float, ...], ...]:
-    """A matrix as hosts set it: column after column."""
+    """A matrix in the form that hosts set: column after column."""
     return tuple(tuple(column) for column in matrix.T.tolist())
 
 

@@ -1,4 +1,4 @@
-"""Contact sheets: several pictures on one, each with words below that say what it shows."""
+"""Makes contact sheets: several pictures in one, each with a caption below it."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from PIL import Image, ImageDraw, ImageFont
 
 GAP = 16
-"""Between panels, and around all of them; pixels."""
+"""The space between panels, and around all of them, in pixels."""
 NARROWEST = 128
-"""A panel leaves its caption at least this much room, however small its picture is."""
+"""The least width of a caption, however small the picture is."""
 NOTE_LINES = 3
-"""A note is cut after so many lines; a title never is."""
+"""The most lines of a note; titles are never shortened."""
 PAPER, BOX, INK, FAINT = (44, 47, 53), (54, 57, 64), (240, 240, 240), (165, 168, 175)
 
 Font = ImageFont.ImageFont | ImageFont.FreeTypeFont
@@ -21,20 +21,21 @@ Font = ImageFont.ImageFont | ImageFont.FreeTypeFont
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Panel:
-    """One picture on a sheet, or the place where it would be."""
+    """One picture on a sheet, or an empty place for it."""
 
     titles: tuple[str, ...]
-    """Lines below the picture: what it shows."""
+    """The lines below the picture that say what it shows."""
     note: str
-    """In fainter letters below them: what drew it."""
+    """The fainter text below them that says what drew it."""
     image: Image.Image | None
-    """``None`` where there is none."""
+    """``None`` if there is no picture."""
     problem: str = ""
-    """Why there is none, to be written in its place; two or three words."""
+    """Two or three words that say why there is no picture; they are written in its place."""
 
 
 def sheet(panels: Sequence[Panel], columns: int, size: tuple[int, int]) -> Image.Image:
-    """Panels in rows of ``columns``, each picture ``size`` large with its caption below."""
+    """A sheet of panels in rows of ``columns``; each picture has this size, and a caption below
+    it."""
     width, height = size
     cell = max(width, NARROWEST)
     font = ImageFont.load_default(max(13, min(cell // 32, 48)))
@@ -74,7 +75,7 @@ def _put_picture(
 
 
 def _caption(panel: Panel, font: Font, width: int) -> list[tuple[str, tuple[int, int, int]]]:
-    """Lines and their ink."""
+    """The lines of a caption with their colours."""
     titles = [line for title in panel.titles for line in _wrapped(title, font, width)]
     note = _wrapped(panel.note, font, width)
     if len(note) > NOTE_LINES:
@@ -84,7 +85,7 @@ def _caption(panel: Panel, font: Font, width: int) -> list[tuple[str, tuple[int,
 
 
 def _wrapped(text: str, font: Font, width: int) -> list[str]:
-    """Lines no wider than ``width``, broken behind blanks and marks, or anywhere if need be."""
+    """Lines that are no wider than ``width``, broken after spaces and punctuation if possible."""
     lines, line = [], ""
     for part in re.findall(r"[^ :_-]*[ :_-]?", " ".join(text.split())):
         if font.getlength((line + part).rstrip()) > width and line:
@@ -99,7 +100,7 @@ def _wrapped(text: str, font: Font, width: int) -> list[str]:
 
 
 def _fitting(text: str, font: Font, width: int, end: str = "") -> str:
-    """As much of the text, and at least a letter, as fits with ``end`` behind it."""
+    """The longest beginning of the text, at least one letter, that fits together with ``end``."""
     while len(text) > 1 and font.getlength(text + end) > width:
         text = text[:-1]
     return text + end

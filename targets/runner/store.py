@@ -1,9 +1,9 @@
-"""Bytes that are costly to make and never change: files named after all that they depend on.
+"""Keeps results that are costly to compute, in files named after all that they depend on.
 
-Beside ``compiler/cache.py`` because what lies here decides whether a test passes: names are 160
-bits long and not 64, so that nobody has to think about two that agree by chance, and there is much
-of it, so that what has not been used for longest is deleted. A store is a convenience only: where
-it cannot be read or written, there is nothing in it.
+It exists besides ``compiler/cache.py`` because these results decide whether tests pass: names have
+160 bits instead of 64, so that no two agree by accident. Because there are many results, those that
+have not been used for longest are deleted. A store only saves time: if its folder cannot be read or
+written, it is empty.
 """
 
 from __future__ import annotations
@@ -19,17 +19,18 @@ from tempfile import NamedTemporaryFile
 from ...compiler.cache import folder as cache_folder
 
 LIMIT = 1 << 30
-"""Bytes that a store may hold, about."""
+"""The approximate number of bytes that a store may hold."""
 KEPT = 0.75
-"""Part of the limit that is left after deleting, so that it is not done at every write."""
+"""The part of the limit that remains after deleting, so that not every write has to delete."""
 CHECK_EVERY = 1 << 26
-"""Bytes after which a process that writes looks at the whole folder again."""
+"""After how many written bytes a process examines the whole folder again."""
 
 _DIGEST_SIZE = 20
 
 
 def digest(*ingredients: str | bytes) -> str:
-    """The name of what depends on these, in this order, and on nothing else."""
+    """The name of a result that depends on these ingredients, in this order, and on nothing
+    else."""
     total = blake2b(digest_size=_DIGEST_SIZE)
     for item in ingredients:
         data = item.encode() if isinstance(item, str) else item
@@ -39,12 +40,12 @@ def digest(*ingredients: str | bytes) -> str:
 
 
 def digest_of_sources(*folders: Path) -> str:
-    """The digest of the code below some folders, Python's and JavaScript's, for what it makes."""
+    """The digest of all Python and JavaScript code below some folders."""
     return digest(*chain.from_iterable(map(_sources, folders)))
 
 
 def _sources(folder: Path) -> Iterator[str | bytes]:
-    """Names and contents of the files of code below a folder."""
+    """The names and contents of the files of code below a folder."""
     for path in sorted(folder.rglob("*")):
         if path.suffix in (".py", ".mjs"):
             yield str(path.relative_to(folder))
@@ -52,17 +53,17 @@ def _sources(folder: Path) -> Iterator[str | bytes]:
 
 
 class Store:
-    """A folder of results. Several processes may use it at the same time."""
+    """A folder of results, which several processes may use at the same time."""
 
     def __init__(self, name: str, limit: int = LIMIT) -> None:
         """The store called ``name`` in Burnish's cache folder; ``limit`` is in bytes."""
         self.folder = Path(cache_folder()) / name
         self._limit = limit
         self._unchecked: int | None = None
-        """Bytes written since the folder was looked at; None before the first time."""
+        """The bytes written since the folder was last examined; ``None`` before the first time."""
 
     def read(self, name: str) -> bytes | None:
-        """What was written under a digest, if it is there and undamaged."""
+        """The data with this name, if it exists and is not damaged."""
         path = self._path(name)
         try:
             content = path.read_bytes()
@@ -76,7 +77,7 @@ class Store:
         return data
 
     def write(self, name: str, data: bytes) -> None:
-        """Keeps data under a digest; no reader ever sees half of it."""
+        """Keep data under a name; no reader ever sees half of it."""
         path = self._path(name)
         with suppress(OSError):
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -87,7 +88,7 @@ class Store:
         self._unchecked += len(data)
 
     def prune(self) -> None:
-        """Deletes what has not been used for longest, if there is more than the limit."""
+        """If there is more than the limit, delete what has not been used for longest."""
         files = sorted(self._files(), reverse=True)
         if sum(size for _, size, _ in files) <= self._limit:
             return
@@ -102,7 +103,8 @@ class Store:
         return self.folder / name[:2] / name[2:]
 
     def _files(self) -> Iterator[tuple[int, int, Path]]:
-        """When each file was last used, its size and path; what a killed process left, too."""
+        """When each file was last used, its size and its path; includes files of killed
+        processes."""
         for path in self.folder.glob("*/*"):
             with suppress(OSError):
                 status = path.stat()
@@ -114,7 +116,7 @@ def _checksum(data: bytes) -> bytes:
 
 
 def _replace(path: Path, content: bytes) -> None:
-    """Writes a file in one step; raises ``OSError`` and leaves nothing where that fails."""
+    """Write a file in one step; if that fails, raise ``OSError`` and leave nothing."""
     with NamedTemporaryFile(dir=path.parent, delete=False) as file:
         try:
             file.write(content)

@@ -1,4 +1,4 @@
-"""What is drawn: one compiled material, as ``burnish.compile`` returns it."""
+"""The type of what is drawn: a compiled material, as ``burnish.compile`` returns it."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from .codes import ShaderFile
 
 
 class Subject(Protocol):
-    """A compiled material with its texts for the profiles of all routes that are to draw it."""
+    """A compiled material with its texts for the profiles of all routes that will draw it."""
 
     @property
     def name(self) -> str:
-        """The material's."""
+        """The name of the material."""
 
     @property
     def files(self) -> Sequence[ShaderFile]:
@@ -22,12 +22,12 @@ class Subject(Protocol):
 
     @property
     def lacking(self) -> Mapping[str, str]:
-        """Why there are no texts for some profiles."""
+        """For profiles without texts, the reason."""
 
     @property
     def reflection(self) -> Mapping[str, Any]:
-        """What a host binds by."""
+        """The reflection, by which a host binds."""
 
     @property
     def shader(self) -> Shader:
-        """What the material means, for the reference."""
+        """The shader before the passes, for the reference."""

@@ -11,6 +11,7 @@ from ...compiler.ir.types import BOOL, UINT, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..emit.description import (
+    STAGE_STRUCTS,
     Limits,
     PipelineInput,
     Profile,
@@ -143,7 +144,7 @@ WEBGPU = Profile(
     doc="WGSL as browsers and wgpu take it.",
     agrees=AGREES,
     single_file=True,
-    limits=Limits(block_bytes=65536),
+    limits=Limits(groups=4, bindings=1000, block_bytes=65536),
     checkers=("naga", "tint"),
 )
 
@@ -166,6 +167,6 @@ TARGET = Target(
     global_members=False,
     fixed_names=(
         "main", *ENTRY_POINTS, "input", "output", "clip_position",
-        "VertexInput", "VertexOutput", "FragmentInput", "FragmentOutput",
+        *STAGE_STRUCTS,
     ),
 )  # fmt: skip

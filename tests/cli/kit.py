@@ -8,7 +8,7 @@ from pathlib import Path
 
 from click.testing import CliRunner, Result
 
-from burnish.cli import main
+from burnish.commands.group import burnish
 
 PLAIN = "material Plain { color = #ffffff }\n"
 
@@ -16,7 +16,7 @@ PLAIN = "material Plain { color = #ffffff }\n"
 def invoke(*arguments: object) -> Result:
     """Run a command in this process; an exception that is not an exit is raised."""
     words = list(map(str, arguments))
-    return CliRunner().invoke(main, words, catch_exceptions=False, prog_name="burnish")
+    return CliRunner().invoke(burnish, words, catch_exceptions=False, prog_name="burnish")
 
 
 def shell(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:

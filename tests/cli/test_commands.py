@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 
 from burnish import __version__
-from burnish.cli import main
-from burnish.commands import console
+from burnish.commands.group import COMMANDS
+from burnish.commands.terminal import wants_color
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.targets import registry
@@ -27,7 +27,7 @@ from .kit import PLAIN, invoke
 RULES = [rule for rule in vars(rules).values() if isinstance(rule, Rule)]
 
 
-@pytest.mark.parametrize("command", main.commands)
+@pytest.mark.parametrize("command", COMMANDS)
 def test_help_teaches_by_example(command: str) -> None:
     text = invoke(command, "--help").stdout
     assert f"Example:\n      burnish {command}" in text
@@ -128,9 +128,9 @@ def test_doctor_tells_old_from_missing(monkeypatch: pytest.MonkeyPatch, tmp_path
 def test_colours(no_color: str, wanted: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NO_COLOR", no_color)
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
-    assert console.wants_color(sys.stdout) is wanted
+    assert wants_color(sys.stdout) is wanted
     monkeypatch.setattr(sys.stdout, "isatty", lambda: False)
-    assert not console.wants_color(sys.stdout)
+    assert not wants_color(sys.stdout)
 
 
 def test_a_reader_that_leaves(tmp_path: Path) -> None:
@@ -232,16 +232,20 @@ def test_watching_without_its_package(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "pip install watchfiles" in result.stderr
 
 
+def test_a_command_that_is_misspelt() -> None:
+    assert "No such command 'compil'. Did you mean 'compile'?" in invoke("compil").stderr
+
+
 LOADED = """
 import sys
 from burnish.cli import main
 try:
-    main(sys.argv[1:])
+    main()
 finally:
     print(*sys.modules, file=sys.stderr)
 """
 NEVER = {"numpy", "jsonschema", "watchfiles", "hypothesis", "lark", "burnish.targets.toolchain"}
-COMPILER = {"burnish.api", "burnish.compiler", "burnish.targets", "jinja2"}
+COMPILER = {"burnish.api", "burnish.compiler.frontend", "burnish.targets", "jinja2"}
 
 
 def loaded(folder: Path, *arguments: str) -> set[str]:
@@ -255,7 +259,7 @@ def loaded(folder: Path, *arguments: str) -> set[str]:
 
 def test_compiling_loads_no_more_than_it_needs(tmp_path: Path) -> None:
     (tmp_path / "m.burnish").write_text(PLAIN)
-    command = ("compile", "m.burnish", "-t", "wgsl", "-o", "out")
+    command = ("compile", "m.burnish", "-t", "wgsl", "-o", "out", "--no-cache")
     loaded(tmp_path, *command)
     modules = loaded(tmp_path, *command)
     assert not modules & NEVER

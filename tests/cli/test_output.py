@@ -6,10 +6,11 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import IO, Any
 
 import pytest
 
-from burnish.commands import output
+from burnish.commands import output, results
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
 from .kit import PLAIN, invoke, shell, tree
@@ -123,15 +124,14 @@ def test_a_full_disk_leaves_the_old_output_alone(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "a").write_text(OLD)
-    write = Path.write_bytes
 
-    def full(path: Path, data: bytes) -> int:
-        if path.name == "b":
-            write(path, data[:1])
+    def full(path: str, mode: str) -> IO[Any]:
+        if Path(path).name == "b":
+            Path(path).write_text("n")
             raise OSError(28, "No space left on device")
-        return write(path, data)
+        return Path(path).open(mode)
 
-    monkeypatch.setattr(Path, "write_bytes", full)
+    monkeypatch.setattr(results, "open", full, raising=False)
     with pytest.raises(CompileError, match="No space left on device"):
         output.write_all(tmp_path, {"a": "new", "b": "new", "c": "new"})
     assert tree(tmp_path) == {"a"}

@@ -15,7 +15,7 @@ import pytest
 from click.testing import CliRunner
 
 import burnish
-from burnish.cli import main
+from burnish.commands.group import burnish as group
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.diagnostics.render import render_all
 
@@ -144,6 +144,6 @@ def test_console(block: Block) -> None:
         line, _, quoted = part.partition("\n")
         command = shlex.split(line.partition("#")[0])
         if command[:2] == ["$", "burnish"] and "--watch" not in command:
-            result = CliRunner().invoke(main, command[2:])
+            result = CliRunner().invoke(group, command[2:])
             assert result.exit_code == 0, result.output
             assert_in_order(quoted, result.stdout)

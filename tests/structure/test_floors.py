@@ -21,6 +21,7 @@ FLOORS: dict[str, str] = {
     "stdlib": "frozen",
     # From text to a staged program.
     "compiler.cache": "",
+    "compiler.inputs": "",
     "compiler.trampoline": "",
     "compiler.diagnostics": "frozen",
     "compiler.syntax": "frozen stdlib cache diagnostics",
@@ -49,7 +50,7 @@ FLOORS: dict[str, str] = {
         "frozen stdlib diagnostics syntax ir trampoline types names inheritance state hints "
         "declarations lowering"
     ),
-    "compiler.frontend": "diagnostics syntax ir library names inheritance shading",
+    "compiler.frontend": "inputs diagnostics syntax ir library names inheritance shading",
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference trampoline library",
     "compiler.reflection": "frozen stdlib diagnostics ir layout packing",
     # Shaders in each language, and the programs that check, draw and compare them.
@@ -65,11 +66,11 @@ FLOORS: dict[str, str] = {
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "api": (
-        "frozen arguments diagnostics ir passes source_map names reflection frontend "
+        "frozen arguments inputs diagnostics ir passes source_map names reflection frontend "
         "emit legalise registry runner"
     ),
     "commands": (
-        "frozen stdlib cache diagnostics ir passes reference source_map frontend reflection "
+        "frozen stdlib cache inputs diagnostics ir passes reference source_map frontend reflection "
         "formula emit registry runner conformance toolchain api"
     ),
     "cli": "commands",

@@ -1,6 +1,7 @@
-"""Whole pictures by the reference: rasterisation, filtering and blending in double precision.
+"""The reference's pictures: rasterisation, filtering and blending in double precision.
 
-Needs NumPy, so nothing on the way of a compile imports it.
+``targets/runner/reference.py`` calls ``draw``. This package needs NumPy, so nothing that compiles
+imports it.
 """
 
 from .drawing import draw

@@ -1,8 +1,7 @@
-"""Clipping in homogeneous clip space, against near (0 <= z), far (z <= w) and the eye (0 < w).
+"""Clips triangles in clip space: at near (0 <= z), at far (z <= w), and at the eye (0 < w).
 
-The sides of the picture need no clipping in double precision, but some devices do it, and snap the
-corners that it makes. Sutherland and Hodgman,
-"Reentrant polygon clipping", 1974.
+Double precision needs no clipping at the sides of the picture, but some devices do it, and snap the
+new corners. The algorithm is that of Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
 """
 
 from __future__ import annotations
@@ -14,25 +13,26 @@ import numpy as np
 from .scene import Bools, Floats, Ints
 
 _SMALLEST_W = 1e-6
-"""Of a triangle's largest w: nearer to the eye, quotients would lose too many digits."""
+"""The least w, relative to a triangle's largest; for smaller ones, quotients would be imprecise."""
 
 
 @dataclass(frozen=True, slots=True)
 class Clipped:
-    """Triangles inside the planes."""
+    """The parts of triangles that are inside of the planes; each is a face."""
 
     triangle: Ints
-    """(faces,) the triangle that each is a part of, ascending."""
+    """(faces,): the triangle that each is a part of, in ascending order."""
     weights: Floats
-    """(faces, 3, 3): each corner as a sum of the triangle's corners."""
+    """(faces, 3, 3): each corner as a weighted sum of the triangle's corners."""
     made: Bools
-    """(faces, 3): corners that clipping has made."""
+    """(faces, 3): whether clipping has made the corner."""
 
 
 def clip(corners: Floats, *, sides: bool = False) -> Clipped:
-    """The parts inside of triangles with clip positions ``corners``, (triangles, 3, 4).
+    """Clip triangles whose corners have these clip positions, (triangles, 3, 4).
 
-    ``sides`` are those of the picture: |x| <= w and |y| <= w. What is not finite is dropped.
+    ``sides`` also clips at the sides of the picture, |x| <= w and |y| <= w. Triangles with numbers
+    that are not finite are removed.
     """
     inside = _distances(corners, sides) >= 0
     finite = np.isfinite(corners).reshape(-1, 12).all(axis=1)
@@ -52,7 +52,7 @@ def clip(corners: Floats, *, sides: bool = False) -> Clipped:
 
 
 def _distances(corners: Floats, sides: bool) -> Floats:
-    """(…, corners, planes): not negative inside."""
+    """(…, corners, planes): the distances from the planes, which are not negative inside."""
     x, y, z, w = np.moveaxis(corners, -1, 0)
     nearest = _SMALLEST_W * np.abs(w).max(axis=-1, keepdims=True)
     nearest = np.maximum(nearest, np.finfo(np.float64).tiny)
@@ -63,7 +63,7 @@ def _distances(corners: Floats, sides: bool) -> Floats:
 
 
 def _parts(corners: Floats, sides: bool) -> list[Floats]:
-    """A fan of triangles, each by its corners' weights (3, 3); none if nothing is left."""
+    """A fan of triangles, each as its corners' weights (3, 3); empty if nothing is inside."""
     distances = _distances(corners, sides)
     polygon = list(np.eye(3))
     for plane in range(distances.shape[-1]):
@@ -72,7 +72,7 @@ def _parts(corners: Floats, sides: bool) -> list[Floats]:
 
 
 def _inside(polygon: list[Floats], distances: Floats) -> list[Floats]:
-    """What is left of a polygon in front of a plane at these distances from the three corners."""
+    """The part of a polygon in front of a plane that has these distances from the three corners."""
     found = []
     for corner, following in zip(polygon, polygon[1:] + polygon[:1], strict=True):
         here, there = float(corner @ distances), float(following @ distances)

@@ -1,8 +1,8 @@
-"""Which pixels a face covers: edge functions at pixel centres, with the top-left rule.
+"""Finds the pixels that a face covers, with edge functions at pixel centres and the top-left rule.
 
-On vertices that are snapped to a grid the edge functions are exact. Even where they are not, an
-edge that two faces share is evaluated in one direction only, so that no pixel on it is drawn twice
-or left out. Pineda, "A parallel algorithm for polygon rasterization", 1988.
+If vertices are snapped to a grid, the edge functions are exact. Otherwise an edge that two faces
+share is still evaluated in the same direction for both, so that no pixel on it is drawn twice or
+never. Pineda, "A parallel algorithm for polygon rasterization", 1988.
 """
 
 from __future__ import annotations
@@ -16,37 +16,37 @@ from .faces import Faces
 from .scene import Bools, Floats, Ints, RasterRules
 
 _CANDIDATES = 1 << 18
-"""Pixels that are tried at once."""
+"""How many pixels are tested at once."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fragments:
-    """Pairs of face and pixel."""
+    """Pairs of a face and a pixel that it covers."""
 
     face: Ints
-    """Ascending, in the order of drawing."""
+    """The faces in ascending order, which is the order of drawing."""
     pixel: Ints
-    """Number of the pixel, row by row from the top."""
+    """The numbers of the pixels, counted row by row from the top."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Edges:
-    """The sides of faces, each from its upper (then left) end; arrays are (faces, 3)."""
+    """The edges of faces, each from its upper (or else left) end; arrays are (faces, 3)."""
 
     x: Floats
     y: Floats
     dx: Floats
     dy: Floats
-    """Turned so that the edge function is positive inside."""
+    """With the sign that makes the edge function positive inside."""
     owns: Bools
-    """Whether pixels on the edge are the face's own: a top or left one."""
+    """Whether the face owns pixels that are exactly on the edge: a top or left edge."""
     reach: Floats
-    """Where rounding may move the edge: up to this value of the edge function."""
+    """The value of the edge function up to which rounding may move the edge."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Spans:
-    """Stretches of pixels in a row, to be tried for a face."""
+    """Ranges of pixels in a row that have to be tested for a face."""
 
     face: Ints
     y: Ints
@@ -58,7 +58,7 @@ class _Spans:
 
 
 def fragments_of(faces: Faces, rules: RasterRules) -> tuple[Fragments, Bools]:
-    """What the faces cover; and for each pixel whether that hangs on rounding."""
+    """The pixels that faces cover; and for each pixel whether this depends on rounding."""
     edges = _edges(faces)
     unsure = np.zeros(rules.width * rules.height, dtype=np.bool_)
     found: list[Fragments] = []
@@ -86,7 +86,8 @@ def _edges(faces: Faces) -> _Edges:
     to_x, to_y = np.roll(x, -1, axis=1), np.roll(y, -1, axis=1)
     swapped = (to_y < y) | ((to_y == y) & (to_x < x))
     from_x, from_y = np.where(swapped, to_x, x), np.where(swapped, to_y, y)
-    # Clockwise on the screen (y down), the edge function of the way round is positive inside.
+    # If the corners are clockwise on the screen (y downwards), the edge function is positive
+    # inside.
     turn = np.where(swapped != (faces.area < 0)[:, None], -1.0, 1.0)
     dx = turn * np.where(swapped, x - to_x, to_x - x)
     dy = turn * np.abs(to_y - y)
@@ -96,7 +97,7 @@ def _edges(faces: Faces) -> _Edges:
 
 
 def _spans(faces: Faces, edges: _Edges, rules: RasterRules) -> _Spans:
-    """For every face the rows it may touch, and in each the pixels between its edges."""
+    """For every face the rows that it may touch, and in each the pixels between its edges."""
     slack = faces.unsure.max(axis=1, initial=0.0)
     left = _clamped(np.ceil(faces.x.min(axis=1) - slack - 0.5), 0, rules.width)
     right = _clamped(np.floor(faces.x.max(axis=1) + slack + 0.5), 0, rules.width)
@@ -117,7 +118,7 @@ def _clamped(places: Floats, low: int, high: int) -> Ints:
 
 
 def _between(edges: _Edges, face: Ints, y: Floats) -> tuple[Floats, Floats]:
-    """Where the row through ``y`` enters and leaves each face, give or take rounding."""
+    """Where the row through ``y`` enters and leaves each face, allowing for rounding."""
     begin, end = np.full(len(face), -np.inf), np.full(len(face), np.inf)
     for side in range(3):
         dx, dy = edges.dx[face, side], edges.dy[face, side]
@@ -129,7 +130,7 @@ def _between(edges: _Edges, face: Ints, y: Floats) -> tuple[Floats, Floats]:
 
 
 def _portions(spans: _Spans) -> Iterator[_Spans]:
-    """The spans, some at a time."""
+    """The spans in portions of limited size."""
     total = np.cumsum(spans.length)
     begin = 0
     while begin < len(total):
@@ -140,7 +141,7 @@ def _portions(spans: _Spans) -> Iterator[_Spans]:
 
 
 def _tried(edges: _Edges, spans: _Spans, face: Ints, x: Floats) -> tuple[Bools, Bools]:
-    """For each candidate, whether it is covered, and whether rounding may change that."""
+    """For each candidate, whether it is covered, and whether rounding may change this."""
     covered = np.ones(len(x), dtype=np.bool_)
     beside = np.ones(len(x), dtype=np.bool_)
     close = np.zeros(len(x), dtype=np.bool_)

@@ -1,7 +1,7 @@
-"""Cube maps: which face a direction meets and where, and what lies beyond a face's edges.
+"""Cube maps: which face a direction meets, where it meets it, and what is beyond a face's edges.
 
-Vulkan, "Cube Map Face Selection and Transformations" and "Cube Map Edge Handling"; Direct3D, OpenGL
-and WebGPU have the same faces, +x, -x, +y, -y, +z, -z, turned the same way.
+Vulkan, "Cube Map Face Selection and Transformations" and "Cube Map Edge Handling". Direct3D, OpenGL
+and WebGPU have the same faces, +x, -x, +y, -y, +z, -z, with the same orientation.
 """
 
 from __future__ import annotations
@@ -16,22 +16,22 @@ from .scene import Bools, Floats, Ints
 _ACROSS = np.array([[0, 0, -1], [0, 0, 1], [1, 0, 0], [1, 0, 0], [1, 0, 0], [-1, 0, 0]])
 _DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0, -1, 0]])
 _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
-"""For each face, where its columns and rows go, and where it lies."""
+"""For each face, the directions of its columns and of its rows, and the one in which it lies."""
 
 
 @dataclass(frozen=True, slots=True)
 class Met:
-    """Where directions meet the cube."""
+    """The places at which directions meet the cube."""
 
     face: Ints
     across: Floats
     down: Floats
-    """In faces, from 0 to 1."""
+    """Within the face, from 0 to 1."""
     out: Floats
-    """The largest lane of the direction, which is not negative."""
+    """The lane of the direction with the largest magnitude, without its sign."""
 
     def change(self, lanes: Sequence[Floats]) -> list[Floats]:
-        """How fast both places change with a direction that changes so fast."""
+        """The rate of change of both coordinates, from that of the direction."""
         along = _turned(self.face, lanes)
         places = 2 * self.across - 1, 2 * self.down - 1
         return [
@@ -41,9 +41,9 @@ class Met:
 
 
 def met(direction: Sequence[Floats]) -> Met:
-    """Where directions (three lanes) meet the cube; where two faces meet, z goes before y before x.
+    """Where directions (three lanes) meet the cube; on an edge, z is preferred to y, and y to x.
 
-    A direction of length zero meets the middle of a face.
+    A direction of length zero meets the centre of a face.
     """
     x, y, z = direction
     ax, ay, az = abs(x), abs(y), abs(z)
@@ -57,15 +57,15 @@ def met(direction: Sequence[Floats]) -> Met:
 
 
 def between_faces(direction: Sequence[Floats], off: float) -> Bools:
-    """Whether a direction's largest lane is so little larger than another."""
+    """Whether a direction's largest lane is larger than another by less than ``off``."""
     _, second, largest = np.sort(np.abs(np.stack(np.broadcast_arrays(*direction))), axis=0)
     return np.asarray(largest - second <= off * largest)
 
 
 def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[Ints], Ints]:
-    """The texel, and its face, for one that lies at most one beyond an edge of a face.
+    """The texel and the face of a texel that is at most one beyond an edge of a face.
 
-    Beyond a corner there is none; the place is left as it is, to be put into the face.
+    Beyond a corner there is none; the coordinate stays unchanged, and is clamped to the face later.
     """
     outside = [(i < 0) | (i >= size) for i in place]
     over = outside[0] ^ outside[1]
@@ -80,13 +80,13 @@ def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[In
 
 
 def beyond_corner(place: Sequence[Ints], size: Ints) -> Bools:
-    """Whether a texel lies beyond two edges."""
+    """Whether a texel is beyond two edges."""
     column, row = place
     return np.asarray(((column < 0) | (column >= size)) & ((row < 0) | (row >= size)))
 
 
 def _turned(face: Ints, lanes: Sequence[Floats]) -> tuple[Floats, Floats, Floats]:
-    """Lanes of a direction as a face has them: to its right, downwards, and out of it."""
+    """The lanes of a direction in a face's own axes: to its right, downwards, and out of it."""
     stacked = np.stack(np.broadcast_arrays(*lanes), axis=-1)
     across, down, out = ((axes[face] * stacked).sum(axis=-1) for axes in (_ACROSS, _DOWN, _OUT))
     return across, down, out

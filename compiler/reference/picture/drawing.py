@@ -1,4 +1,4 @@
-"""A picture of a shader, from values and geometry to pixels."""
+"""Draws the picture of a shader: from values and geometry to pixels."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stages import Stages, Vertices
 
 _LANES = 1 << 14
-"""Pixels that are shaded at once: few enough for their values to stay in the cache."""
+"""How many pixels are shaded at once: few enough for their values to stay in the CPU's cache."""
 
 
 def draw(
@@ -30,21 +30,22 @@ def draw(
     clear: Sequence[Sequence[float]],
     progress: Callable[[float], None] | None = None,
 ) -> Expected:
-    """What every implementation has to draw, up to rounding.
+    """The picture that every implementation must draw, up to rounding.
 
-    ``values`` are by parameter name in the evaluator's form: a tuple of lanes, of a matrix's
-    columns, of an array's elements, of a struct's members. ``clear`` has four lanes for each
-    target, and the depth buffer begins at 1. ``progress`` is told the share that is done.
+    ``values`` are by parameter name, in the evaluator's form: a tuple of lanes, of a matrix's
+    columns, of an array's elements, or of a struct's members. ``clear`` has four lanes for each
+    target, and the depth buffer starts with 1. ``progress`` is called with the part that is done.
 
-    Raises ``ValueError`` for a parameter, texture or vertex attribute without a (fitting) value.
-    Values that are not finite do no harm beyond the triangles and pixels that they belong to.
+    Raises ``ValueError`` for a parameter, texture or vertex attribute without a value, or with one
+    that does not fit. Values that are not finite only affect the triangles and pixels that they
+    belong to.
     """
     with np.errstate(all="ignore"):
         return _Drawing(shader, values, textures, geometry, rules, clear).drawn(progress)
 
 
 class _Drawing:
-    """One picture under way."""
+    """One picture while it is drawn."""
 
     def __init__(
         self,
@@ -79,7 +80,7 @@ class _Drawing:
         return self._expected()
 
     def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:
-        """The fragments' colours, computed some quads at a time."""
+        """The fragments' colours, computed for a limited number of quads at a time."""
         quads, lane = quads_of(fragments, self._rules.width, self._stages.side)
         ways, count = len(self._stages.ways), len(lane)
         colours = [np.empty((ways, count, 4)) for _ in self._lanes]
@@ -96,7 +97,7 @@ class _Drawing:
         return shades
 
     def _shade(self, quads: Quads, lane: Ints, members: Ints, into: Shades) -> None:
-        """Shades quads and keeps some of their lanes, as those members of all fragments."""
+        """Shade quads, and store some of their lanes as these members of all fragments."""
         place = Barycentric(self._faces, quads)
         shaded = self._stages.fragments(place, self._faces.front[quads.face], self._vertices)
         shape = (len(quads), quads.side, quads.side)
@@ -128,7 +129,8 @@ class _Drawing:
         )
 
     def _radius(self, target: Floats) -> Floats:
-        """How far a device's choices may move each lane: the sum of what each of them may."""
+        """By how much a device's choices may change each lane: the sum of the changes of each
+        choice."""
         kinds = self._stages.ways.kind
         distance = np.abs(target - target[0])
         parts = [distance[kinds == kind].max(axis=0) for kind in np.unique(kinds)]

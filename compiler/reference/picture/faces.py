@@ -10,31 +10,32 @@ from .clip import clip
 from .scene import Bools, Floats, Ints, RasterRules
 
 _FLOAT32_STEPS = 5e-7
-"""Some roundings to float32, relative to the size of the picture."""
+"""The error of several roundings to float32, relative to the size of the picture."""
 
 
 @dataclass(frozen=True, slots=True)
 class Faces:
-    """Triangles in the window, x right, y down, in pixels; none is of area zero."""
+    """Triangles in the window, with x to the right, y downwards, in pixels; none has the area
+    zero."""
 
     corners: Ints
-    """(faces, 3) numbers of the vertices of the triangle that each is a part of."""
+    """(faces, 3): the vertices of the triangle that each is a part of."""
     weights: Floats
-    """(faces, 3, 3): each corner as a sum of the triangle's corners."""
+    """(faces, 3, 3): each corner as a weighted sum of the triangle's corners."""
     whole: Bools
-    """(faces,): whether nothing was clipped off, and ``weights`` is the identity."""
+    """(faces,): whether nothing was clipped, so that ``weights`` is the identity."""
     x: Floats
     y: Floats
-    """(faces, 3): the places that decide on coverage."""
+    """(faces, 3): the positions that decide on coverage."""
     area: Floats
-    """(faces,): twice the signed area; positive where the corners go clockwise on the screen."""
+    """(faces,): twice the signed area, positive if the corners are clockwise on the screen."""
     unsure: Floats
     """(faces, 3): by how many pixels rounding to float32 may move a corner."""
     loose: Bools
-    """(faces,): whether rounding may move the places between which values are interpolated."""
+    """(faces,): whether rounding may move the positions between which values are interpolated."""
     plane_x: Floats
     plane_y: Floats
-    """(faces, 3): the places between which values are interpolated."""
+    """(faces, 3): the positions between which values are interpolated."""
     z: Floats
     """(faces, 3): depth."""
     per_w: Floats
@@ -42,11 +43,11 @@ class Faces:
 
     @property
     def front(self) -> Bools:
-        """(faces,): whether it is seen from the front, counter-clockwise."""
+        """(faces,): whether the front is seen, which is counter-clockwise."""
         return self.area < 0
 
     def only(self, kept: Bools) -> Faces:
-        """Some of the faces."""
+        """The faces for which ``kept`` is true."""
         return Faces(*(getattr(self, name)[kept] for name in self.__slots__))
 
 
@@ -61,7 +62,7 @@ def assemble(positions: Floats, triangles: Ints, rules: RasterRules) -> Faces:
     planes = across, down
     if rules.interpolates_snapped:
         planes = _on_snapped(positions[corners], clipped.weights, rules)
-    # Snapping may turn a sliver over; then only the snapped places make sense.
+    # Snapping may reverse a sliver; then only the snapped positions are consistent.
     turned = (_twice_area(*planes) * area <= 0)[:, None]
     whole = _window(positions[corners], rules)
     loose = (_unsure(*whole, rules) > rules.edge_slack) & rules.interpolates_snapped
@@ -83,15 +84,15 @@ def assemble(positions: Floats, triangles: Ints, rules: RasterRules) -> Faces:
 
 
 def _window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
-    """x and y in pixels, from the left and from the top, of clip positions (…, 4)."""
+    """The x and y of clip positions (…, 4) in pixels, from the left and from the top."""
     x, y, _, w = np.moveaxis(positions, -1, 0)
     return (x / w * 0.5 + 0.5) * rules.width, (0.5 - y / w * 0.5) * rules.height
 
 
 def _on_snapped(corners: Floats, weights: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
-    """Where the corners of the parts lie after the corners of whole triangles have been snapped.
+    """The positions of parts' corners after the corners of whole triangles have been snapped.
 
-    A part has no planes of its own: values are interpolated over the triangle it was cut from.
+    A part has no planes of its own: values are interpolated over the triangle that it was cut from.
     """
     shares = weights * corners[:, None, :, 3]
     shares /= shares.sum(axis=2, keepdims=True)
@@ -114,21 +115,21 @@ def _twice_area(x: Floats, y: Floats) -> Floats:
 
 
 def _snapped(places: Floats, rules: RasterRules) -> Floats:
-    """Rounded to the nearest binary fraction of a pixel."""
+    """Positions rounded to the nearest binary fraction of a pixel."""
     if rules.subpixel_bits is None:
         return places
     return np.ldexp(np.rint(np.ldexp(places, rules.subpixel_bits)), -rules.subpixel_bits)
 
 
 def _reach(rules: RasterRules) -> float:
-    """How far a vertex moves if it is snapped to its other neighbour in x and in y; in pixels."""
+    """How far a vertex moves, in pixels, if it is snapped to its other neighbours in x and in y."""
     if rules.subpixel_bits is None:
         return _FLOAT32_STEPS * max(rules.width, rules.height)
     return float(np.ldexp(np.sqrt(2.0), -rules.subpixel_bits))
 
 
 def _unsure(x: Floats, y: Floats, rules: RasterRules) -> Floats:
-    """By how many pixels a vertex at (x, y) may come to lie elsewhere on a device."""
+    """By how many pixels a vertex at (x, y) may be elsewhere on a device."""
     reach = _reach(rules)
     if rules.subpixel_bits is None:
         return np.full_like(x, reach)

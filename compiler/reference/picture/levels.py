@@ -12,11 +12,11 @@ from .texels import Image
 from .variants import Variants
 
 _TINY = 2.0**-60
-"""No change from pixel to pixel is so small that a smaller one would be another level."""
+"""The least change from pixel to pixel: smaller ones do not change the level."""
 
 
 def given(image: Image, level: Floats, ways: Variants) -> Floats:
-    """A level that a program names, (variants, quads, side, side)."""
+    """The level that a program names, (variants, quads, side, side)."""
     return _limited(image, np.broadcast_arrays(level, np.zeros((1, 1, 1, 1)))[0], ways)
 
 
@@ -38,7 +38,7 @@ def by_changes(
     down: Sequence[Floats],
     ways: Variants,
 ) -> Floats:
-    """The level where the coordinate changes so much to the right and downwards."""
+    """The level if the coordinate changes by this much to the right and downwards."""
     if has_one(image):
         return np.zeros((len(ways), 1, 1, 1))
     if image.type.dimension != "cube":
@@ -53,7 +53,7 @@ def by_changes(
 
 
 def _differences(coordinate: Sequence[Floats], ways: Variants) -> tuple[list[Floats], list[Floats]]:
-    """Between the columns and between the rows of quads, in each variant's choice of them."""
+    """Differences between columns and between rows of quads; each variant chooses which ones."""
     across = [_chosen(t[..., :, 1] - t[..., :, 0], ways.row) for t in coordinate]
     down = [_chosen(t[..., 1, :] - t[..., 0, :], ways.column) for t in coordinate]
     return across, down
@@ -62,7 +62,7 @@ def _differences(coordinate: Sequence[Floats], ways: Variants) -> tuple[list[Flo
 def _level(
     image: Image, across: Sequence[Floats], down: Sequence[Floats], ways: Variants
 ) -> Floats:
-    """The level where a place in the texture changes so much, in textures or faces."""
+    """The level if the coordinate changes by this much, in units of the texture or face."""
     sizes = image.sizes(np.zeros((), dtype=np.int64))
     right, below = (
         _length([size * lane for size, lane in zip(sizes, lanes, strict=True)], ways.order)
@@ -78,10 +78,11 @@ def _level(
 def _on_surface(
     image: Image, across: Sequence[Floats], down: Sequence[Floats], ways: Variants
 ) -> Floats:
-    """The level where a place on a cube's surface changes so much, along three axes.
+    """The level if a point on a cube's surface moves by this much, along three axes.
 
-    Vulkan knows no such thing. SwiftShader adds the two axes up along which it changes most, takes
-    the logarithm off the square, and scales a quad's gradients as those of its first pixel.
+    Vulkan does not define this. SwiftShader adds the two axes with the largest changes, takes the
+    logarithm from the bits of the square, and scales the gradients of a quad like those of its
+    first pixel.
     """
     size = image.sizes(np.zeros((), dtype=np.int64))[0]
     changes = (np.abs(np.stack(np.broadcast_arrays(*lanes))) for lanes in (across, down))
@@ -90,9 +91,9 @@ def _on_surface(
 
 
 def _rough_logarithm(footprint: Floats, power: int) -> Floats:
-    """As it is read off the bits of a power: too small by up to 0.086 divided by that power.
+    """The logarithm from a power's bits, which is too small by up to 0.086 divided by that power.
 
-    A float's exponent is the whole part of its logarithm, and its mantissa is about the rest.
+    A float's exponent is the integer part of its logarithm, and its mantissa is roughly the rest.
     """
     mantissa, exponent = np.frexp(_at_least_tiny(footprint) ** power)
     rough: Floats = (exponent + 2 * mantissa - 2) / power
@@ -100,12 +101,12 @@ def _rough_logarithm(footprint: Floats, power: int) -> Floats:
 
 
 def _at_least_tiny(number: Floats) -> Floats:
-    """Something to divide by, or to take the logarithm of."""
+    """The number, but not zero, so that one can divide by it or take its logarithm."""
     return np.maximum(number, _TINY)
 
 
 def has_one(image: Image) -> bool:
-    """Whether all reads are of the same level."""
+    """Whether all reads use the same level."""
     return image.state["mip"] == "none" or image.levels == 1
 
 
@@ -116,7 +117,7 @@ def _limited(image: Image, level: Floats, ways: Variants) -> Floats:
 
 
 def _chosen(differences: Floats, which: Ints) -> Floats:
-    """Each variant's choice (variants, quads, 1, 1) among two differences (…, quads, 2)."""
+    """Each variant's choice (variants, quads, 1, 1) between two differences (…, quads, 2)."""
     shape = (len(which), *differences.shape[-2:])
     chosen: Floats = np.broadcast_to(differences, shape)[
         np.arange(len(which)), :, np.maximum(which, 0)
@@ -125,7 +126,7 @@ def _chosen(differences: Floats, which: Ints) -> Floats:
 
 
 def _length(lanes: Sequence[Floats], order: Floats) -> Floats:
-    """The norm of lanes (variants, quads, …), of a variant's own order."""
+    """The norm of lanes (variants, quads, …), with each variant's order."""
     sizes = np.abs(np.stack(np.broadcast_arrays(*lanes)))
     order = order[:, None, None, None]
     euclidean = np.sqrt((sizes * sizes).sum(axis=0))

@@ -1,8 +1,8 @@
-"""Where a value hangs on a decision that rounding to float32 may tip.
+"""Finds pixels whose value depends on a decision that rounding to float32 may change.
 
-Comparisons, roundings and the like jump. A pixel that comes close to a jump is undecided, unless
-what is compared there is steady: a uniform, or a value at the end of its range, such as the zero
-that ``max(dot(n, l), 0)`` is on the whole dark side.
+Comparisons, roundings and similar operations jump. A pixel close to a jump is undecided, unless the
+operand is steady: a uniform, or a value at the end of its range, such as the zero of
+``max(dot(n, l), 0)`` on the whole dark side.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from .scene import Bools
 
 ABSOLUTE_MARGIN = 1e-5
 RELATIVE_MARGIN = 1e-5
-"""How close to a jump, absolutely and relative to the operands, is too close."""
+"""Closer than this to a jump, absolutely and relative to the operands, is too close."""
 
 Jump = tuple[Lane, Lane]
-"""A function that jumps at zero or at whole numbers, and how far float32 may be off."""
+"""A function that jumps at zero or at whole numbers, and the error that float32 may have."""
 
 
 def margin(*lanes: Lane) -> Lane:
-    """How far lanes may be off in float32."""
+    """The error that lanes may have in float32."""
     largest: Lane = 0.0
     for lane in lanes:
         largest = np.maximum(largest, np.abs(lane))
@@ -51,25 +51,25 @@ def _middle(x: Lane) -> Jump:
 
 
 def _towards_zero(x: Lane) -> Jump:
-    """Zero itself is no jump."""
+    """Truncation does not jump at zero."""
     return np.maximum(np.abs(x), 0.5), margin(x)
 
 
 def _quotient(x: Lane, y: Lane) -> Jump:
-    """Modulo zero is zero, whatever the dividend."""
+    """Modulo zero is zero, whatever the dividend is."""
     none = np.abs(y) < SMALLEST_NORMAL
     divisor = np.where(none, 1.0, y)
     return np.where(none, 0.5, x / divisor), np.where(none, 0.0, margin(x) / np.abs(divisor))
 
 
 def _narrow_step(low: Lane, high: Lane, x: Lane) -> Jump:
-    """A smooth step without width."""
+    """A smooth step of width zero jumps."""
     narrow = np.abs(high - low) <= margin(low, high)
     return np.where(narrow, x - low, np.inf), margin(x, low)
 
 
 def _behind(y: Lane, x: Lane) -> Jump:
-    """The cut of the angle along the negative axis."""
+    """The angle jumps along the negative axis."""
     return np.where(x < margin(x), y, np.inf), margin(y)
 
 
@@ -83,13 +83,13 @@ def _facing(_normal: Lanes, incident: Lanes, reference: Lanes) -> Jump:
 
 
 def _lit_side(diffuse: Lanes, specular: Lanes, _power: Lanes) -> Jump:
-    """The highlight ends where the light goes under."""
+    """The highlight jumps to zero where the light disappears below the horizon."""
     (nl,), (nh,) = diffuse, specular
     return np.where(nh < 0, np.inf, nl), margin(nl)
 
 
 def _everywhere(x: Lane) -> Jump:
-    """The last bit of a float changes with any rounding."""
+    """Any rounding changes the last bit of a float, so it jumps everywhere."""
     return np.zeros_like(x), margin(x)
 
 
@@ -99,14 +99,14 @@ def _at_power_of_two(x: Lane) -> Jump:
 
 
 def _between_halves(x: Lane) -> Jump:
-    """In the middle between two floats of 16 bits, which are 2^-24 apart at least."""
+    """A jump in the middle between two floats of 16 bits, which differ by at least 2^-24."""
     _, exponent = np.frexp(x)
     step = np.ldexp(1.0, np.maximum(exponent - _HALF_BITS, _LEAST_HALF_EXPONENT))
     return x / step + 0.5, margin(x) / step
 
 
 def _between_parts(largest: int, least: float) -> Callable[[Lane], Jump]:
-    """In the middle between two of the numbers that a packed lane can be."""
+    """A jump in the middle between two numbers that a packed lane can hold."""
 
     def jump(x: Lane) -> Jump:
         return np.clip(x, least, 1.0) * largest + 0.5, margin(x) * largest
@@ -132,13 +132,13 @@ _AT_WHOLE: Mapping[str, Callable[..., Jump]] = {
     **dict.fromkeys(("exponent", "mantissa"), _at_power_of_two),
     "quantize_half": _between_halves,
 }
-"""Builtins of floats that jump, lane by lane."""
+"""Builtins on floats that jump, lane by lane."""
 
 EXACT = frozenset(
     {"lt", "le", "gt", "ge", "eq", "ne", "step", "sign", "floor", "ceil", "trunc", "round",
      "to_int", "to_uint", "bits_of", "exponent", "quantize_half"}
 )  # fmt: skip
-"""What they give stays the same between two jumps."""
+"""Builtins whose result does not change between two jumps."""
 _EVERYWHERE: Bools = np.ones((), dtype=np.bool_)
 
 _OF_VECTORS: Mapping[str, Callable[..., Jump]] = {
@@ -146,10 +146,10 @@ _OF_VECTORS: Mapping[str, Callable[..., Jump]] = {
     "faceforward": _facing,
     "lit": _lit_side,
 }
-"""Builtins of whole vectors that jump at zero."""
+"""Builtins on whole vectors that jump at zero."""
 
 READS = frozenset(row.name for row in texture.ROWS)
-"""Builtins that read textures, which have margins of their own."""
+"""Builtins that read textures, which compute margins of their own."""
 
 _PACKING: Mapping[str, Callable[[Lane], Jump]] = {
     "pack_unorm4x8": _between_parts(255, 0.0),
@@ -158,7 +158,7 @@ _PACKING: Mapping[str, Callable[[Lane], Jump]] = {
     "pack_snorm2x16": _between_parts(32767, -1.0),
     "pack_half2x16": _between_halves,
 }
-"""Builtins that round each lane of a vector, and join them to a whole number."""
+"""Builtins that round each lane of a vector, and pack them into one integer."""
 
 _NOT_BY_LANE = READS | frozenset(
     {"any", "all", "dot", "cross", "length", "distance", "normalize", "reflect", "transpose",
@@ -169,43 +169,45 @@ _NOT_BY_LANE = READS | frozenset(
 
 
 class Margins:
-    """Watches an evaluation on arrays of one shape, and marks what is undecided.
+    """Watches an evaluation on arrays of one shape, and marks undecided pixels.
 
-    A leading axis of operands is one of variants: where they decide differently, it is undecided.
+    A leading axis of the operands is that of variants: if they decide differently, the pixel is
+    undecided.
     """
 
     def __init__(self, shape: tuple[int, ...]) -> None:
         self.undecided: Bools = np.zeros(shape, dtype=np.bool_)
         self._steady: dict[int, tuple[Lane, Bools]] = {}
-        """By identity of the lane, kept alive for it; swizzles and the like hand lanes on."""
+        """By the identity of the lane, which is kept alive for this; swizzles and others pass lanes
+        on."""
 
     def watch(self, node: Node, operands: list[Lanes], value: Lanes) -> None:
-        """One operation that has been computed."""
+        """Examine one operation that has been computed."""
         if node.op == "select":
             self._learn_choice(operands, value)
         elif (builtin := builtin_of(node)) is not None:
             self._called(builtin, node, operands, value)
 
     def spread(self) -> None:
-        """What is undecided in one pixel of a quad is so in those that compare themselves with it.
+        """Make all pixels of a quad undecided if one of them is.
 
-        Of a quad's derivatives all four pixels are operands, and so are their decisions.
+        All four pixels are operands of a quad's derivatives, and so are their decisions.
         """
         self.undecided |= self.undecided.any(axis=(-2, -1), keepdims=True)
 
     def at_zero(self, value: Lane, allowed: Lane, steady: Bools | bool = False) -> None:
-        """Something jumps where ``value`` is zero."""
+        """Record that something jumps where ``value`` is zero."""
         if np.ndim(value):
             self._mark(~(np.abs(value) > allowed), value < 0, steady)
 
     def at_whole(self, value: Lane, allowed: Lane, steady: Bools | bool = False) -> None:
-        """Something jumps where ``value`` is a whole number."""
+        """Record that something jumps where ``value`` is a whole number."""
         if np.ndim(value):
             close = ~(np.abs(value - np.rint(value)) > allowed)
             self._mark(close, np.floor(value), steady)
 
     def hand_on(self, lane: Lane, new: Lane) -> None:
-        """``new`` is as steady as ``lane``, which it replaces."""
+        """Record that ``new``, which replaces ``lane``, is as steady."""
         if id(lane) in self._steady:
             self._learn(new, self._steady[id(lane)][1])
 
@@ -236,7 +238,7 @@ class Margins:
                 self._learn(lane, _EVERYWHERE if name in EXACT and jumps else steady)
 
     def _packed(self, jump: Callable[[Lane], Jump], lanes: Lanes, value: Lanes) -> None:
-        """Between two jumps of its lanes, what is packed stays the same."""
+        """Record that a packed value does not change between two jumps of its lanes."""
         for lane in lanes:
             if np.ndim(lane):
                 self.at_whole(*jump(lane), self._is_steady(lane))
@@ -270,7 +272,7 @@ class Margins:
                 self._learn(lane, np.where(condition, *sides))
 
     def _steadiness(self, name: str, given: list[Any]) -> Bools | bool:
-        """Where an operation's value stays when its operands move a little."""
+        """Where an operation's value does not change if its operands change a little."""
         known = [self._is_steady(lane) for lane in given]
         rule = _PINNED.get(name)
         pinned = rule(given, known) if rule is not None else False
@@ -280,7 +282,7 @@ class Margins:
 
 
 def _at_end(given: list[Any], known: list[Any], low: int | None, high: int | None) -> Any:
-    """Where the first operand, beyond one of the others, is replaced by it."""
+    """Where the first operand is beyond another one, which replaces it."""
     x = given[0]
     pinned: Any = False
     if low is not None and known[low] is not False:
@@ -321,4 +323,4 @@ _PINNED: Mapping[str, Callable[[list[Any], list[Any]], Any]] = {
     "saturate": _saturated,
     "mul": _times_zero,
 }
-"""Where an operation is steady though its operands are not."""
+"""Where an operation is steady although its operands are not."""

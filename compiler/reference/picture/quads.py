@@ -1,4 +1,4 @@
-"""Fragments in blocks of neighbours, and what the rasteriser interpolates for them."""
+"""Groups fragments into quads, and interpolates values for them."""
 
 from __future__ import annotations
 
@@ -15,24 +15,25 @@ from .variants import Variants
 
 @dataclass(frozen=True, slots=True)
 class Quads:
-    """Squares of ``side`` × ``side`` pixels of a face: 2 for derivatives, 1 where nobody asks."""
+    """Squares of ``side`` × ``side`` pixels of a face: 2 if there are derivatives, otherwise 1."""
 
     face: Ints
     x: Ints
     y: Ints
-    """(quads,) pixel at the top left."""
+    """(quads,): the pixel at the top left."""
     side: int
 
     def __len__(self) -> int:
         return len(self.face)
 
     def part(self, begin: int, end: int) -> Quads:
-        """Some of the quads."""
+        """The quads from ``begin`` to ``end``."""
         return Quads(self.face[begin:end], self.x[begin:end], self.y[begin:end], self.side)
 
 
 def quads_of(fragments: Fragments, width: int, side: int) -> tuple[Quads, Ints]:
-    """The quads that hold the fragments, and the number of each fragment's lane among theirs."""
+    """The quads that contain the fragments, and for each fragment the number of its lane in
+    them."""
     x, y = fragments.pixel % width, fragments.pixel // width
     across = -(-width // side)
     column, row = x // side, y // side
@@ -44,7 +45,7 @@ def quads_of(fragments: Fragments, width: int, side: int) -> tuple[Quads, Ints]:
 
 
 class Barycentric:
-    """Where the lanes of some quads lie in their faces; arrays are (quads, side, side)."""
+    """The positions of quads' lanes in their faces; arrays are (quads, side, side)."""
 
     def __init__(self, faces: Faces, quads: Quads) -> None:
         self._faces = faces
@@ -63,10 +64,11 @@ class Barycentric:
         self._weights = faces.weights[quads.face]
 
     def perspective(self, values: Lanes, off: Lanes | None, ways: Variants, number: int) -> Lanes:
-        """Values at the vertices (lanes; arrays or single numbers), as seen in perspective.
+        """Interpolate values at the vertices (lanes; arrays or single numbers) with perspective.
 
-        With a leading axis of variants where those move what is interpolated, or, by ``off``, what
-        the vertices have. ``number`` is any by which crossings differ.
+        The result has a leading axis of variants if these change interpolated values, or, by
+        ``off``, the vertices' values. ``number`` may be any number that is different for each
+        crossing.
         """
         return tuple(
             self._crossed(lane, off[i] if off else 0.0, ways, number + i) if np.ndim(lane) else lane
@@ -80,7 +82,7 @@ class Barycentric:
 
     def _crossed(self, lane: Lane, off: Lane, ways: Variants, number: int) -> Floats:
         corners = lane[self._faces.corners[self._face]].astype(np.float64)
-        # Of the whole triangle, as what is cut off of it decides how its planes are rounded.
+        # Those of the whole triangle, because the clipped part decides how its planes are rounded.
         largest = np.abs(corners).max(axis=1)[:, None, None]
         mixed = self._interpolated(corners)
         if len(ways) > 1 and np.ndim(off):
@@ -91,13 +93,13 @@ class Barycentric:
         return mixed
 
     def _interpolated(self, corners: Floats) -> Floats:
-        """What the corners of whole triangles (quads, 3) have, at each lane."""
+        """The values at each lane, from those at the corners of whole triangles (quads, 3)."""
         if not self._whole:
             corners = (self._weights @ corners[:, :, None])[:, :, 0]
         return self._mixed(corners.T, self._perspective)
 
     def _nudges(self, ways: Variants, number: int) -> Floats:
-        """By how much each variant is off, (variants, 1, side, side)."""
+        """The error of each variant, (variants, 1, side, side)."""
         side = len(self.x[0, 0]) if len(self.x) else 1
         checker = (-1.0) ** (np.add.outer(np.arange(side), np.arange(side)) + number)
         signs = np.where(ways.checkered[:, None, None, None] == 1, checker, 1.0)
@@ -122,7 +124,7 @@ def depth_of(faces: Faces, fragments: Fragments, width: int) -> Floats:
 
 
 def _linear(faces: Faces, face: Ints, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-    """The shares of the second and third corner, linear on the screen."""
+    """The weights of the second and third corner, linear on the screen."""
     ax, bx, cx = faces.plane_x[face].T
     ay, by, cy = faces.plane_y[face].T
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)

@@ -13,23 +13,23 @@ from .coverage import Fragments
 from .scene import Bools, Floats, Ints
 
 DEPTH_MARGIN = 1e-6
-"""Depths that differ by less may come out in either order."""
+"""If depths differ by less, either may win."""
 _MISSING = (0.0, 0.0, 0.0, 1.0)
-"""The lanes that a format lacks."""
+"""The values of lanes that a format lacks."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shades:
-    """What has been computed for some fragments."""
+    """The results of shading some fragments."""
 
     colours: Sequence[Floats]
-    """For each target (variants, fragments, 4)."""
+    """For each target, (variants, fragments, 4)."""
     discarded: Bools
     undecided: Bools
 
 
 class Canvas:
-    """The targets and the depth buffer, pixels in one row after the other."""
+    """The targets and the depth buffer, with the pixels in one axis, row after row."""
 
     def __init__(
         self,
@@ -38,7 +38,8 @@ class Canvas:
         clear: Sequence[Sequence[float]],
         written: Sequence[tuple[RenderTarget, Type]],
     ) -> None:
-        """``written`` are the render targets with the types of what is written to them."""
+        """``written`` are the render targets with the types of the values that are written to
+        them."""
         self._lanes = [width(type_) for _, type_ in written]
         self._states = [target for target, _ in written]
         self.targets = [
@@ -48,25 +49,25 @@ class Canvas:
         self.depth = np.ones(pixels)
         self.covered = np.zeros(pixels, dtype=np.bool_)
         self.undecided = np.zeros(pixels, dtype=np.bool_)
-        """By what they cover."""
+        """Pixels that are undecided because their coverage is."""
         self.shaky = np.zeros(pixels, dtype=np.bool_)
-        """By what is drawn there, so far."""
+        """Pixels that are undecided because of what has been drawn there so far."""
         self._opaque = all(state.blend == "none" for state in self._states)
 
     def draw(self, pixel: Ints, depth: Floats, shades: Shades) -> None:
-        """Fragments in the order of drawing; several may be of one pixel."""
+        """Draw fragments in their order; several may be of the same pixel."""
         rank = _ranks(pixel)
         for layer in range(int(rank.max(initial=-1)) + 1):
             self._draw_layer(pixel, depth, shades, np.flatnonzero(rank == layer))
 
     def _draw_layer(self, pixel: Ints, depth: Floats, shades: Shades, members: Ints) -> None:
-        """At most one fragment a pixel."""
+        """Draw at most one fragment of each pixel."""
         before, new = self.depth[pixel[members]], depth[members]
         nearer, doubtful = new < before, np.abs(new - before) < DEPTH_MARGIN
         hidden = ~nearer & ~doubtful
         unsure = doubtful | (shades.undecided[members] & ~hidden)
         if self._opaque:
-            # What lies behind a fragment that surely wins is in doubt no more.
+            # Whatever is behind a fragment that certainly wins is not undecided any more.
             wins = nearer & ~unsure & ~shades.discarded[members]
             self.shaky[pixel[members[wins]]] = False
         self.shaky[pixel[members]] |= unsure
@@ -81,16 +82,16 @@ class Canvas:
 
 
 def _blended(state: RenderTarget, source: Floats, behind: Floats) -> Floats:
-    """What a target holds after a colour is drawn over another, (…, 4) each.
+    """The contents of a target after a colour is drawn over another, (…, 4) each.
 
-    Where it is in fixed point, colours are clamped first (Vulkan, 29.1 "Blending").
+    If the target is in fixed point, colours are clamped first (Vulkan, 29.1 "Blending").
     """
     clamped = state.fixed_point and state.blend != "none"
     return BLENDING[state.blend](np.clip(source, 0.0, 1.0) if clamped else source, behind)
 
 
 def nearest(fragments: Fragments, depth: Floats) -> tuple[Ints, Ints]:
-    """The fragments that win their pixel, and those pixels where that is a close call."""
+    """The fragments that win their pixel, and the pixels where another one is nearly as close."""
     order = np.lexsort((depth, fragments.pixel))
     pixel, sorted_depth = fragments.pixel[order], depth[order]
     first = np.ones(len(order), dtype=np.bool_)
@@ -100,12 +101,12 @@ def nearest(fragments: Fragments, depth: Floats) -> tuple[Ints, Ints]:
 
 
 def with_missing(lanes: Sequence[float], count: int) -> tuple[float, ...]:
-    """Four lanes, of which a format has the first ``count``."""
+    """Four lanes, of which a format has only the first ``count``."""
     return (*tuple(lanes)[:count], *_MISSING[count:])
 
 
 def _ranks(pixel: Ints) -> Ints:
-    """How many of the fragments before each are of the same pixel."""
+    """For each fragment, how many fragments of the same pixel come before it."""
     order = np.argsort(pixel, kind="stable")
     starts = np.flatnonzero(np.diff(pixel[order], prepend=-1))
     counts = np.diff(starts, append=len(pixel))
@@ -115,7 +116,7 @@ def _ranks(pixel: Ints) -> Ints:
 
 
 def _over(source: Floats, behind: Floats) -> Floats:
-    """Alpha is covered likewise, but not multiplied by itself."""
+    """Alpha is combined in the same way, but is not multiplied by itself."""
     alpha = source[..., 3:]
     weight = np.concatenate([alpha, alpha, alpha, np.ones_like(alpha)], axis=-1)
     mixed: Floats = source * weight + behind * (1.0 - alpha)
@@ -129,4 +130,4 @@ BLENDING: Mapping[str, Callable[[Floats, Floats], Floats]] = {
     "add": lambda source, behind: source + behind,
     "multiply": lambda source, behind: source * behind,
 }
-"""What a target holds after a colour is drawn over another, (…, 4) each."""
+"""The contents of a target after a colour is drawn over another, (…, 4) each."""

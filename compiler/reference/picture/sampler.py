@@ -1,7 +1,7 @@
-"""Reading textures as Vulkan's chapter on image operations specifies it, in double precision.
+"""Reads textures as Vulkan's chapter on image operations specifies it, in double precision.
 
-The texels and the level that a device may use instead, within the bits it is granted, are a leading
-axis of every read: the first of these variants is the exact one.
+A device may use other texels and another level, within its number of bits. These variants are a
+leading axis of every read; the first one is exact.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from .texels import Image
 from .variants import Variants
 
 _COORDINATE_MARGIN = 2.0**-15
-"""How far a texture coordinate may be off, in textures: some devices find the nearest texel in 16
-bits."""
+"""The error that a texture coordinate may have, in units of the texture: some devices find the
+nearest texel with 16 bits."""
 _FLOAT32_MARGIN = 4e-6
-"""How far it may be off besides, relative to itself."""
+"""The further error that it may have, relative to itself."""
 _GATHER_MARGIN = 2.0**-12
-"""How far off, in texels, the four that are gathered may be told apart."""
+"""The error, in texels, with which the four gathered texels may be chosen."""
 _FARTHEST = 1e9
-"""Coordinates beyond are as good as none."""
+"""Larger coordinates have no meaning."""
 
 _COMPARISONS: Mapping[str, Callable[[Any, Any], Any]] = {
     "less": np.less,
@@ -39,29 +39,29 @@ _COMPARISONS: Mapping[str, Callable[[Any, Any], Any]] = {
     "greater_equal": np.greater_equal,
 }
 _GATHERED = ((0, 1), (1, 1), (1, 0), (0, 0))
-"""Columns and rows of the four texels, from the one at the upper left."""
+"""The columns and rows of the four texels, relative to the one at the upper left."""
 
 Shown = Callable[[Floats], Floats]
-"""What becomes of texels (…, lanes) before they are mixed."""
+"""A function that is applied to texels (…, lanes) before they are blended."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Where a texture is read."""
+    """The place at which a texture is read."""
 
     coordinate: Sequence[Floats]
-    """As the program says: two lanes, or three."""
+    """The program's coordinate: two or three lanes."""
     axes: Sequence[Floats]
-    """In textures, or in faces."""
+    """In units of the texture, or of the face."""
     layer: Ints
-    """Or face."""
+    """The layer, or the face of a cube."""
     varies: bool
 
 
 class Reader:
-    """Reads an image in the quads of one evaluation: a texture's lane for the evaluator.
+    """Reads an image in the quads of one evaluation; it is a texture's lane for the evaluator.
 
-    ``turns`` gives every read of the evaluation its number, whatever image it is of.
+    ``turns`` gives every read of the evaluation a number, whichever image it is of.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Reader:
         self._turns = turns
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
-        """The value of builtin ``name`` for what stands behind the texture.
+        """The value of the builtin ``name``; ``operands`` are those after the texture.
 
         Lanes are (variants, quads, side, side), from operands (…, quads, side, side) or numbers.
         """
@@ -144,7 +144,7 @@ class Reader:
     # --- inside -----------------------------------------------------------------------------------
 
     def _place(self, where: Sequence[Lanes]) -> _Place:
-        """From a coordinate and, in an array, a layer."""
+        """The place for a coordinate and, for an array, a layer."""
         quad = np.zeros((1, *self._margins.undecided.shape[1:]))
         coordinate = list(np.broadcast_arrays(*map(_tame, where[0]), quad))[:-1]
         varies = any(np.ndim(lane) for lane in where[0])
@@ -156,7 +156,7 @@ class Reader:
         return _Place(coordinate, coordinate, layer, varies)
 
     def _filtered(self, place: _Place, level: Floats) -> Lanes:
-        """Colours between levels."""
+        """The colours, blended between two levels."""
         if self._image.state["mip"] == "linear":
             lower = np.floor(level)
             upper = np.minimum(lower + 1, self._image.levels - 1)
@@ -173,7 +173,7 @@ class Reader:
         return tuple(np.ascontiguousarray(np.moveaxis(colour, -1, 0)))
 
     def _at_level(self, place: _Place, level: Floats, shown: Shown | None = None) -> Floats:
-        """The mean of texels, or of what is shown of them, in one level."""
+        """The mean of texels, or of a function of them, in one level."""
         number = level.astype(np.int64)
         sizes = self._image.sizes(number)
         scaled = [at * size for at, size in zip(place.axes, sizes, strict=True)]
@@ -195,7 +195,7 @@ class Reader:
     def _mixed(
         self, layer: Ints, level: Ints, first: list[Ints], shares: list[Floats], show: Shown
     ) -> Floats:
-        """The mean over the texels around a place, of which ``first`` has the smallest numbers."""
+        """The mean of the texels around a place; ``first`` is the one with the smallest indices."""
         total: Any = 0.0
         for steps in product((0, 1), repeat=len(first)):
             corner = [i + step for i, step in zip(first, steps, strict=True)]
@@ -209,16 +209,16 @@ class Reader:
         return mean
 
     def _within(self, place: list[Ints], layer: Ints, level: Ints) -> Floats:
-        """Of a face its own texels only: a place is in a face up to and including its edges."""
+        """A face's own texels only: a place is within a face, including its edges."""
         if self._image.type.dimension == "cube":
             sizes = self._image.sizes(level)
             place = [np.clip(i, 0, size - 1) for i, size in zip(place, sizes, strict=True)]
         return self._image.texel(place, layer, level)
 
     def _texel(self, place: list[Ints], layer: Ints, level: Ints) -> Floats:
-        """A texel; beyond a cube's corner the mean of the three around it.
+        """A texel; beyond a cube's corner, the mean of the three texels around it.
 
-        Vulkan recommends the mean; that a device takes one of the three is a variant.
+        Vulkan recommends the mean. A device that uses one of the three is a variant.
         """
         texel = self._image.texel(place, layer, level)
         if self._image.type.dimension != "cube":
@@ -239,7 +239,8 @@ class Reader:
         return np.where(beyond[..., None], picked, texel)
 
     def _comparison(self, reference: Lane) -> Shown:
-        """1 where a reference, limited to what depths can be, compares with a depth."""
+        """1 where a reference, clamped to the range of depths, passes the comparison with a
+        depth."""
         given = np.clip(_whole(_tame(reference)), 0.0, 1.0)
         compared = _COMPARISONS[self._image.state["compare"]]
 
@@ -253,7 +254,7 @@ class Reader:
         return show
 
     def _four(self, place: _Place, show: Shown) -> Lanes:
-        """Something of each of the four texels between which level 0 would be filtered."""
+        """A function of each of the four texels that a filtered read of level 0 would blend."""
         first = np.zeros((len(self._ways), 1, 1, 1), dtype=np.int64)
         sizes = self._image.sizes(first)
         scaled = [at * size for at, size in zip(place.axes, sizes, strict=True)]
@@ -276,7 +277,7 @@ class Reader:
     ) -> None:
         if self._image.type.dimension == "cube":
             self._watch_faces(place)
-        # Variants that read another level have other texels, which is no decision.
+        # Variants that read another level get other texels, which does not count as a decision.
         same = level == level[:1]
         for at, size in zip(scaled, sizes, strict=True):
             self._margins.at_whole(np.where(same, at, at[:1]), _nearest_margin(at, size))
@@ -288,17 +289,17 @@ class Reader:
 
 
 def _nearest_margin(place: Floats, size: Ints) -> Floats:
-    """How far a place in texels may be off where the nearest is taken."""
+    """The error that a place, in texels, may have where the nearest texel is used."""
     off: Floats = _COORDINATE_MARGIN * size + _FLOAT32_MARGIN * np.abs(place)
     return off
 
 
 def _tame(coordinate: Lane) -> Floats:
-    """Without NaN and infinity, which helper lanes may have."""
+    """The coordinate without NaN and infinity, which helper lanes may have."""
     tame = np.nan_to_num(np.asarray(coordinate, dtype=np.float64), posinf=0.0, neginf=0.0)
     return np.clip(tame, -_FARTHEST, _FARTHEST)
 
 
 def _whole(lane: Any) -> Any:
-    """A lane with the axes of quads, also where it is the same in all."""
+    """A lane with the axes of quads, even if it is the same in all."""
     return lane if np.ndim(lane) else np.full((1, 1, 1), lane)

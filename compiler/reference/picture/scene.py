@@ -1,4 +1,5 @@
-"""What is drawn, under which rules, and what has to come out: plain data."""
+"""The input and output of ``draw`` as plain data: geometry, textures, rules, the expected
+picture."""
 
 from __future__ import annotations
 
@@ -23,18 +24,19 @@ class Geometry:
     attributes: Mapping[str, NDArray[Any]]
     """By attribute name, (vertices, lanes): float64, or int64 for integers."""
     triangles: Ints
-    """(triangles, 3) numbers of vertices, in the order of drawing; the first one is provoking."""
+    """(triangles, 3): indices of vertices, in the order of drawing; the first is the provoking
+    vertex."""
     instance_count: int = 1
-    """How many times over there are the same vertices, one instance after the other."""
+    """How often the same vertices are repeated, one instance after the other."""
 
     @property
     def vertex_count(self) -> int:
-        """How many vertices there are; without any attribute, as many as the triangles name."""
+        """The number of vertices; without any attribute, as many as the triangles mention."""
         counts = [len(values) for values in self.attributes.values()]
         return counts[0] if counts else int(self.triangles.max(initial=-1)) + 1
 
     def inputs(self) -> Mapping[str, Ints]:
-        """What the pipeline supplies at each vertex, by name."""
+        """The pipeline's inputs at each vertex, by name."""
         numbers = np.arange(self.vertex_count)
         each = max(self.vertex_count // self.instance_count, 1)
         return {"vertex_index": numbers % each, "instance_index": numbers // each}
@@ -57,65 +59,72 @@ def instanced(
 
 @dataclass(frozen=True, slots=True)
 class Texels:
-    """A texture with its mip levels."""
+    """Each level has linear values (height, width, 4), or (height, width, 1) for depths.
+
+    The first row is the top one. With layers, faces or slices: (layers, height, width, 4). Every
+    level halves width and height, and the depth of a 3D texture, rounded down, but not below 1.
+    """
 
     levels: tuple[Floats | Ints, ...]
-    """Each (height, width, 4) linear values, the first row on top; of depths (height, width, 1).
+    """Each level has linear values (height, width, 4), first row at the top; depths (height, width,
+    1).
 
     With layers, faces or slices: (layers, height, width, 4). Every level halves width and height,
-    and a volume's depth, rounding down, to no less than 1."""
+    and the depth of a 3D texture, rounded down, but not below 1.
+    """
 
 
 @dataclass(frozen=True, slots=True)
 class RasterRules:
-    """The picture's size, and what an API leaves to the device or the pipeline's state."""
+    """The size of the picture, and everything that an API leaves to the device."""
 
     width: int
     height: int
     subpixel_bits: int | None = None
-    """To how many binary places of a pixel vertices are snapped; ``None`` leaves them alone."""
+    """To how many binary places of a pixel vertices are snapped; ``None``: they are not."""
     interpolates_snapped: bool = False
-    """Whether depth and attributes are interpolated between the snapped places of the vertices,
-    rather than between those from before; coverage always goes by the snapped ones."""
+    """Whether depth and attributes are interpolated between the snapped vertices, instead of those
+    before snapping. Coverage always depends on the snapped ones."""
     clips_sides: bool = False
-    """Whether triangles are cut off at the sides of the picture, before they are snapped."""
+    """Whether triangles are clipped at the sides of the picture, before they are snapped."""
     edge_slack: float = 0.0
-    """By how many pixels the device may misjudge on which side of an edge a pixel lies."""
+    """How close to an edge, in pixels, the device may put a pixel on the wrong side."""
     cull: Cull = "none"
     subtexel_bits: int | None = None
-    """Binary places of a linear filter's weights; ``None``: exact, with a radius of 0."""
+    """The binary places of a linear filter's weights; ``None``: exact, with a radius of 0."""
     functions: tuple[tuple[str, float], ...] = ()
-    """Builtins that are off by more than rounding, and by how much, absolutely."""
+    """Builtins whose error is larger than rounding, and the absolute error."""
     rounding_bits: int | None = None
-    """Binary places of what operations of the fragment stage give; ``None``: exact."""
+    """The exact binary places of the fragment stage's operations; ``None``: all."""
     varying_bits: int | None = None
-    """Binary places of what is interpolated, relative to the largest of its corners; ``None``:
-    exact."""
+    """The exact binary places of interpolated values, relative to the largest corner; ``None``:
+    all."""
     mip_bits: int | None = None
-    """Binary places of the level of detail, likewise."""
+    """The binary places of the level of detail; ``None``: exact."""
     mixing_bits: int | None = None
-    """Binary places of a mean of single texels of two levels; ``None``: exact."""
+    """The binary places of a mean of single texels of two levels; ``None``: exact."""
     level_power: int | None = None
-    """Of which power of a footprint a device reads the logarithm off the float's bits, roughly;
+    """A device reads the logarithm of this power of a footprint roughly, from a float's bits;
     ``None``: it is exact."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters for cubes only."""
+    """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
     projects_cubes: bool = True
-    """Whether a cube's level goes by how the place in its face changes, as Vulkan specifies
-    ("Cube Map Derivative Transformation"), or by how that on its surface does, in space."""
+    """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
+    Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""
 
 
 @dataclass(frozen=True, slots=True)
 class Expected:
-    """The picture, and how sure it is."""
+    """The picture, and how certain it is."""
 
     targets: tuple[Floats, ...]
-    """For each target (height, width, 4), not clamped to its format's range; lanes that the format
-    lacks are 0, 0, 1."""
+    """For each target (height, width, 4), not clamped to its format's range; missing lanes are 0,
+    0, 1."""
     covered: Bools
     """(height, width): where at least one fragment was written."""
     undecided: Bools
-    """(height, width): where rounding to float32 may tip a decision the value hangs on."""
+    """(height, width): where the value depends on a decision that rounding to float32 may
+    change."""
     radius: tuple[Floats, ...]
-    """For each target (height, width, 4): how far filtering, derivatives, interpolation and
-    rounding within the device's bits may move it."""
+    """For each target (height, width, 4): by how much filtering, derivatives, interpolation and
+    rounding may change the value, within the device's bits."""

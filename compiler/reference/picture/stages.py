@@ -1,4 +1,4 @@
-"""The two stages of a shader, evaluated: all vertices at once, then many quads at once."""
+"""Evaluates the two stages of a shader: all vertices at once, then many quads at once."""
 
 from __future__ import annotations
 
@@ -28,31 +28,31 @@ from .vertex_reads import VertexReader
 
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
-"""What looks at neighbours besides where cubes are not projected."""
+"""Builtins that use neighbours' values, too, if cubes are not projected."""
 _FILTERED = frozenset(row.name for row in texture.ROWS if row.sampler is not None)
 _NOT_ROUNDED = (
     EXACT | READS | _COMPARES_NEIGHBOURS | {"neg", "abs", "min", "max", "clamp", "saturate"}
 )
-"""What gives one of its operands, or a number that float32 has, or has bounds of its own."""
+"""Operations that return an operand or an exact float32, or that have a margin of their own."""
 
 
 @dataclass(frozen=True, slots=True)
 class Vertices:
-    """What the vertex stage makes of all vertices."""
+    """The results of the vertex stage for all vertices."""
 
     positions: Floats
     """(vertices, 4) in clip space."""
     crossings: Mapping[int, Lanes]
     """By the id of the ``cross`` node: lanes of length (vertices,), or single numbers."""
     off: Mapping[int, Lanes]
-    """Likewise, by how much rounding may move them; empty where operations are exact."""
+    """By how much rounding may change these; empty if operations are exact."""
     undecided: Bools
     """(vertices,)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shaded:
-    """What the fragment stage makes of some quads; a leading axis is one of variants."""
+    """The results of the fragment stage for some quads; a leading axis is that of variants."""
 
     targets: tuple[Lanes, ...]
     """Lanes that broadcast to (variants, quads, side, side)."""
@@ -91,7 +91,7 @@ class Stages:
         self.ways = _ways(self._images.values(), rules, nodes, self._crossings)
 
     def vertices(self, geometry: Geometry) -> Vertices:
-        """The vertex stage."""
+        """Evaluate the vertex stage."""
         count = geometry.vertex_count
         margins = Margins((count,))
         readers = {resource: VertexReader(image, count) for resource, image in self._images.items()}
@@ -125,7 +125,8 @@ class Stages:
         return Vertices(positions.astype(np.float64), crossings, off, undecided)
 
     def _round_alike(self, node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
-        """What an operation of the vertex stage gives, off to one side or the other."""
+        """The result of an operation of the vertex stage, with an error in one or the other
+        direction."""
         if not _rounds(node, value):
             return value
         relative = (-1.0) ** node.id * self._relative
@@ -135,7 +136,7 @@ class Stages:
         )
 
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
-        """The fragment stage in quads; ``front`` says which of them face the eye."""
+        """Evaluate the fragment stage in quads; ``front`` says which of them face the eye."""
         margins = Margins((len(front), self.side, self.side))
         turns, reads = count(), count()
         readers = {
@@ -169,13 +170,14 @@ class Stages:
         discarded: Any = evaluator.value(self._discard)[0] if self._discard else False
         doubtful = margins.undecided.copy()
         targets = tuple(evaluator.value(target) for target in self._targets)
-        # What is surely discarded has no colour that could be in doubt.
+        # A fragment that is certainly discarded has no colour that could be undecided.
         nominal = discarded[0] if np.ndim(discarded) > margins.undecided.ndim else discarded
         undecided = margins.undecided & ~(np.asarray(nominal, dtype=np.bool_) & ~doubtful)
         return Shaded(targets, discarded, undecided)
 
     def _rounded(self, node: Node, value: Lanes, margins: Margins, turns: Iterator[int]) -> Lanes:
-        """What an operation gives under every variant: off to one side or the other."""
+        """The result of an operation under every variant, with an error in one or the other
+        direction."""
         if len(self.ways) == 1 or not _rounds(node, value):
             return value
         relative = (-1.0) ** node.id * self.ways.rounding
@@ -204,7 +206,7 @@ class Stages:
 
 
 def _rounds(node: Node, value: Lanes) -> bool:
-    """Whether a value is what rounding has left of an operation's exact result."""
+    """Whether a value is the rounded result of an operation, and not exact."""
     builtin = builtin_of(node)
     if builtin is None or builtin in _NOT_ROUNDED:
         return False
@@ -234,7 +236,7 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
 def _ways(
     images: Iterable[Image], rules: RasterRules, nodes: Sequence[Node], crossings: list[Node]
 ) -> Variants:
-    """The variants of reading and interpolating that make a difference to a shader."""
+    """The variants of reading and interpolating that can change a shader's results."""
     called = _called(nodes)
     varied = [image for image in images if image.only is None]
     read = {image.type.dimension for image in varied}
@@ -263,14 +265,15 @@ def _called(nodes: Iterable[Node]) -> set[str]:
 
 
 def _reads(nodes: Sequence[Node]) -> int:
-    """How many times a fragment reads through samplers; a loop does so several times."""
+    """How many reads through samplers a fragment does; a loop may do several."""
     again = any(node.op in LOOPS for node in nodes)
     count = sum(builtin_of(node) in _FILTERED for node in nodes)
     return 3 * count if again else count
 
 
 def _differences(value: Lanes, ways: Variants, name: str) -> Lanes:
-    """A derivative under every variant: the pixel's own row or column, or a quad's common one."""
+    """A derivative under every variant: the pixel's own row or column, or the same one for the
+    quad."""
     axis, choice = (-2, ways.row) if name == "ddx" else (-1, ways.column)
     return tuple(
         _in_common(lane, choice, axis) if np.ndim(lane) and lane.shape[axis] == 2 else lane

@@ -1,4 +1,4 @@
-"""A texture's texels by their numbers: levels, layers, what lies beyond the edges."""
+"""A texture's texels by their indices: levels, layers, and what is beyond the edges."""
 
 from __future__ import annotations
 
@@ -31,38 +31,38 @@ class Image:
         )
         self._size = np.stack([widths, heights, layers])
         self.layers = int(layers[0])
-        """Of an array; faces of a cube."""
+        """The layers of an array, or the faces of a cube."""
         same = bool((self._table == self._table[0]).all())
         self.only: Lanes | None = tuple(self._table[0].tolist()) if same else None
-        """What all texels hold, if that is the same."""
+        """The value of all texels, if they are the same."""
 
     @property
     def levels(self) -> int:
-        """How many there are."""
+        """The number of levels."""
         return len(self._starts)
 
     @property
     def axes(self) -> int:
-        """Along how many axes texels are counted within a layer or face."""
+        """The number of axes of a layer or face."""
         return 3 if self.type.dimension == "3d" else 2
 
     def sizes(self, level: Ints) -> list[Ints]:
-        """Texels along each axis of a layer, or face, in these levels."""
+        """The numbers of texels along each axis of a layer, or face, in these levels."""
         return [self._size[axis][level] for axis in range(self.axes)]
 
     def load(self, place: Sequence[Ints], layer: Ints, level: Ints) -> Floats | Ints:
-        """Texels (…, lanes), the nearest ones for what lies beyond."""
+        """Texels (…, lanes); out of bounds, the nearest ones."""
         level = np.clip(level, 0, self.levels - 1)
         sizes = self.sizes(level)
         within = [np.clip(i, 0, size - 1) for i, size in zip(place, sizes, strict=True)]
         return self._texels(within, self.layer(layer), level)
 
     def layer(self, number: Ints) -> Ints:
-        """The nearest layer that there is."""
+        """The nearest layer that exists."""
         return np.clip(number, 0, self.layers - 1)
 
     def texel(self, place: Sequence[Ints], layer: Ints, level: Ints) -> Floats:
-        """Texels (…, lanes) as the sampler sees them, beyond the edges and all."""
+        """Texels (…, lanes) as the sampler sees them, also beyond the edges."""
         sizes = self.sizes(level)
         if self.type.dimension == "cube":
             place, layer = across_edges(place, layer, sizes[0])
@@ -71,7 +71,7 @@ class Image:
         return self._texels(within, layer, level)
 
     def _texels(self, place: Sequence[Ints], layer: Ints, level: Ints) -> Floats:
-        """By numbers that are within the texture."""
+        """Texels by indices that are within the texture."""
         column, row = place[0], place[1]
         slice_ = place[2] if len(place) == 3 else layer
         row = slice_ * self._size[1][level] + row
@@ -80,7 +80,7 @@ class Image:
 
 
 def _wrapped(index: Ints, size: Ints, wrap: str) -> Ints:
-    """The texel that a number stands for outside of the texture."""
+    """The texel that an index outside of the texture means."""
     if wrap == "clamp":
         return np.clip(index, 0, size - 1)
     if wrap == "repeat":

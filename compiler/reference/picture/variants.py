@@ -1,4 +1,8 @@
-"""The ways in which a device may draw, within the bits that it is granted."""
+"""The ways in which a device may draw a picture, within the precision that an API grants it.
+
+The reference evaluates all variants at once, as a leading axis of arrays. How much they differ from
+the exact one is the radius of a pixel.
+"""
 
 from __future__ import annotations
 
@@ -12,53 +16,55 @@ from .scene import Floats, Ints
 
 @dataclass(frozen=True, slots=True)
 class Variants:
-    """How a read may be done; arrays have one element for each variant."""
+    """The ways to do a read; arrays have one element for each variant."""
 
     across: Floats
-    """Texels by which a linear filter is shifted to the right."""
+    """By how many texels a linear filter is shifted to the right."""
     down: Floats
     inward: Floats
-    """Likewise, towards the next slice of a volume."""
+    """By how many texels it is shifted towards the next slice of a 3D texture."""
     corner: Ints
-    """What is read beyond the corner of a cube: -1 the mean of the three texels around it, or the
-    one of them with this number."""
+    """What is read beyond the corner of a cube: -1 is the mean of the three texels around it;
+    another number is one of them."""
     row: Ints
-    """Which row of the quad derivatives along x are taken from; -1: the texture's from the upper
-    one, a pixel's from its own."""
+    """The row of the quad for derivatives along x. -1: for textures the upper one, for pixels their
+    own."""
     column: Ints
-    """Likewise along y: the left column, or the pixel's own."""
+    """The column of the quad for derivatives along y. -1: for textures the left one, for pixels
+    their own."""
     level: Floats
-    """What is added to the level of detail."""
+    """The error of the level of detail."""
     nudge: Floats
-    """By how much interpolated values are off, relative to the largest of their corners."""
+    """The error of interpolated values, relative to the largest corner."""
     checkered: Ints
-    """1: to the other side in every other pixel and lane."""
+    """If 1, the error has the opposite sign in every other pixel and lane."""
     rounding: Floats
-    """By how much operations are off, relative to what they give."""
+    """The error of operations, relative to their results."""
     period: Ints
-    """After how many calls the functions that are off by more, or reads, change sides; 0: functions
-    are exact, and reads do not."""
+    """After how many calls the errors of less accurate functions, or of reads, change their sign.
+    0: these have no error."""
     kind: Ints
-    """What it varies: 0 nothing; 1, 2, 3, 4 the place across, down, the derivatives, the level;
-    5 and 6 what is interpolated, everything alike and checkered; 7 what operations give; 8 to 10
-    what functions give, with three periods; 11 the place inwards; 12 corners;
-    13 means of levels."""
+    """What a variant changes. 0: nothing; 1 and 2: the place across and down; 3: derivatives; 4:
+    the level; 5 and 6: interpolated values, all with the same sign and checkered; 7: results of
+    operations; 8 to 10: results of functions, with three periods; 11: the place inwards; 12:
+    corners; 13: means of two levels."""
     order: Floats
-    """Of the norm that makes a length of the derivatives: 2; any between the largest lane
-    (infinity) and the sum (1) is allowed."""
+    """The order of the norm by which derivatives have a length: 2. Any order from 1 (the sum) to
+    infinity (the largest lane) is allowed."""
 
     mixed: Floats
-    """What is added to a mean of single texels of two levels."""
+    """The error of a mean of single texels of two levels."""
     opposite: Ints
-    """By how many variants further on the same is done to the other side."""
+    """The distance to the variant with the opposite error."""
 
     def __len__(self) -> int:
         return len(self.across)
 
     def at(self, turn: int) -> Variants:
-        """How the read with this number is done: each variant's own way, or the opposite one.
+        """The variants for the read with this number: each its own, or the opposite one.
 
-        Filters round each place by itself, so what two reads are off by need not cancel out.
+        Devices round the place of each read separately, so the errors of two reads need not cancel
+        out.
         """
         odd = (self.period > 0) & (turn // np.maximum(self.period, 1) % 2 == 1)
         if not (odd & (self.opposite != 0)).any():
@@ -73,7 +79,7 @@ EXACT = Variants(
         for value in (0.0, 0.0, 0.0, -1, -1, -1, 0.0, 0.0, 0, 0.0, 0, 0, 2.0, 0.0, 0)
     )
 )
-"""The exact way only."""
+"""Only the exact way."""
 
 
 def variants(
@@ -88,10 +94,10 @@ def variants(
     cubes: bool = False,
     reads: int = 1,
 ) -> Variants:
-    """The exact way and, where a device's bits matter, those at their limits.
+    """The exact way and, where the device's bits matter, the ways with the largest errors.
 
-    Bits are ``None`` where they do not matter; ``volumes`` and ``cubes`` say what is read, and
-    ``reads`` how many times.
+    Bits are ``None`` where they do not matter. ``volumes`` and ``cubes`` say what is read, and
+    ``reads`` how often.
     """
     changes: list[_Change] = []
     if subtexel_bits is not None:
@@ -114,13 +120,13 @@ def variants(
 
 
 _How = Mapping[str, float]
-"""What is not exact."""
+"""The fields that are not exact."""
 _Change = tuple[int, _How]
-"""A kind besides."""
+"""A kind, and the fields that are not exact."""
 
 _NEVER = 1 << 30
 _PERIODS = (_NEVER, 1, 2)
-"""Everything to the same side; every other call to the other one; two calls here and two there."""
+"""All with the same sign; every other call with the opposite one; two calls each."""
 
 
 def _of_filters(step: float, reads: int, *, volumes: bool, cubes: bool) -> Iterator[_Change]:
@@ -138,7 +144,7 @@ def _of_levels(step: float, reads: int) -> Iterator[_Change]:
 
 
 def _to_both_sides(kind: int, one: _How, other: _How, reads: int) -> Iterator[_Change]:
-    """One way and its opposite, for all reads alike, and for some the other way round."""
+    """One way and its opposite, with the same sign for all reads, or a different one for some."""
     for period in _PERIODS[: min(reads, len(_PERIODS))]:
         yield kind, {**one, "period": period, "opposite": 1}
         yield kind, {**other, "period": period, "opposite": -1}

@@ -1,4 +1,4 @@
-"""Textures as the vertex stage reads them: at each vertex alone, without neighbours."""
+"""Reads textures in the vertex stage: at each vertex alone, without neighbours."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ class VertexReader:
 
     @property
     def undecided(self) -> Bools:
-        """(vertices,) where rounding may tip what has been read so far."""
+        """(vertices,): where rounding may change what has been read so far."""
         return self._margins.undecided[:, 0, 0]
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
-        """The value of builtin ``name`` for what stands behind the texture."""
+        """The value of the builtin ``name``; ``operands`` are those after the texture."""
         quads = tuple(tuple(_with_quads(lane) for lane in lanes) for lanes in operands)
         return tuple(self._of_vertices(lane) for lane in self._reader.read(name, quads))
 

@@ -21,11 +21,11 @@ from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from .parameters import parameter_of
 
-LARGEST_GROUP, LARGEST_BINDING = 3, 999
-"""What WebGPU has at least: four bind groups, and numbers below 1000 in each."""
+LARGEST_PLACE = 65535
+"""Of groups and bindings. How many of them a language has is a limit of its profiles."""
 
-LARGEST_OFFSET = 16380
-"""The last scalar of 16 KiB, which is what OpenGL ES has for a block."""
+LARGEST_OFFSET = 65532
+"""The last scalar of 64 KiB, beyond which no profile has a block."""
 
 
 def extern_value(ctx: Context, symbol: Symbol, span: Span) -> Node | Failure:
@@ -56,8 +56,8 @@ def read_externs(ctx: Context, module: Module) -> None:
 def _block(ctx: Context, symbol: Symbol, block: ast.ExternBlock) -> ExternInfo:
     place = HostPlace(
         block.name.text,
-        _whole(ctx, block.bind_group, LARGEST_GROUP),
-        _whole(ctx, block.binding, LARGEST_BINDING),
+        _whole(ctx, block.bind_group, LARGEST_PLACE),
+        _whole(ctx, block.binding, LARGEST_PLACE),
     )
     _check_place(ctx, block, place)
     members = []

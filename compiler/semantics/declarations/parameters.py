@@ -9,7 +9,7 @@ from ....frozen import EMPTY, changed, frozen
 from ....stdlib.builtins.facts import UNKNOWN, Fact
 from ...diagnostics import rules
 from ...diagnostics.fixes import fix_it
-from ...diagnostics.nearest import respelling
+from ...diagnostics.nearest import nearest, respelt
 from ...diagnostics.source import Span
 from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ANGLE, Meaning
@@ -96,10 +96,11 @@ def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:
         declaration = definition.owner.declaration
         assert isinstance(declaration, ast.Record | ast.Mixin)
         return DEFAULT_GROUPS[declaration.kind]
-    if named.text not in STANDARD_GROUPS and (
-        hint := respelling(named.text, named.span, STANDARD_GROUPS)
-    ):
-        ctx.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
+    if named.text not in STANDARD_GROUPS:
+        meant = nearest(named.text, STANDARD_GROUPS)
+        if meant is not None:
+            hint = respelt(named.text, named.span, meant)
+            ctx.report.add(rules.UNUSUAL_GROUP, named.span, name=named.text, hint=hint)
     return named.text
 
 

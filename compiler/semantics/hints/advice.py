@@ -8,12 +8,12 @@ from types import MappingProxyType
 
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics.fixes import Hint, either, fix_it, write
-from ...diagnostics.nearest import respelling
+from ...diagnostics.nearest import is_searched_out, respelling
 from ...diagnostics.source import Span
 from ...ir.node import Node, bare
 from ...ir.types import Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind, width
 from ...syntax import ast
-from ...syntax.quoting import LONGEST, counted, spanned
+from ...syntax.quoting import counted, shortened, spanned
 from ...syntax.rewriting import rewritten
 from ..names.modules import Symbol
 from ..state.scope import RigEntry, Scope
@@ -137,8 +137,7 @@ def missing_member(type_: Type, name: str, whole: Span) -> Hint:
         return "elements are read by their number, `a[i]`; the length is that of the declared type"
     if _is_called(name):
         value = whole.text.rpartition(".")[0].rstrip()
-        shown = value if len(value) <= LONGEST and "\n" not in value else "…"
-        said = f"`{name}` is a function: write `{name}({shown})`"
+        said = f"`{name}` is a function: write `{name}({shortened(value)})`"
         return fix_it(said, _as_function(name, value, whole))
     if isinstance(type_, Matrix):
         return "columns are read by their number, `m[i]`, and rows of them behind that, `m[i][j]`"
@@ -163,6 +162,8 @@ def _as_function(name: str, value: str, whole: Span) -> tuple[Span, str]:
 
 def nearest_or_all(name: str, span: Span, known: Iterable[str]) -> Hint:
     """The nearest of the known names to the one at ``span``, or all, where they are few."""
+    if is_searched_out(span.source):
+        return ""
     names = list(dict.fromkeys(known))
     hint = respelling(name, span, names)
     if hint or not 0 < len(names) <= _FEW:

@@ -6,6 +6,7 @@ The arithmetic is written in ``stdlib/spaces.burnish``; here it is chosen and pu
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 
 from ...diagnostics import rules
 from ...diagnostics.nearest import respelling
@@ -58,7 +59,8 @@ def _space(ctx: Context, name: ast.Name, scope: Scope) -> str | None:
     found = scope.module.find(name.text)
     if name.text in SPACES or (found and isinstance(found[0].declaration, ast.Space)):
         return name.text
-    spaces = [*SPACES, *(s for s in scope.module.visible() if _is_space(scope.module, s))]
+    declared = (s for s in scope.module.visible() if _is_space(scope.module, s))
+    spaces = chain(SPACES, declared)
     hint = respelling(name.text, name.span, spaces) or declared_space(name.text, name.span)
     ctx.report.add(rules.UNKNOWN_NAME, name.span, kind="space", name=name.text, hint=hint)
     return None

@@ -10,7 +10,7 @@ from ...diagnostics.fixes import Hint, fix_it
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.meaning import ANGLE, RGB, RGBA
-from ...ir.node import Node
+from ...ir.node import Node, bare
 from ...ir.types import (
     BOOL,
     FLOAT,
@@ -22,6 +22,7 @@ from ...ir.types import (
     Vector,
 )
 from ...syntax import ast
+from ...syntax.quoting import shortened
 from ..declarations import contracts
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
@@ -29,7 +30,7 @@ from ..hints import advice
 from ..state.context import Context, Rule, Rules
 from ..state.evaluation import plain
 from ..state.scope import FAILURE, Failure, Scope, Value
-from ..types.coercion import coerce
+from ..types.coercion import coerce, is_negated_literal
 from . import aggregates, calls, conversions, lookup, loops
 from .builtin_calls import builtin_call
 from .combinations import checked
@@ -52,18 +53,19 @@ LOWEST = str(2**31)
 def _number(ctx: Context, e: ast.Number, _operands: Sequence[Value], _scope: Scope) -> Value:
     if e.kind in ("int", "uint"):
         limit, type_ = (2**31 - 1, INT) if e.kind == "int" else (2**32 - 1, UINT)
-        whole = int(e.text, 16 if e.text[:2] in ("0x", "0X") else 10)
+        whole = _whole(e.text)
         if whole > limit:
             hint: Hint = ""
             if whole < 2**32:
                 place = Span(e.span.source, e.span.end, e.span.end)
                 hint = fix_it("write it as a `uint`, with `u` behind it", (place, "u"))
-            ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=type_, hint=hint)
+            text = shortened(e.text)
+            ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=text, type=type_, hint=hint)
             return FAILURE
         return build.constant(ctx.graph, type_, whole)
     value = float(e.text)
     if isinf(value) or value > 3.4028234663852886e38:
-        ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=e.text, type=FLOAT)
+        ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=shortened(e.text), type=FLOAT)
         return FAILURE
     number = build.floating(ctx.graph, radians(value) if e.unit == "deg" else value)
     return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
@@ -136,6 +138,16 @@ def _is_lowest(e: ast.Unary) -> bool:
     return lowest and e.operator == "-"
 
 
+def _whole(text: str) -> int:
+    """The value of a whole literal, or some number that is too large where it is too large.
+
+    No type has more than ten digits, and Python refuses to read thousands of them.
+    """
+    if text[:2] in ("0x", "0X"):
+        return int(text, 16)
+    return int(text.lstrip("0")[:11] or "0")
+
+
 def _unary(ctx: Context, e: ast.Unary, operands: Sequence[Value], scope: Scope) -> Value:
     if not operands:
         return build.constant(ctx.graph, INT, -int(LOWEST))
@@ -143,6 +155,8 @@ def _unary(ctx: Context, e: ast.Unary, operands: Sequence[Value], scope: Scope) 
     if isinstance(operand, Failure):
         return FAILURE
     name = PREFIXES[e.operator]
+    if name == "neg" and is_negated_literal(operand):
+        return bare(operand).operands[0]
     return builtin_call(ctx, name, (operand,), e.span, e.operator, (e.operand,), scope)
 
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import chain
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import nearest
+from ...diagnostics.nearest import is_searched_out, nearest
 from ...diagnostics.source import Span
 from ...syntax import ast
 from ...syntax.rewriting import called_here
@@ -23,12 +24,12 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
         ctx.report.add(rules.OUTSIDE_LIGHT, span, name=name, hint=hint if in_term else "")
         return
     parts = () if scope.parts is None else scope.parts.declared
-    known = [*scope.locals, *parts, *scope.module.visible(), *INPUTS]
+    known = chain(scope.locals, parts, scope.module.visible(), INPUTS)
     for instance in (scope.instance, scope.surface):
         if instance is not None and instance.record.baseless:
             return
         if instance is not None:
-            known += instance.record.definitions
+            known = chain(known, instance.record.definitions)
     from ....stdlib.builtins.elsewhere import KEYWORDS, VALUES
 
     here = called_here(name, span, VALUES[name]) if name in VALUES else ""
@@ -66,8 +67,9 @@ def unknown_here(
 ) -> None:
     """The same for a name that an import could bring, or should have brought."""
     if name not in module.missing:
-        known = list(known)
+        if module.incomplete:
+            known = list(known)
+            if is_searched_out(span.source) or nearest(name, known) is None:
+                return  # The file that could not be imported may declare it.
         hint = module.hint(ast.Name(name, span), known) or advice.undeclared(kind, name)
-        if module.incomplete and nearest(name, known) is None:
-            return
         ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)

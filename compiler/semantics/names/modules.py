@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path, PurePosixPath
+from typing import Protocol
 
-from ....frozen import frozen
+from ....frozen import fresh, frozen, record
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.fixes import Hint, fix_it
@@ -44,21 +44,21 @@ class Symbol:
         return self.declaration.name.text
 
 
-@dataclass(slots=True, eq=False)
+@record
 class Module:
     """One file with everything it can name; functions may share a name (overloads)."""
 
     file: ast.File
     path: Path | None
-    declared: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
-    imported: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
-    chosen: set[tuple[Path | None, str]] = field(default_factory=set)
+    declared: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
+    imported: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
+    chosen: set[tuple[Path | None, str]] = fresh(factory=set)
     """Names that were imported one by one, with their files."""
-    missing: set[str] = field(default_factory=set)
+    missing: set[str] = fresh(factory=set)
     """Names whose import failed, about which enough has been said."""
     incomplete: bool = False
     """Whether a file that was to be imported whole could not be, and its names are not known."""
-    doubtful: dict[str, Callable[[], None]] = field(default_factory=dict)
+    doubtful: dict[str, Callable[[], None]] = fresh(factory=dict)
     """Names that several imported files declare, with what reports them once they are used."""
     prelude: Module | None = None
     offered: Callable[[str], str] = lambda _name: ""
@@ -102,7 +102,14 @@ Read = Callable[[Path, Report, str], Source | None]
 Parse = Callable[[Source, Report], ast.File]
 
 
-@dataclass(slots=True)
+class Looked(Protocol):
+    """Is told of each place where an imported file was looked for."""
+
+    def __call__(self, root: Path, path: Path, /, *, found: bool) -> None:
+        """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
+
+
+@record
 class _Linking:
     """A module whose imports are being read."""
 
@@ -126,6 +133,7 @@ class Loader:
         parse: Parse,
         parse_library: Parse,
         read: Read,
+        looked: Looked,
     ) -> None:
         self._report = report
         self._library = library
@@ -133,9 +141,11 @@ class Loader:
         self._parse = parse
         self._parse_library = parse_library
         self._read = read
+        self._looked = looked
         self._modules: dict[Path, Module] = {}
         self._loading: list[tuple[Path, Span]] = []
         self._prelude: Module | None = None
+        self._offers: dict[str, str] | None = None
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -261,11 +271,12 @@ class Loader:
         for name in names:
             symbols = found.declared.get(name.text)
             if symbols is None:
-                meant = nearest(name.text, found.declared)
+                hint = respelling(name.text, name.span, found.declared)
+                meant = "" if isinstance(hint, str) else hint.fixes[0].edits[0].text
                 module.missing.update((name.text, meant or name.text))
                 self._report.add(
                     rules.UNKNOWN_EXPORT, name.span, name=name.text, path=found.file.source.name,
-                    hint=respelling(name.text, name.span, found.declared),
+                    hint=hint,
                 )  # fmt: skip
             else:
                 known = module.imported.setdefault(name.text, symbols)
@@ -301,7 +312,9 @@ class Loader:
             if not path.is_relative_to(root.resolve()):
                 self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
                 return None
-            if path.is_file():
+            is_file = path.is_file()
+            self._looked(root, found, found=is_file)
+            if is_file:
                 return self._load(found, path, wanted)
         self._report.add(
             rules.MISSING_IMPORT, wanted.span, path=relative, hint=self._suggest(wanted)
@@ -320,15 +333,21 @@ class Loader:
             yield root, relative
 
     def _offering(self, name: str) -> str:
+        """The import path of the library file that declares a name; empty if none does."""
+        if self._offers is None:
+            self._offers = dict(reversed(list(self._offered())))
+        return self._offers.get(name, "")
+
+    def _offered(self) -> Iterator[tuple[str, str]]:
+        """The names that library files declare, each with the import path of its file."""
         for path in sorted(self._library.glob("*.burnish")):
             if path.stem in _NOT_IMPORTED:
                 continue
             source = self._read(path, self._report, _library_name(path))
             tree = None if source is None else self._parse_library(source, self._report)
             for declaration in () if tree is None else tree.declarations:
-                if not isinstance(declaration, ast.Import) and declaration.name.text == name:
-                    return f"std.{path.stem}"
-        return ""
+                if not isinstance(declaration, ast.Import):
+                    yield declaration.name.text, f"std.{path.stem}"
 
     def _suggest(self, wanted: ast.Import) -> Hint:
         if wanted.quoted:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import rules
-from ...diagnostics.nearest import respelling
+from ...diagnostics.nearest import nearest, respelt
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..lowering.lights import light_instance
@@ -57,6 +57,7 @@ def _check_spelling(
         return
     if owner.module is not surface.record.symbol.module:
         return
-    hint = respelling(name, member.name.span, inherited)
-    if hint and not surface.record.baseless:
+    meant = nearest(name, inherited)
+    if meant is not None and not surface.record.baseless:
+        hint = respelt(name, member.name.span, meant)
         ctx.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)

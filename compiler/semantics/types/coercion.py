@@ -85,6 +85,15 @@ def _is_literal(node: Node) -> bool:
     return node.op == "constant"
 
 
+def is_negated_literal(node: Node) -> bool:
+    """Whether a value is a literal with a sign; a second sign gives the literal itself.
+
+    So no value has two of them, and nothing has to look through a long row.
+    """
+    node = bare(node)
+    return node.op == "call" and node.data == "neg" and bare(node.operands[0]).op == "constant"
+
+
 def _as_kind(graph: Graph, node: Node, kind: str | None) -> Node | None:
     if scalar_kind(node.type) == kind:
         return node

@@ -1,0 +1,77 @@
+"""The group of all commands, as click runs it; ``cli.py`` calls it.
+
+Starting fast is a feature, so nothing here loads the compiler.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+import click
+
+from .. import __version__
+from .console import FAILED
+from .terminal import INTERRUPTED, show_everything
+
+COMMANDS = ("compile", "check", "graph", "render", "conform", "targets", "doctor", "explain")
+"""The modules of the commands, each of which calls itself so; only those asked for are loaded."""
+FUNCTIONS = {"compile": "compile_"}
+"""Their functions, where Python has another use for the name."""
+
+
+class _QuietGroup(click.Group):
+    """Ends on Ctrl-C without a word, and with one where standard output cannot take any more."""
+
+    def main(self, *arguments: Any, **options: Any) -> Any:
+        """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
+        show_everything()
+        return super().main(*arguments, **options)
+
+    def list_commands(self, _context: click.Context) -> list[str]:
+        """The names of the commands, as the help lists them."""
+        return sorted(COMMANDS)
+
+    def get_command(self, _context: click.Context, name: str) -> click.Command | None:
+        """The command of that name, if there is one. Else click suggests one of ``commands``."""
+        for wanted in (name,) if name in COMMANDS else COMMANDS:
+            module = import_module(f".{wanted}", __package__)
+            self.commands[wanted] = getattr(module, FUNCTIONS.get(wanted, wanted))
+        return self.commands.get(name)
+
+    def resolve_command(self, context: click.Context, args: list[str]) -> Any:
+        """The command that is named; a material alone is likely to be compiled."""
+        try:
+            return super().resolve_command(context, args)
+        except click.UsageError as error:
+            if not args[0].endswith(".burnish"):
+                raise
+            likely = f"Did you mean 'burnish compile {args[0]} -o FOLDER'?"
+            raise click.UsageError(f"{error.message} {likely}", context) from error
+
+    def invoke(self, context: click.Context) -> Any:
+        try:
+            return super().invoke(context)
+        except KeyboardInterrupt:
+            context.exit(INTERRUPTED)
+        except BrokenPipeError:
+            raise  # A reader that has left, as `head` does; click knows what to do.
+        except OSError as error:
+            place = "" if error.filename is None else f"`{error.filename}`: "
+            click.echo(f"error: {place}{error.strerror or error}", err=True)
+            context.exit(FAILED)
+
+
+@click.group(cls=_QuietGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="burnish")
+def burnish() -> None:
+    """Compile shader graphs: one material in, HLSL, GLSL and WGSL out, all meaning the same.
+
+    \b
+    Example:
+        burnish compile plastic.burnish -o build/
+        burnish compile --help
+
+    What was computed before is kept in a cache folder, named by BURNISH_CACHE, and used again as
+    long as nothing that it came of has changed.
+    """

@@ -1,0 +1,208 @@
+"""What ``burnish compile`` has written, kept so that the same again takes a start of Python.
+
+``cli.main`` asks before it loads anything else. The answer is kept by its command line, word for
+word, and holds for as long as everything is the same that the compile depended on: the current
+folder, Python, every file of this installation, every file that was read, what links stood for, and
+that there was nothing in the places where files were looked for first. Sources are compared byte by
+byte, the installation by names, sizes and times of change, which an edit cannot leave as they were.
+
+Only what compiled is kept, with its warnings as they were printed. Errors take the long way, and
+what cannot be written as before takes it, too, so that everybody hears of it in the same words.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from ..compiler.cache import digest, load, store
+from .terminal import show_everything, wants_color
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+    from ..compiler.inputs import Inputs
+
+STDOUT = "-"
+"""The output folder that stands for standard output."""
+
+LARGEST = 4 << 20
+"""Bytes of an answer with its sources above which it is not worth keeping."""
+
+_NEVER = frozenset({"--no-cache", "--validate", "--watch"})
+"""Words of command lines that ask for more than texts."""
+
+_ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))  # noqa: PTH120
+_LIBRARY = os.path.join(_ROOT, "stdlib", "")  # noqa: PTH118
+_PACKAGES = ("click", "jinja2", "lark", "markupsafe")
+"""What else decides what a command line means and what a text looks like."""
+
+
+class Question:
+    """A command line, where and by what it is run."""
+
+    __slots__ = ("circumstances", "key")
+
+    def __init__(self, arguments: Sequence[str]) -> None:
+        here = [os.getcwd(), _ROOT, *arguments]  # noqa: PTH109
+        self.key = digest("\0".join(here).encode("utf-8", "surrogatepass"))
+        """Where the answer is kept; the next one to the same command line takes its place."""
+        self.circumstances = [*here, sys.version, _installation(), str(wants_color(sys.stderr))]
+
+
+class Output:
+    """Everything that a compile hands to its user."""
+
+    __slots__ = ("folder", "printed", "texts", "warnings")
+
+    def __init__(
+        self, folder: str, texts: Mapping[str, str], printed: str, warnings: str = ""
+    ) -> None:
+        self.folder = folder
+        self.texts = texts
+        """Files to write into the folder, by name."""
+        self.printed = printed
+        """For standard output."""
+        self.warnings = warnings
+        """For the error output."""
+
+
+def ask(arguments: Sequence[str]) -> Question | None:
+    """The question that a command line is; ``None`` where no answer to it is ever kept."""
+    wanted = arguments[:1] == ["compile"] and _NEVER.isdisjoint(arguments)
+    if not wanted or os.environ.get("BURNISH_VERIFY"):
+        return None
+    try:
+        return Question(arguments)
+    except OSError:
+        return None
+
+
+def answer(question: Question) -> bool:
+    """Do again what was done for the question before; whether that was possible."""
+    import json
+
+    stored = load("result", question.key)
+    if stored is None:
+        return False
+    try:
+        kept = json.loads(stored)
+        if kept["circumstances"] != question.circumstances or not _unchanged(kept):
+            return False
+        output = Output(kept["folder"], kept["texts"], kept["printed"], kept["warnings"])
+        if output.folder != STDOUT:
+            put_in_place(output.folder, output.texts)
+        show_everything()
+        print_output(output.printed)
+        if output.warnings:
+            from .console import print_rendered
+
+            print_rendered(output.warnings)
+    except (OSError, ValueError, LookupError, TypeError):
+        return False
+    return True
+
+
+def keep(question: Question, output: Output, inputs: Inputs) -> None:
+    """Keep what was done for a question."""
+    import json
+
+    sources = {k: v for k, v in inputs.contents.items() if not k.startswith(_LIBRARY)}
+    entry = {
+        "circumstances": question.circumstances,
+        "sources": {k: v if v is None else v.decode() for k, v in sources.items()},
+        "links": {k: v for k, v in inputs.links.items() if not v.startswith(_LIBRARY)},
+        "folders": inputs.folders,
+        "folder": output.folder,
+        "texts": dict(output.texts),
+        "printed": output.printed,
+        "warnings": output.warnings,
+    }
+    payload = json.dumps(entry).encode()
+    if len(payload) <= LARGEST:
+        store("result", question.key, payload)
+
+
+def print_output(text: str) -> None:
+    """Write to standard output: as bytes, whatever the terminal's encoding is."""
+    if sys.stdout is None:
+        return
+    sys.stdout.flush()
+    sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
+    sys.stdout.flush()
+
+
+def put_in_place(folder: str, texts: Mapping[str, str]) -> None:
+    """Write each text under its name into a folder, or raise ``OSError`` and change nothing.
+
+    Everything is first written to a temporary folder inside the final one, because a rename on the
+    same disk cannot run out of space, and nobody ever sees half a file.
+    """
+    for name in texts:
+        if os.path.isdir(os.path.join(folder, name)):  # noqa: PTH112, PTH118
+            raise IsADirectoryError(os.path.join(folder, name))  # noqa: PTH118
+    staging = os.path.join(folder, f".burnish-{os.getpid()}")  # noqa: PTH118
+    os.makedirs(staging, exist_ok=True)  # noqa: PTH103
+    try:
+        for name, text in texts.items():
+            with open(os.path.join(staging, name), "wb") as file:  # noqa: PTH118, PTH123
+                file.write(text.encode())
+        for name in texts:
+            os.replace(os.path.join(staging, name), os.path.join(folder, name))  # noqa: PTH105, PTH118
+    finally:
+        for name in texts:
+            if os.path.exists(os.path.join(staging, name)):  # noqa: PTH110, PTH118
+                os.unlink(os.path.join(staging, name))  # noqa: PTH108, PTH118
+        os.rmdir(staging)  # noqa: PTH106
+
+
+def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
+    """Whether everything is found, and is the same, that a compile depended on."""
+    if not all(map(os.path.isdir, kept["folders"])):
+        return False
+    if any(os.path.realpath(path) != real for path, real in kept["links"].items()):
+        return False
+    return all(_holds(path, content) for path, content in kept["sources"].items())
+
+
+def _holds(path: str, content: str | None) -> bool:
+    """Whether a file holds this, or with ``None``, whether there is no file. Raises ``OSError``."""
+    if content is None:
+        try:
+            mode = os.stat(path).st_mode  # noqa: PTH116
+        except (FileNotFoundError, NotADirectoryError):
+            return True
+        from stat import S_ISREG
+
+        return not S_ISREG(mode)
+    with open(path, "rb") as file:  # noqa: PTH123
+        return file.read() == content.encode()
+
+
+def _installation() -> str:
+    """The digest of the names, sizes and times of all files of the compiler and its packages."""
+    found = sorted(_stamps(_ROOT))
+    from importlib.util import find_spec
+
+    for package in _PACKAGES:
+        spec = find_spec(package)
+        if spec is not None and spec.origin is not None:
+            found.append(_stamp(spec.origin, os.stat(spec.origin)))  # noqa: PTH116
+    return digest("\n".join(found).encode("utf-8", "surrogateescape"))
+
+
+def _stamps(folder: str) -> Iterator[str]:
+    """Of each module, and of everything that lies beside those of a sub-package."""
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.is_dir():
+                if os.path.exists(os.path.join(entry.path, "__init__.py")):  # noqa: PTH110, PTH118
+                    yield from _stamps(entry.path)
+            elif folder != _ROOT or entry.name.endswith(".py"):
+                yield _stamp(entry.path, entry.stat())
+
+
+def _stamp(path: str, status: os.stat_result) -> str:
+    """What is different after each change of a file; nobody can set the time of its status back."""
+    return f"{path} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns} {status.st_ino}"

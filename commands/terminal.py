@@ -1,0 +1,30 @@
+"""What a stream can show. Nothing here imports click, so that what runs before it may ask."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import IO, Any
+
+INTERRUPTED = 130
+"""The exit code that shells expect of a program that Ctrl-C ended."""
+
+
+def wants_color(stream: IO[Any] | None) -> bool:
+    """Whether to use colours: on a terminal, unless its user has set ``NO_COLOR``.
+
+    ``None`` is a stream that was closed before the program began.
+    """
+    return stream is not None and stream.isatty() and not os.environ.get("NO_COLOR")
+
+
+def show_everything() -> None:
+    """Have characters that a terminal cannot show written out, as in ``\\u2192``."""
+    from io import TextIOWrapper
+
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")

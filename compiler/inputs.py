@@ -1,0 +1,44 @@
+"""What a compile has read, and where it has looked for files in vain.
+
+The frontend fills this while it reads. As long as all of it is still so, compiling the same file
+with the same options gives the same result: ``commands/results.py`` builds on that.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+
+class Inputs:
+    """Files and folders that a compile depends on.
+
+    Keys of ``contents`` are paths without links, keys of the others are paths as they were asked
+    for: relative ones are relative to the current folder.
+    """
+
+    def __init__(self) -> None:
+        self.contents: dict[str, bytes | None] = {}
+        """What files hold that were read; ``None`` where a file was looked for and is none."""
+        self.links: dict[str, str] = {}
+        """What each path stands for, after following links."""
+        self.folders: list[str] = []
+        """The folders of the search path; each of them is there."""
+
+    def read(self, path: Path, content: bytes) -> None:
+        """Note that the file at ``path`` was read, and what it holds."""
+        self.contents.setdefault(self._real(path), content)
+
+    def looked(self, root: Path, path: Path, *, found: bool) -> None:
+        """Note that ``path`` was looked for below ``root``, and whether there is a file."""
+        self._real(root)
+        real = self._real(path)
+        if not found:
+            self.contents.setdefault(real, None)
+
+    def searched(self, folder: Path) -> None:
+        """Note a folder of the search path."""
+        self.folders.append(str(folder))
+
+    def _real(self, path: Path) -> str:
+        return self.links.setdefault(str(path), os.path.realpath(path))

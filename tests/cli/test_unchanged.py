@@ -1,0 +1,425 @@
+"""Compiling the same again gives the same from the cache, and never what is no longer true."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from burnish.commands import results
+from burnish.commands.group import burnish
+from burnish.commands.results import answer, ask
+from burnish.compiler import cache
+
+from .kit import PLAIN, tree
+
+ROOT = Path(__file__).parents[2]
+IMPORTING = 'import "shades.burnish".{shade}\nmaterial Main { color = vec3(shade) }\n'
+DOUBTFUL = "material Main { colour = vec3(1) }\n"
+"""Compiles with a warning, as the slot is nearly called like an inherited one."""
+
+TOLD = """
+import sys
+from burnish.cli import main
+try:
+    main()
+finally:
+    print("COMPILED" if "burnish.api" in sys.modules else "KNOWN", file=sys.stderr)
+"""
+
+
+class Run(NamedTuple):
+    """What came of a command."""
+
+    how: str
+    """``KNOWN`` if it was done before, else ``COMPILED``."""
+    code: int
+    output: str
+    errors: str
+
+
+class Place:
+    """A folder with a file to compile, and a cache of its own."""
+
+    def __init__(
+        self, folder: Path, patch: pytest.MonkeyPatch, captured: pytest.CaptureFixture[str]
+    ) -> None:
+        self.folder = folder / "place"
+        self.folder.mkdir()
+        self.cache = folder / "cache"
+        self._patch = patch
+        self._captured = captured
+        self.environment({"BURNISH_CACHE": str(self.cache)})
+        patch.delenv("BURNISH_VERIFY")
+        patch.chdir(self.folder)
+
+    def environment(self, variables: Mapping[str, str]) -> None:
+        """Set variables of the environment."""
+        for name, value in variables.items():
+            self._patch.setenv(name, value)
+
+    def write(self, **texts: str) -> None:
+        """Write files: ``main="…"`` is ``main.burnish``."""
+        for name, text in texts.items():
+            (self.folder / f"{name}.burnish").write_text(text, "utf-8")
+
+    def run(self, *options: str, output: str = "out") -> Run:
+        """Compile in this process, as ``cli.main`` does."""
+        command = ["compile", "main.burnish", "-t", "wgsl", "-o", output, *options]
+        question = ask(command)
+        if question is not None and answer(question):
+            return Run("KNOWN", 0, *self._captured.readouterr())
+        with pytest.raises(SystemExit) as ended:
+            burnish.main(command, obj=question)
+        code = ended.value.code
+        assert isinstance(code, int)
+        return Run("COMPILED", code, *self._captured.readouterr())
+
+    def process(self, *options: str, output: str = "out") -> Run:
+        """Compile in a process of its own."""
+        command = ["compile", "main.burnish", "-t", "wgsl", "-o", output, *options]
+        run = subprocess.run(
+            [sys.executable, "-c", TOLD, *command], cwd=self.folder,
+            capture_output=True, encoding="utf-8", timeout=60, check=False,
+        )  # fmt: skip
+        *errors, how = run.stderr.splitlines(keepends=True)
+        return Run(how.strip(), run.returncode, run.stdout, "".join(errors))
+
+    def results(self) -> list[Path]:
+        """The answers that are kept."""
+        return sorted(self.cache.glob("result-*"))
+
+    def fragment(self, output: str = "out") -> str:
+        """The shader that was written."""
+        return (self.folder / output / "Main.frag.wgsl").read_text("utf-8")
+
+
+@pytest.fixture
+def place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Place:
+    return Place(tmp_path, monkeypatch, capsys)
+
+
+def written(folder: Path) -> dict[str, bytes]:
+    return {name: (folder / name).read_bytes() for name in tree(folder)}
+
+
+@pytest.mark.parametrize(
+    ("text", "options"),
+    [
+        ("material Main { }", ()),
+        (DOUBTFUL, ()),
+        ("material Main { }", ("--single-file",)),
+        ("material Main { alpha = sin(uv.x) // ü\n}", ("--line-directives", "--flip-y")),
+        ("material Main { } material Other { }", ("--no-hoist",)),
+    ],
+)
+def test_the_same_again(place: Place, text: str, options: tuple[str, ...]) -> None:
+    place.write(main=text)
+    how, *first = place.run(*options)
+    files = written(place.folder / "out")
+    shutil.rmtree(place.folder / "out")
+    again, *second = place.run(*options)
+    assert (how, again) == ("COMPILED", "KNOWN")
+    assert first == second
+    assert first[0] == 0
+    assert written(place.folder / "out") == files
+
+
+def test_the_same_again_on_standard_output(place: Place) -> None:
+    place.write(main="/// ü → x\n" + DOUBTFUL)
+    first, second = place.run(output="-"), place.run(output="-")
+    assert (first.how, second.how) == ("COMPILED", "KNOWN")
+    assert first[1:] == second[1:]
+    assert "warning[B0210]" in second.errors
+    assert tree(place.folder) == {"main.burnish"}
+
+
+def test_the_same_again_in_processes_whose_terminal_shows_little(place: Place) -> None:
+    place.write(main="material Main { colour = vec3(1) /* ü */ }\n")
+    place.environment({"PYTHONIOENCODING": "ascii"})
+    first, second = place.process(), place.process()
+    assert (first.how, second.how) == ("COMPILED", "KNOWN")
+    assert first[1:] == second[1:]
+
+
+def test_errors_are_not_kept(place: Place) -> None:
+    place.write(main="material Main { color = tnt }")
+    first, second = place.run(), place.run()
+    assert first == second
+    assert first[:2] == ("COMPILED", 1)
+    assert place.results() == []
+
+
+def _touch(place: Place) -> None:
+    os.utime(place.folder / "main.burnish")
+    os.utime(place.folder / "shades.burnish", (0, 0))
+
+
+def _restore(place: Place) -> None:
+    place.write(shades="shade = 0.75\n")
+    place.write(shades="shade = 0.25\n")
+
+
+@pytest.mark.parametrize("change", [_touch, _restore], ids=["touched", "edited and restored"])
+def test_what_makes_no_difference(place: Place, change: Callable[[Place], None]) -> None:
+    place.write(main=IMPORTING, shades="shade = 0.25\n")
+    place.run()
+    change(place)
+    assert place.run()[0] == "KNOWN"
+
+
+def _edit_keeping_size_and_time(place: Place) -> None:
+    path = place.folder / "main.burnish"
+    status = path.stat()
+    path.write_text(path.read_text().replace("vec3(shade)", "vec3(pi+0)"))
+    os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
+
+
+def _edit_import(place: Place) -> None:
+    place.write(shades="shade = 0.75\n")
+
+
+def _remove_import(place: Place) -> None:
+    (place.folder / "shades.burnish").unlink()
+
+
+def _replace_import_by_folder(place: Place) -> None:
+    (place.folder / "shades.burnish").unlink()
+    (place.folder / "shades.burnish").mkdir()
+
+
+def _link_import_elsewhere(place: Place) -> None:
+    (place.folder / "other").mkdir()
+    (place.folder / "other" / "shades.burnish").write_text("shade = 0.75\n")
+    (place.folder / "shades.burnish").unlink()
+    (place.folder / "shades.burnish").symlink_to("other/shades.burnish")
+
+
+def _link_out(place: Place) -> None:
+    """The same text, where no import may lead."""
+    shutil.move(place.folder / "shades.burnish", place.folder.parent / "shades.burnish")
+    (place.folder / "shades.burnish").symlink_to("../shades.burnish")
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        _edit_keeping_size_and_time,
+        _edit_import,
+        _remove_import,
+        _replace_import_by_folder,
+        _link_import_elsewhere,
+        _link_out,
+    ],
+)
+def test_what_makes_a_difference(place: Place, change: Callable[[Place], None]) -> None:
+    place.write(main=IMPORTING, shades="shade = 0.25\n")
+    place.run()
+    assert place.run()[0] == "KNOWN"
+    change(place)
+    how, *found = place.run()
+    assert how == "COMPILED"
+    _, *expected = place.run("--no-cache")
+    assert found == expected
+
+
+def test_an_import_that_shadows_another(place: Place) -> None:
+    (place.folder / "library").mkdir()
+    (place.folder / "library" / "shades.burnish").write_text("shade = 0.25\n")
+    place.write(main=IMPORTING)
+    place.run("-I", "library")
+    assert place.run("-I", "library")[0] == "KNOWN"
+    before = place.fragment()
+    place.write(shades="shade = 0.75\n")
+    assert place.run("-I", "library")[0] == "COMPILED"
+    assert place.fragment() != before
+
+
+def test_a_folder_of_the_search_path_that_goes_away(place: Place) -> None:
+    (place.folder / "empty").mkdir()
+    place.write(main=PLAIN)
+    place.run("-I", "empty")
+    (place.folder / "empty").rmdir()
+    how, code, _, errors = place.run("-I", "empty")
+    assert (how, code) == ("COMPILED", 1)
+    assert "B0013" in errors
+
+
+@pytest.mark.parametrize("options", [("--flip-y",), ("--no-hoist",), ("-t", "hlsl"), ("--rig=R",)])
+def test_other_options(place: Place, options: tuple[str, ...]) -> None:
+    place.write(main="rig R { }\nmaterial Main { }")
+    place.run()
+    assert place.run(*options)[0] == "COMPILED"
+    assert place.run()[0] == "KNOWN"
+
+
+def test_another_folder(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    place.write(main="material Main { }")
+    place.run()
+    other = place.folder / "other"
+    other.mkdir()
+    (other / "main.burnish").write_text("material Main { alpha = 0.5 }")
+    monkeypatch.chdir(other)
+    assert place.run()[0] == "COMPILED"
+    monkeypatch.chdir(place.folder)
+    assert place.run()[0] == "KNOWN"
+
+
+def test_a_file_by_way_of_a_link(place: Place) -> None:
+    place.write(one="material Main { }", two="material Main { alpha = 0.5 }")
+    link = place.folder / "main.burnish"
+    link.symlink_to("one.burnish")
+    place.run()
+    assert place.run()[0] == "KNOWN"
+    link.unlink()
+    link.symlink_to("two.burnish")
+    assert place.run()[0] == "COMPILED"
+
+
+def test_another_compiler(place: Place, tmp_path: Path) -> None:
+    """A checkout that is edited; a copy of this one."""
+    copy = tmp_path / "python" / "burnish"
+    for name in ("commands", "compiler", "stdlib", "targets"):
+        shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+    for path in ROOT.glob("*.py"):
+        shutil.copy(path, copy)
+    place.environment({"PYTHONPATH": str(copy.parent)})
+    place.write(main="material Main { }")
+    place.process()
+    assert place.process().how == "KNOWN"
+    for changed in ("compiler/layout.py", "stdlib/prelude.burnish", "targets/wgsl/reserved.txt"):
+        status = (copy / changed).stat()
+        text = (copy / changed).read_text("utf-8")
+        (copy / changed).write_text(text, "utf-8")
+        os.utime(copy / changed, ns=(status.st_atime_ns, status.st_mtime_ns))
+        assert place.process().how == "COMPILED", changed
+
+
+def test_switched_off(place: Place) -> None:
+    place.write(main="material Main { }")
+    assert [place.run("--no-cache")[0] for _ in range(2)] == ["COMPILED"] * 2
+    assert place.results() == []
+
+
+def test_what_cannot_be_written_as_before_is_told(place: Place) -> None:
+    place.write(main="material Main { }")
+    place.run()
+    shutil.rmtree(place.folder / "out")
+    (place.folder / "out").write_text("in the way")
+    how, code, output, errors = place.run()
+    assert (how, code, output) == ("COMPILED", 1, "")
+    assert "B0009" in errors
+    (place.folder / "out").unlink()
+    (place.folder / "out" / "Main.json").mkdir(parents=True)
+    before = tree(place.folder)
+    how, code, output, errors = place.run()
+    assert (how, code) == ("COMPILED", 1)
+    assert tree(place.folder) == before
+
+
+def _is_file(folder: Path) -> Mapping[str, str]:
+    (folder / "file").touch()
+    return {"BURNISH_CACHE": str(folder / "file")}
+
+
+def _is_device(_: Path) -> Mapping[str, str]:
+    return {"BURNISH_CACHE": os.devnull}
+
+
+def _is_too_long(folder: Path) -> Mapping[str, str]:
+    return {"BURNISH_CACHE": str(folder / ("x" * 5000))}
+
+
+def _is_circular(folder: Path) -> Mapping[str, str]:
+    (folder / "circle").symlink_to("circle")
+    return {"BURNISH_CACHE": str(folder / "circle")}
+
+
+def _is_nowhere(_: Path) -> Mapping[str, str]:
+    """As where there is no ``HOME``, and the user has none."""
+    return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "", "HOME": "~"}
+
+
+@pytest.mark.parametrize("odd", [_is_file, _is_device, _is_too_long, _is_circular, _is_nowhere])
+def test_an_odd_cache_folder(
+    place: Place, odd: Callable[[Path], Mapping[str, str]], tmp_path: Path
+) -> None:
+    place.environment(odd(tmp_path))
+    place.write(main="material Main { }")
+    assert [place.run() for _ in range(2)] == [
+        ("COMPILED", 0, "Main: 2 shaders and Main.json in out\n", "")
+    ] * 2
+    assert tree(place.folder) == {
+        "main.burnish", "out", "out/Main.frag.wgsl", "out/Main.vert.wgsl", "out/Main.json"
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        b"",
+        b"x",
+        b"x" * 200,
+        cache.digest(b"[]").encode(),
+        bytes.fromhex(cache.digest(b"[]")) + b"[]",
+    ],
+)
+def test_a_damaged_answer(place: Place, damage: bytes) -> None:
+    place.write(main="material Main { }")
+    first = place.run()
+    (result,) = place.results()
+    result.write_bytes(damage)
+    assert place.run() == first
+    assert place.run()[0] == "KNOWN"
+
+
+def test_only_texts_are_kept(place: Place) -> None:
+    place.write(main="material Main { }")
+    place.run()
+    (result,) = place.results()
+    kept: dict[str, object] = json.loads(result.read_bytes()[8:])
+    assert kept.keys() == {
+        "circumstances", "folder", "folders", "links", "printed", "sources", "texts", "warnings"
+    }  # fmt: skip
+
+
+def test_many_at_once(place: Place) -> None:
+    place.write(main="material Main { alpha = sin(uv.x) }")
+    with ThreadPoolExecutor(6) as pool:
+        runs = list(pool.map(lambda _: place.process(), range(6)))
+    assert [run.code for run in runs] == [0] * 6
+    assert len(place.results()) == 1
+    before = place.fragment()
+    assert place.run()[:2] == ("KNOWN", 0)
+    assert place.fragment() == before
+
+
+def test_many_answers(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cache, "KEPT", 2)
+    place.cache.mkdir()
+    other = place.cache / "library-0123456789abcdef.bin"
+    other.touch()
+    os.utime(other, (0, 0))
+    for number in range(4):
+        place.write(main=f"material Main {{ alpha = 0.{number} }}")
+        place.run(output=f"out{number}")
+    assert len(place.results()) == 2
+    assert other.exists()
+    assert place.run(output="out3").how == "KNOWN"
+
+
+def test_large_answers_take_no_room(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(results, "LARGEST", 1000)
+    place.write(main="material Main { }")
+    assert [place.run().how for _ in range(2)] == ["COMPILED"] * 2
+    assert place.results() == []

@@ -1,0 +1,105 @@
+"""The work for a text grows with its length, whatever is wrong with it."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from functools import partial
+from types import FrameType
+
+import pytest
+
+import burnish
+from burnish.compiler.diagnostics import nearest
+from burnish.compiler.diagnostics.diagnostic import Report
+from burnish.compiler.diagnostics.render import render
+from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax.parser import parse
+
+
+def calls(work: Callable[[], object]) -> int:
+    """How many functions are called while something is done."""
+    count = 0
+
+    def profile(_frame: FrameType, event: str, _argument: object) -> None:
+        nonlocal count
+        count += event in ("call", "c_call")
+
+    sys.setprofile(profile)
+    try:
+        work()
+    finally:
+        sys.setprofile(None)
+    return count
+
+
+def material(members: str) -> str:
+    return f"material M {{\n{members}\n}}"
+
+
+SHAPES: dict[str, Callable[[int], str]] = {
+    "signs": lambda n: material(f"alpha = {'- ' * n}1"),
+    "unread slots": lambda n: material("\n".join(f"a{i} = 1" for i in range(n))),
+    "unread misspelt slots": lambda n: material("\n".join(f"colour{i} = 1" for i in range(n))),
+    "unknown members": lambda n: material("\n".join(f"a{i} = normal.foo{i}" for i in range(n))),
+    "unknown types": lambda n: material("\n".join(f"a{i} : flaot{i} = 1" for i in range(n))),
+    "broken members": lambda n: material("\n".join(f"a{i} = = 1" for i in range(n))),
+    "open brackets": lambda n: material("\n".join(f"a{i} = (1" for i in range(n))),
+    "words of declarations": lambda n: "material " * n,
+    "foreign declarations": lambda n: "\n".join(f"const vec3 a{i} = 1;" for i in range(n)),
+}
+
+
+@pytest.mark.parametrize("shape", SHAPES.values(), ids=SHAPES)
+def test_twice_the_text_is_twice_the_work(shape: Callable[[int], str]) -> None:
+    burnish.check(shape(10))
+    once, twice = (calls(partial(burnish.check, shape(n))) for n in (400, 800))
+    assert twice < 2.3 * once
+
+
+def test_unknown_names_are_compared_with_known_ones_only_so_often(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    compared = 0
+    search = nearest.nearest
+
+    def counted(name: str, known: set[str]) -> str | None:
+        nonlocal compared
+        compared += len(known)
+        return search(name, known)
+
+    monkeypatch.setattr(nearest, "nearest", counted)
+    found = burnish.check(material("\n".join(f"a{i} = unk{i}" for i in range(4000))))
+    assert len(found) == 4000
+    assert compared < 110_000
+
+
+@pytest.mark.parametrize("text", ["a++ " * 40_000, "20.5.1 = " * 40_000, "a" * 10_000_000])
+def test_one_long_line_of_mistakes_is_read_at_once(text: str) -> None:
+    report = Report()
+    parse(Source("long", text), report)
+    assert report.failed
+
+
+COMMENT = """
+import resource
+resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+import burnish
+assert burnish.check("/* " + "x " * 7_500_000 + "*/ material M { }") == ()
+"""
+
+
+def test_a_long_comment_takes_no_memory_of_its_own() -> None:
+    subprocess.run([sys.executable, "-c", COMMENT], check=True, timeout=120)
+
+
+@pytest.mark.parametrize("suffix", ["", "u"])
+def test_a_literal_of_thousands_of_digits_is_too_large(suffix: str) -> None:
+    type_ = {"": "int", "u": "uint"}[suffix]
+    (found,) = burnish.check(material(f"n = {'9' * 5000}{suffix}"))
+    assert render(found).splitlines()[0] == f"error[B0402]: `…` does not fit into {type_}"
+
+
+def test_zeros_in_front_of_a_literal_are_no_digits() -> None:
+    assert burnish.check(material(f"alpha = {'0' * 5000}1")) == ()
