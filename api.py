@@ -1,4 +1,8 @@
-"""The library: one call from a material to shader texts and their reflection."""
+"""The library's entry points: from a material to shader texts and their reflection.
+
+Users call ``compile``, ``check`` and ``variants`` as ``burnish.compile`` and so on, and the
+commands call them too. This module runs the compiler's phases in order.
+"""
 
 from __future__ import annotations
 
@@ -56,13 +60,13 @@ __all__ = [
 ]
 
 DEFAULT = "default"
-"""Stands for the first profile of every target that is not marked as unproven."""
+"""Means the first profile of every target that is not marked as unproven."""
 
 ALL = "all"
-"""Stands for every profile of every target."""
+"""Means every profile of every target."""
 
 StageName = str
-"""A stage, such as ``vertex`` or ``fragment``; ``both`` for a text that holds all of them."""
+"""A stage, such as ``vertex`` or ``fragment``; ``both`` for a text that contains all stages."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,35 +74,36 @@ class OutputFile:
     """One emitted shader text."""
 
     name: str
-    """``Plastic.frag.wgsl``; with a profile that is not the target's default,
+    """The name of the file: ``Plastic.frag.wgsl``; if the profile is not the target's default,
     ``Plastic.gl330.frag.glsl``."""
     target: str
     profile: str
     stage: StageName
     entry_points: Mapping[StageName, str]
-    """Entry point of each stage in the text."""
+    """The entry point of each stage in the text."""
     text: str
     checkers: tuple[str, ...] = ()
-    """The downstream compilers that have to accept it."""
+    """The downstream compilers that must accept it."""
     spans: Mapping[int, Span] = field(default_factory=dict)
-    """Source map: by 1-based line of ``text``, what in the material its statement computes, or
-    what it is there for. Every statement has its place."""
+    """The source map: for each line of ``text``, counted from 1, the part of the material that its
+    statement belongs to. Every statement has one."""
     sources: tuple[Source, ...] = ()
-    """The files that line directives in ``text`` name; by number, they count from 1."""
+    """The files that line directives in ``text`` name; their numbers count from 1."""
 
 
 @dataclass(frozen=True)
 class CompiledMaterial:
-    """Everything that one material became."""
+    """The results of compiling one material."""
 
     name: str
     files: tuple[OutputFile, ...]
     lacking: Mapping[str, str]
-    """By profile for which there are no texts, what it lacks that the material needs."""
+    """For each profile without texts, the feature that it lacks and the material needs."""
     guards: tuple[Guard, ...]
-    """Operations whose operands could not be proven safe, so that a guard stays in some text."""
+    """Operations that keep a guard in some text, because their operands could not be proven
+    safe."""
     shader: Shader = field(repr=False)
-    """What it means, before any pass: the reference draws this."""
+    """The shader before any pass, which the reference draws."""
     _staged: Staged = field(repr=False)
     _emissions: tuple[tuple[Target, Profile, Emission], ...] = field(repr=False)
     _flip_y: bool = field(repr=False)
@@ -115,7 +120,7 @@ class CompiledMaterial:
 
     @cached_property
     def reflection(self) -> dict[str, Any]:
-        """What a host binds by, as JSON-able data (``compiler/reflection`` has the schema)."""
+        """What a host needs to bind, as data for JSON (``compiler/reflection`` has the schema)."""
         from .compiler.reflection import reflect
 
         tables = {
@@ -130,19 +135,19 @@ class CompiledMaterial:
 
     @property
     def staged(self) -> Staged:
-        """The program that was written in each language, and how the passes came to it."""
+        """The program that is written in each language, with the passes' decision records."""
         return self._staged
 
     @cached_property
     def proofs(self) -> tuple[Proof, ...]:
-        """Why operations go without a guard, are left away altogether, or keep their guard."""
+        """Why operations have no guard, were removed, or keep their guard."""
         from .compiler.passes.proofs import Proofs
 
         evidence = self._staged.evidence
         return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.remarks))
 
     def instance(self) -> Instance:
-        """Named values to draw the material with, at first its defaults."""
+        """An instance with named values to draw the material with; they start as its defaults."""
         from .targets.runner.instances.instance import Instance
 
         return Instance(self.reflection)
@@ -164,19 +169,19 @@ class CompiledMaterial:
 
 @frozen
 class CompileResult:
-    """All materials of a file, and what there is to say about it (warnings, as it compiled)."""
+    """All materials of a file, with the diagnostics (only warnings, since it compiled)."""
 
     materials: tuple[CompiledMaterial, ...]
     diagnostics: tuple[Diagnostic, ...]
     inputs: Inputs
-    """What was read on the way, and where it was looked for."""
+    """The files that were read, and the places where files were searched."""
 
     def __iter__(self) -> Iterator[CompiledMaterial]:
         """The materials in the order of the file."""
         return iter(self.materials)
 
     def __len__(self) -> int:
-        """How many materials there are."""
+        """The number of materials."""
         return len(self.materials)
 
     def __getitem__(self, name: str) -> CompiledMaterial:
@@ -203,18 +208,18 @@ def compile(
 ) -> CompileResult:
     """Compile a file, or a text, for some targets.
 
-    ``source`` is a path, or the text itself (a ``str`` with a line break or a brace in it).
-    ``targets`` are names such as ``"wgsl"``, with a profile where wanted: ``"glsl:es300"``, or
-    ``"all"`` for every profile there is, and ``"default"`` for the first profile of every language
-    that is not marked as unproven. All concrete materials are compiled unless
-    ``material`` names one; ``rig`` and ``pass_`` are only needed where a file has several. With
-    ``hoist=False`` the shaders compute everything themselves. With ``line_directives``, texts say
-    by ``#line`` which line of the material each statement is for, where the language has that. A
-    profile that lacks something that a material needs is an error; with ``partial`` that material
-    goes without, and its ``lacking`` says what.
+    ``source`` is a path, or the text itself (a ``str`` that contains a line break or a brace).
+    ``targets`` are names such as ``"wgsl"``, or with a profile ``"glsl:es300"``; ``"all"`` means
+    every profile, and ``"default"`` the first profile of every language that is not marked as
+    unproven. All materials that are not abstract are compiled, unless ``material`` names one.
+    ``rig`` and ``pass_`` are only needed if a file has several. With ``hoist=False`` the shaders
+    compute everything themselves. With ``line_directives``, texts have ``#line`` directives that
+    name the material's lines, if the language has them. If a profile lacks something that a
+    material needs, this is an error; with ``partial``, that material has no text for this profile,
+    and its ``lacking`` says why.
 
-    Raises ``CompileError``, whose ``diagnostics`` are all the errors found, and ``TypeError`` for
-    arguments of other types.
+    Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
+    of other types.
     """
     report = Report()
     _check_names(material=material, rig=rig, pass_=pass_)
@@ -264,10 +269,10 @@ def check(
 def variants(
     source: str | Path, *, search_path: Sequence[str | Path] = ()
 ) -> tuple[tuple[str | None, str | None], ...]:
-    """Names of a rig and a pass for ``compile``: all under which a file's materials can be drawn.
+    """Pairs of a rig's and a pass's name for ``compile``: all with which a file can be drawn.
 
-    They are the file's own, and the library's, which go by ``None``. Raises ``CompileError`` if the
-    file cannot be read.
+    They are the file's own, or ``None`` for the library's. Raises ``CompileError`` if the file
+    cannot be read.
     """
     report = Report()
     frontend, module = _opened(source, search_path, report)
@@ -279,7 +284,7 @@ def variants(
 def select_targets(
     wanted: Iterable[str], report: Report, *, single_file: bool = False
 ) -> list[tuple[Target, Profile]]:
-    """The targets and profiles that ``wanted`` names; what there is not is reported."""
+    """The targets and profiles that ``wanted`` names; unknown names are reported."""
     chosen: dict[tuple[str, str], tuple[Target, Profile]] = {}
     known = registry.names()
     for text in chain.from_iterable(_meant(text.strip(), known) for text in wanted):
@@ -304,13 +309,13 @@ def select_targets(
 
 
 def _listed() -> Iterator[str]:
-    """The names of all targets, each with what there is to know before one relies on it."""
+    """The names of all targets, with a remark for those that are not proven."""
     for target in map(registry.load, registry.names()):
         yield f"{target.name} ({target.unproven})" if target.unproven else target.name
 
 
 def _meant(name: str, known: Iterable[str]) -> Iterable[str]:
-    """What ``all`` and ``default`` stand for; any other name is meant as it is."""
+    """The names that ``all`` and ``default`` mean; any other name means itself."""
     if name == DEFAULT:
         return registry.defaults()
     if name != ALL:
@@ -337,7 +342,7 @@ def _check_flags(**flags: bool) -> None:
 def _opened(
     source: str | Path, search_path: Sequence[str | Path], report: Report
 ) -> tuple[Frontend, Module | None]:
-    """The module of a path or a text, and what reads it; ``None`` where it cannot be read."""
+    """The module of a path or a text, and its front end; ``None`` if it cannot be read."""
     expect("source", source, (str, PathLike), "a path or a text")
     folders = expect_all("search_path", search_path, (str, PathLike), "a sequence of folders")
     frontend = Frontend(report, [Path(folder) for folder in folders])
@@ -378,7 +383,7 @@ def _compiled(
 def _lacking(
     shader: Shader, staged: Staged, chosen: list[tuple[Target, Profile]]
 ) -> dict[str, tuple[Diagnostic, ...]]:
-    """By profile, what it lacks that a shader needs."""
+    """For each profile, the features that it lacks and a shader needs."""
     found = {}
     places = {extern.place.name: extern.span for extern in shader.externs}
     for target, profile in chosen:
@@ -441,7 +446,7 @@ _RUNTIME = {
     "PictureError": "textures.kinds",
     "Texture": "textures.texture",
 }
-"""Where the names of the runtime live, which most programs do without: they only compile."""
+"""The modules of the runtime's names, which programs that only compile never load."""
 
 
 def __getattr__(name: str) -> Any:

@@ -1,4 +1,4 @@
-"""``burnish graph``: what a material computes, where, and why it is safe."""
+"""``burnish graph``: shows what a material computes, where, and why that is safe."""
 
 from .command import graph
 

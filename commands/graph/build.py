@@ -1,4 +1,4 @@
-"""From a compiled material to what a picture of it shows."""
+"""Builds the ``Picture`` of a compiled material; ``command.py`` calls ``picture``."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from .model import KINDS, Box, Cluster, Kind, Picture
 
 LEAVES = OUTSIDE | {"formal"}
 ADDED = "each"
-"""What a loop adds in each turn, or multiplies."""
+"""The name of the value that each iteration of a fold adds or multiplies."""
 
 
 def picture(shader: Shader, staged: Staged, *, everything: bool) -> Picture:
-    """The values that have names, or with ``everything`` each one, where they are computed."""
+    """The named values, or with ``everything`` all values, at the place where they are computed."""
     return _Building(shader, staged, everything).picture()
 
 
@@ -38,18 +38,19 @@ class _Building:
         self._notes: Notes = shader.notes
         self._formulas = Formulas(self._notes)
         self._derived = {d.parameter: dict(_values(d)) for d in staged.derived}
-        """What the host computes of each parameter: its value, or the members of its elements."""
+        """The host's computations by parameter: a single value, or the members of an element."""
         self._crossings = {
             value: name
             for stage in staged.program.stages
             for value, name in _crossings(stage, self._notes)
         }
-        """What is called how that crosses, by the id of the value before it does."""
+        """The name of each value that crosses between stages, by the value's id before it
+        crosses."""
         self._results = {
             stage.name: {o.value.id for o in stage.results if o.kind != VARYING}
             for stage in staged.program.stages
         }
-        """By stage, the ids of what it delivers besides what crosses."""
+        """By stage, the ids of its results, without those that cross."""
         self._guarded = {guard.span for guard in staged.guards if guard.span is not None}
 
     def picture(self) -> Picture:
@@ -68,7 +69,7 @@ class _Building:
         return found
 
     def _between(self, found: Picture) -> Iterator[tuple[str, str]]:
-        """From what the host computes to its uses, and from each stage to the next."""
+        """Arrows from the host's values to their uses, and from each stage to the next."""
         keys = [box.key for box in found.boxes]
         for parameter, values in self._derived.items():
             ending = f".derived.{parameter.name}"
@@ -94,7 +95,7 @@ class _Building:
         return cluster
 
     def _inputs(self, cluster: Cluster, expression: Node, box: Box) -> None:
-        """The parameters that the host computes a value from."""
+        """Add the parameters from which the host computes a value."""
         for leaf in visible((expression,)):
             if leaf.op == "parameter":
                 inner = self._leaf("host", leaf)
@@ -103,7 +104,7 @@ class _Building:
                 cluster.edges.append((inner.key, box.key))
 
     def _entry(self, stage: Stage) -> Iterator[Cluster]:
-        """What a stage computes besides its functions."""
+        """The clusters of a stage, without those of its functions."""
         roots: list[Node] = []
         results: dict[int, str] = {}
         for output in stage.results:
@@ -127,7 +128,7 @@ class _Building:
     def _stage(
         self, prefix: str, title: str, region: Region, roots: list[Node], results: dict[int, str]
     ) -> Iterator[Cluster]:
-        """A body's cluster, and one for each loop in it."""
+        """The cluster of a body, and one for each loop in it."""
         names = dict(_statements(region))
         order = visible(roots)
         loops = {node: own for node in order if (own := _variables(node))}
@@ -176,11 +177,12 @@ class _Building:
     # --- boxes -----------------------------------------------------------------------------------
 
     def _crossing(self, value: Node) -> str:
-        """What a value is called that crosses to the next stage."""
+        """The name of a value that crosses to the next stage."""
         return self._formulas.name(value) or self._crossings.get(value.id, "crossing")
 
     def _shown_name(self, node: Node) -> str | None:
-        """What a value that gets a box is called; ``None`` for what is part of its user."""
+        """The name of a value that gets a box; ``None`` if the value is part of its user's
+        formula."""
         if node.op == "cross":
             return self._crossing(node.operands[0])
         if node.op in LEAVES:
@@ -243,7 +245,7 @@ class _Building:
         self, part: _Part, root: Node, box: Box, edges: dict[tuple[str, str], None],
         results: dict[int, str],
     ) -> None:  # fmt: skip
-        """What a formula is made of: other boxes, by arrows, and values without names."""
+        """The parts of a formula: other boxes, with arrows, and values without names."""
         box.formula = self._formula(root, part.names)
         spans: set[Span | None] = {self._notes.spans.get(root.id)}
         pending = list(operands_of(root))
@@ -263,18 +265,18 @@ class _Building:
 
 @frozen
 class _Part:
-    """What one cluster shows: a body, or what a loop does in each turn."""
+    """The content of one cluster: a body, or one iteration of a loop."""
 
     prefix: str
     title: str
     names: Mapping[int, str]
     """The names that statements of the whole body bind."""
     inside: Mapping[int, frozenset[Formal]]
-    """The variables of loops that each value depends on."""
+    """The variables of loops on which each value depends."""
     own: frozenset[Formal]
-    """The variables of the loop: its index, and its states."""
+    """The variables that the loop binds: its index and its states."""
     around: frozenset[Formal]
-    """Those of loops around it too."""
+    """These variables, and those of the loops around it."""
 
     def is_outer(self, node: Node) -> bool:
         """Whether a value is computed before the loop."""
@@ -285,7 +287,7 @@ class _Part:
         return not self.inside[node.id] <= self.around
 
     def reached(self, roots: Iterable[Node]) -> list[Node]:
-        """The values of this part, and those from outside that it uses, operands first."""
+        """The values of this part, and the outer values that it uses, operands first."""
         seen: dict[int, Node] = {}
         pending = list(roots)
         while pending:
@@ -298,12 +300,12 @@ class _Part:
 
 
 def _variables(node: Node) -> frozenset[Formal]:
-    """What a loop binds: its index and its states; nothing for any other value."""
+    """The variables that a loop binds: its index and its states; empty for any other value."""
     return frozenset(formals_of(node)) if node.op in LOOPS else frozenset()
 
 
 def _turn(loop: Node) -> dict[int, str]:
-    """What a turn comes to, by the ids of its values: what it adds, or the states that follow."""
+    """The results of an iteration, by the ids of the values: what it adds, or the next states."""
     if loop.op == "fold":
         return {loop.operands[2].id: ADDED}
     going, *following = loop.operands[1 + ITERATE.data(loop).states :]
@@ -313,7 +315,7 @@ def _turn(loop: Node) -> dict[int, str]:
 
 
 def _values(derived: Derived) -> Iterator[tuple[str, Node]]:
-    """What the host computes, by name; of a table, what it computes for element ``i``."""
+    """The host's computations by name; for a table, those for element ``i``."""
     name, expression = derived.parameter.name, derived.expression
     if isinstance(expression.type, Struct):
         for (member, _), value in zip(expression.type.members, expression.operands, strict=True):
@@ -323,7 +325,7 @@ def _values(derived: Derived) -> Iterator[tuple[str, Node]]:
 
 
 def _crossings(stage: Stage, notes: Notes) -> Iterator[tuple[int, str]]:
-    """What crosses is called after the named value that it is a part of."""
+    """The values that cross, each with the name of the value that it is a part of."""
     users: dict[int, str] = {}
     for node in reversed(visible(stage.roots, into_bodies=True)):
         within = notes.names.get(node.id) or users.get(node.id)
@@ -337,7 +339,7 @@ def _crossings(stage: Stage, notes: Notes) -> Iterator[tuple[int, str]]:
 
 
 def _statements(region: Region) -> Iterator[tuple[int, str]]:
-    """The names that statements bind, inside of loops and branches too."""
+    """The names that statements bind, including those inside loops and branches."""
     pending = [region]
     while pending:
         for statement in pending.pop().statements:

@@ -1,4 +1,4 @@
-"""``burnish graph``: what a material computes, where, and why it is safe."""
+"""The command line of ``burnish graph``: options, formats, and writing the output."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ if TYPE_CHECKING:
 STDOUT = "-"
 FORMATS = ("svg", "dot", "text")
 LARGEST = 600
-"""Boxes of a picture that people can still look at."""
+"""The largest number of boxes in a picture; people cannot read more."""
 
 
 class Request(NamedTuple):
-    """What the command line asks for."""
+    """The command line after parsing; the names are those of the options."""
 
     file: Path
     output: str
     """A file, or ``-``."""
     form: str | None
-    """One of ``FORMATS``; by default what the file's name ends in, or text."""
+    """One of ``FORMATS``; by default the ending of the file's name, or else text."""
     why: bool
     everything: bool
     material: str | None
@@ -68,9 +68,9 @@ class Request(NamedTuple):
 def graph(**chosen: Any) -> None:
     """Show what the materials of FILE compute, and where.
 
-    The host, the stages, functions and loops each have a frame of their own; boxes are values, with
-    the parameters and textures they read. A shield marks what keeps a guard. In a browser, resting
-    on a box tells where it is written.
+    The host, the stages, functions and loops each have a frame of their own. Boxes are values, and
+    the parameters and textures that they read. A shield marks a value that keeps a guard. In a
+    browser, point at a box to see where it is written.
 
     \b
     Example:
@@ -121,7 +121,7 @@ def _deliver(request: Request, materials: tuple[CompiledMaterial, ...]) -> None:
 
 
 def _form(request: Request) -> str:
-    """The format that is asked for, by name or by the file's ending."""
+    """The requested format, by name or by the ending of the file's name."""
     if request.why:
         if request.form not in (None, "text"):
             raise click.UsageError("proofs are text: --why goes with no other --format")

@@ -1,4 +1,4 @@
-"""The graph for Graphviz."""
+"""Writes the graph in Graphviz's language."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """A layered layout: boxes in columns from left to right, so that every arrow points right.
 
-The classic three steps (Sugiyama, Tagawa, Toda 1981): columns by longest paths, an order within
-columns that avoids crossings (barycentres), and heights that straighten arrows. An arrow that
-passes columns has a place of its own in each, so that it never runs under a box. Everything is
-linear in boxes, arrows and places, times a fixed number of sweeps.
+It has the classic three steps (Sugiyama, Tagawa, Toda 1981): columns by longest paths, an order
+within columns that avoids crossings (barycentres), and heights that straighten arrows. If an arrow
+passes a column, it has a place of its own there, so that it never runs under a box. The time is
+linear in boxes, arrows and places, multiplied by a fixed number of sweeps.
 """
 
 from __future__ import annotations
@@ -13,46 +13,46 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 SWEEPS = 8
-"""Times that the order of columns is improved, and then the heights."""
+"""How often the order of columns is improved, and then the heights."""
 COLUMN_GAP = 44.0
 ROW_GAP = 14.0
 PASSAGE = 6.0
-"""Height of the place where an arrow passes a column."""
+"""The height of the place where an arrow passes a column."""
 
 
 @dataclass(slots=True)
 class Item:
-    """A box, or the place where an arrow passes."""
+    """A box, or a place where an arrow passes a column."""
 
     width: float
     height: float
     column: int = 0
     x: float = 0.0
     y: float = 0.0
-    """Of the upper left corner."""
+    """The upper left corner."""
     left: list[Item] = field(default_factory=list)
     right: list[Item] = field(default_factory=list)
-    """Neighbours in the columns beside."""
+    """The neighbours in the columns on both sides."""
 
     @property
     def middle(self) -> float:
-        """The height at which arrows come and go."""
+        """The height at which arrows begin and end."""
         return self.y + self.height / 2
 
 
 @dataclass(slots=True)
 class Layout:
-    """Where everything is."""
+    """The positions of all boxes and arrows."""
 
     items: dict[str, Item]
     paths: dict[tuple[str, str], list[Item]]
-    """By the ends of an arrow, what it passes, both ends included."""
+    """By both ends of an arrow, the items on its way, including both ends."""
     width: float
     height: float
 
 
 def laid_out(sizes: Mapping[str, tuple[float, float]], edges: Iterable[tuple[str, str]]) -> Layout:
-    """Places for boxes of these sizes, given operands first, and for the arrows between them."""
+    """Place boxes of these sizes, given operands first, and the arrows between them."""
     items = {key: Item(*size) for key, size in sizes.items()}
     arrows = list(edges)
     _assign_columns(items, arrows)
@@ -72,7 +72,7 @@ def laid_out(sizes: Mapping[str, tuple[float, float]], edges: Iterable[tuple[str
 
 
 def _assign_columns(items: Mapping[str, Item], arrows: Sequence[tuple[str, str]]) -> None:
-    """Users stand right of what they use; what uses nothing stands just left of its first user."""
+    """Put users to the right of what they use; what uses nothing is just left of its first user."""
     users: dict[str, list[str]] = {key: [] for key in items}
     uses: dict[str, list[str]] = {key: [] for key in items}
     for source, target in arrows:
@@ -99,7 +99,7 @@ def _path(source: Item, target: Item, columns: list[list[Item]]) -> list[Item]:
 
 
 def _reorder(columns: list[list[Item]]) -> None:
-    """Each column by the mean place of its neighbours, once from either side."""
+    """Sort each column by the mean position of its neighbours, once from each side."""
     place: dict[int, float] = {}
     for column in columns:
         place |= {id(item): float(i) for i, item in enumerate(column)}
@@ -134,7 +134,7 @@ def _stack(columns: list[list[Item]]) -> None:
 
 
 def _straighten(columns: list[list[Item]]) -> None:
-    """Moves items to the mean height of their neighbours, as far as the order allows."""
+    """Move items to the mean height of their neighbours, as far as their order allows."""
     for side in ("left", "right"):
         for column in columns if side == "left" else columns[::-1]:
             wanted = []
@@ -146,10 +146,10 @@ def _straighten(columns: list[list[Item]]) -> None:
 
 
 def _place(column: list[Item], wanted: list[float]) -> None:
-    """Heights as near to those wanted as the order of the column allows (isotonic regression).
+    """Heights as close to the wanted ones as the order of the column allows (isotonic regression).
 
-    Without their own extents, items only have to keep their order: those that would not are moved
-    together to their mean.
+    Without their own heights, items only have to keep their order: those that would change it are
+    moved together to their mean.
     """
     offsets = [0.0]
     for item in column[:-1]:
@@ -171,7 +171,7 @@ def _place(column: list[Item], wanted: list[float]) -> None:
 
 
 def _settle(columns: list[list[Item]]) -> tuple[float, float]:
-    """Moves everything to where the picture begins; its width and height."""
+    """Move everything to the origin of the picture; returns its width and height."""
     items = [item for column in columns for item in column]
     top = min((item.y for item in items), default=0.0)
     for item in items:

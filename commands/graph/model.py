@@ -1,4 +1,7 @@
-"""What a picture of a material shows: boxes in clusters, and arrows between them."""
+"""The contents of a picture of a material: boxes in clusters, and arrows between them.
+
+``build.py`` makes it, and ``dot.py``, ``svg.py`` and ``text.py`` write it.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +31,7 @@ KINDS: dict[Kind, str] = {
     "argument": "argument, or index of a loop",
     "result": "result of the stage",
 }
-"""What the kinds of boxes are called, in the order of the legend."""
+"""The names of the kinds of boxes, in the order of the legend."""
 
 
 @dataclass(slots=True)
@@ -40,37 +43,37 @@ class Box:
     name: str
     type: str
     formula: str = ""
-    """How it is computed; empty for what comes from outside."""
+    """How it is computed; empty if it comes from outside."""
     note: str = ""
-    """Where it is computed, and how often."""
+    """Where and how often it is computed."""
     place: str = ""
-    """Where it is written: file, line and column."""
+    """Where it is written in the source: file, line and column."""
     guarded: bool = False
-    """Whether a guard stands in it."""
+    """Whether its formula contains a guard."""
 
 
 @dataclass(slots=True)
 class Cluster:
-    """What is computed in one place: a stage, a function, the host."""
+    """The values that are computed in one place: a stage, a function, a loop or the host."""
 
     title: str
     is_stage: bool = False
-    """Whether it is a stage, or the host, and not a function or loop in one."""
+    """Whether it is a stage or the host, and not a function or loop."""
     boxes: list[Box] = field(default_factory=list)
     edges: list[tuple[str, str]] = field(default_factory=list)
-    """From a box to one that uses it, by key; without repetition."""
+    """Arrows from a box to one that uses it, by their keys, each once."""
 
 
 @dataclass(slots=True)
 class Picture:
-    """One material under one pass and one rig."""
+    """One material with one pass and one rig."""
 
     title: str
     clusters: list[Cluster] = field(default_factory=list)
     crossings: list[tuple[str, str]] = field(default_factory=list)
-    """From boxes of one cluster to those of another."""
+    """Arrows from boxes of one cluster to boxes of another."""
 
     @property
     def boxes(self) -> list[Box]:
-        """All of them."""
+        """The boxes of all clusters."""
         return [box for cluster in self.clusters for box in cluster.boxes]

@@ -1,4 +1,4 @@
-"""The graph as a picture that any browser shows: SVG, laid out by ourselves."""
+"""Writes the graph as an SVG picture for any browser, with our own layout."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from .model import KINDS, Box, Cluster, Kind, Picture
 MARGIN, PADDING, TITLE = 24.0, 16.0, 30.0
 NAME_SIZE, TEXT_SIZE = 13.0, 11.0
 ADVANCE = 0.62
-"""Width of a letter of a fixed-width font, of its size, and a little more."""
+"""The width of a letter of a fixed-width font, relative to its size, and a little more."""
 LONGEST = 42
-"""Letters on a line of a box."""
+"""The most letters on a line of a box."""
 
 
 class Colors(NamedTuple):
-    """Of a box."""
+    """The colours of a box."""
 
     fill: str
     line: str
@@ -46,7 +46,7 @@ GUARD = "#d1570b"
 
 
 def drawn(picture: Picture) -> str:
-    """The whole picture: the host, the stages from left to right, functions and loops below."""
+    """The whole picture: the host and the stages from left to right, functions and loops below."""
     panels = [_Panel(cluster) for cluster in picture.clusters if cluster.boxes]
     width = _arrange(panels)
     legend = list(_legend(picture, max(width, 560.0)))
@@ -72,7 +72,7 @@ def drawn(picture: Picture) -> str:
 
 
 def _arrange(panels: Sequence[_Panel]) -> float:
-    """Stages in a row; below it functions and loops, in rows of about the same width."""
+    """Put stages in a row, and functions and loops below, in rows of about the same width."""
     top, right = MARGIN + 28, MARGIN
     row = [panel for panel in panels if panel.is_stage]
     for panel in row:
@@ -93,7 +93,7 @@ def _arrange(panels: Sequence[_Panel]) -> float:
 
 
 class _Panel:
-    """A cluster with its layout, somewhere in the picture."""
+    """A cluster with its layout, at some place in the picture."""
 
     def __init__(self, cluster: Cluster) -> None:
         self.cluster = cluster
@@ -106,11 +106,11 @@ class _Panel:
 
     @property
     def is_stage(self) -> bool:
-        """Whether it is the host or a stage, and no function or loop."""
+        """Whether it is the host or a stage, and not a function or loop."""
         return self.cluster.is_stage
 
     def place(self, key: str) -> tuple[float, float, Item] | None:
-        """Where a box's upper left corner is in the picture."""
+        """The position of a box's upper left corner in the picture."""
         item = self.layout.items.get(key)
         if item is None:
             return None
@@ -127,7 +127,7 @@ class _Panel:
         )
 
     def contents(self) -> Iterator[str]:
-        """Arrows, and boxes over them."""
+        """The arrows, and the boxes above them."""
         left, top = self.x + PADDING, self.y + TITLE + PADDING
         for path in self.layout.paths.values():
             yield _arrow([(item, left + item.x, top + item.middle) for item in path])
@@ -144,7 +144,7 @@ def _size(box: Box) -> tuple[float, float]:
 
 
 def _lines(box: Box) -> list[str]:
-    """What stands in a box: its name and type, how it is computed, what it is."""
+    """The lines of a box: its name and type, its formula, its kind."""
     lines = [_cut(f"{box.name}: {box.type}")]
     if box.formula and box.formula != box.name:
         lines.append(_cut(box.formula))
@@ -215,7 +215,7 @@ def _line(path: Sequence[str], x: float, y: float, color: str, width: float = 1.
 
 
 def _between(picture: Picture, panels: Sequence[_Panel]) -> Iterator[str]:
-    """Arrows from one stage to another, under the boxes."""
+    """The arrows from one stage to another, under the boxes."""
     for source, target in picture.crossings:
         start = next((place for panel in panels if (place := panel.place(source))), None)
         end = next((place for panel in panels if (place := panel.place(target))), None)
@@ -229,7 +229,7 @@ def _between(picture: Picture, panels: Sequence[_Panel]) -> Iterator[str]:
 
 
 def _legend(picture: Picture, width: float) -> Iterator[tuple[str, float, float]]:
-    """The kinds of boxes that there are, in rows: each piece and its place."""
+    """The legend: the kinds of boxes in the picture, in rows, each with its position."""
     used = {box.kind for box in picture.boxes}
     entries = [(COLORS[kind], words) for kind, words in KINDS.items() if kind in used]
     if any(box.guarded for box in picture.boxes):

@@ -1,4 +1,4 @@
-"""The graph as text: one line for each value, in the order of computation."""
+"""Writes the graph as text: one line for each value, in the order of computation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Proofs as text: why each guard went, or what is missing where one stays."""
+"""Writes proofs as text: why each guard was left out, or what is missing where one stays."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def written(title: str, proofs: Iterable[Proof]) -> str:
 
 
 def _cited(proofs: Iterable[Proof]) -> Iterator[str]:
-    """The rules that proofs name, in words; a builtin's own rule goes by the builtin's name."""
+    """The rules that proofs cite, with explanations; a builtin's rule has the builtin's name."""
     cited = {step.rule for proof in proofs for step in proof.steps}
     rules = {name: words for name, words in RULES.items() if name in cited}
     if rules:
@@ -67,7 +67,7 @@ def _step(step: Step, around: Span | None) -> str:
 
 
 def _elsewhere(span: Span, around: Span | None) -> bool:
-    """Whether a step's place is not plain from the place of the whole."""
+    """Whether a step's place has to be printed, because it is not within the place of the whole."""
     if around is None or span.source is not around.source:
         return True
     return not around.start <= span.start <= around.end

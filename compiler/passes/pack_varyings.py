@@ -6,12 +6,12 @@ one slot.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
 from heapq import heappop, heappush
 from itertools import count
 from operator import itemgetter
 
+from ...frozen import record
 from ..ir.leaves import Attribute
 from ..ir.node import Node
 from ..ir.operations import CROSS
@@ -23,7 +23,7 @@ from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_widt
 SLOT_LANES = 4
 
 
-@dataclass(slots=True)
+@record
 class _Slot:
     kind: ScalarKind
     mode: InterpolationMode
@@ -57,11 +57,6 @@ class _Slots:
         heappush(self._free.setdefault((kind, mode, SLOT_LANES - slot.lanes), []), location)
 
 
-def crossings(nodes: Iterable[Node]) -> list[Node]:
-    """The ``cross`` nodes among those of a stage."""
-    return [node for node in nodes if node.op == "cross"]
-
-
 def pack_varyings(
     nodes: Sequence[Node], notes: Notes, taken: Collection[str] = ()
 ) -> tuple[Varying, ...]:
@@ -69,14 +64,14 @@ def pack_varyings(
 
     ``taken`` are the names of slots further on in the pipeline.
     """
-    unique = list({node.operands[0].id: node for node in crossings(nodes)}.values())
+    crossings = [node for node in nodes if node.op == "cross"]
     users: dict[int, str] = {}
     for node in reversed(nodes):
         within = notes.names.get(node.id) or users.get(node.id)
         if within is not None:
             for operand in node.operands:
                 users.setdefault(operand.id, within)
-    by_width = sorted(unique, key=lambda node: (-width(node.type), node.id))
+    by_width = sorted(crossings, key=lambda node: (-width(node.type), node.id))
     slots = _Slots()
     for node in by_width:
         (value,) = node.operands
@@ -84,7 +79,7 @@ def pack_varyings(
         mode = CROSS.data(node).mode
         assert kind is not None and isinstance(value.type, Scalar | Vector)
         slots.add(value, kind, mode)
-    names = {node.operands[0].id: _name(node, notes, users) for node in unique}
+    names = {node.operands[0].id: _name(node, notes, users) for node in crossings}
     varyings: dict[str, Varying] = {}
     names_taken = set(taken)
     for location, slot in enumerate(slots.all):

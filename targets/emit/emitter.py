@@ -14,13 +14,13 @@ from ...compiler.ir.shader import Notes
 from ...frozen import frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
-from . import templates
 from .comments import comment_line, comment_lines
 from .context import Context
 from .declarations import Declarations
 from .names import Names, name_program
 from .origins import Marks
 from .stage import StagePrinter
+from .templates import renderer
 from .texture_declarations import helpers, opening_lines
 from .views import EntryView, FileView
 from .wrapping import wrapped
@@ -128,15 +128,8 @@ class _Emitter:
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
         view = self._view(stages, entries)
-        return templates.render(
-            self._target.folder / self._target.template,
-            {
-                "file": view,
-                "forms": self._target.forms,
-                "profile": self._profile,
-                "flip_y": self._options.flip_y,
-            },
-        )
+        fill_in = renderer(self._target.folder / self._target.template)
+        return fill_in(view, self._target.forms, self._profile, self._options.flip_y)
 
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))

@@ -1,52 +1,86 @@
 """Loads and fills in skeletons, the Jinja2 templates of whole files.
 
-The emitter calls ``render`` for each text. Text of the user is data to a skeleton, never code.
+The emitter asks ``renderer`` for what makes a text of a ``FileView``. Text of the user is data to a
+skeleton, never code.
 
 A language's skeleton extends ``skeleton.j2`` and overrides blocks of it. Jinja resolves inheritance
 each time that a template is rendered: it copies all variables for each block, and a block does not
 see the variables of the loop around it. So inheritance is resolved here, once, before a skeleton is
 compiled: every block is replaced by what the language says instead.
+
+What comes out is compiled to plain Python (``skeleton_compiler.py``) and kept in the user's cache,
+so that Jinja is hardly ever imported.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from types import CodeType
+from typing import TYPE_CHECKING, Any
 
 from ...compiler.cache import cached
 
 if TYPE_CHECKING:
-    from jinja2 import Environment, Template
+    from jinja2 import Environment
     from jinja2.nodes import Block, Node
     from jinja2.nodes import Template as Tree
 
+    from .description import Profile
+    from .forms import Forms
+    from .views import FileView
+
+_HERE = Path(__file__).parent
 _EXTENDS = re.compile(r'\{% extends "([\w.]+)" %\}\n')
 _BRANCHES = ("body", "elif_", "else_")
 """The fields of Jinja's statements that hold other statements."""
 
-
-def render(path: Path, context: Mapping[str, object]) -> str:
-    """The skeleton at ``path``, filled in with ``context``."""
-    return _template(path).render(context)
+Renderer = Callable[["FileView", "Forms", "Profile", bool], str]
+"""Fills a skeleton in. What it takes is called ``file``, ``forms``, ``profile`` and ``flip_y``."""
 
 
 @cache
-def _template(path: Path) -> Template:
-    """The compiled skeleton, which is kept between processes by its content."""
-    from jinja2 import Template as Compiled
-    from jinja2 import __version__ as version
+def renderer(path: Path) -> Renderer:
+    """What fills in the skeleton at ``path``; it is kept between processes by its content."""
+    sources = tuple(_sources(path))
+    compiler = (_HERE / "skeleton_compiler.py").read_text(encoding="utf-8")
+    code = cached("skeleton", (*sources, compiler), lambda: _compiled(sources, path.name))
+    if code is None:
+        return by_jinja(path)
+    names: dict[str, Any] = {"joiner_": joiner}
+    exec(code, names)
+    made: Renderer = names["render"]
+    return made
+
+
+def _compiled(sources: tuple[str, ...], name: str) -> CodeType | None:
+    """The code that fills the skeleton in; none if it has to be left to Jinja."""
+    from .skeleton_compiler import UnsupportedError, compiled
+
+    try:
+        return compiled(_flat(_environment(), sources), name)
+    except UnsupportedError:
+        return None
+
+
+def by_jinja(path: Path) -> Renderer:
+    """The skeleton as Jinja itself fills it in."""
+    from jinja2 import Template
 
     environment = _environment()
-    sources = tuple(_sources(path))
-    code = cached(
-        "template",
-        (*sources, path.name, version),
-        lambda: environment.compile(_flat(environment, sources), path.name),
+    code = environment.compile(_flat(environment, tuple(_sources(path))), path.name)
+    template = Template.from_code(environment, code, environment.make_globals(None))
+    return lambda file, forms, profile, flip_y: template.render(
+        file=file, forms=forms, profile=profile, flip_y=flip_y
     )
-    return Compiled.from_code(environment, code, environment.make_globals(None))
+
+
+def joiner(separator: str) -> Callable[[], str]:
+    """Jinja's function: what it returns gives ``separator``, but nothing the first time."""
+    given = iter(("",))
+    return lambda: next(given, separator)
 
 
 def _sources(path: Path) -> Iterator[str]:
@@ -56,7 +90,7 @@ def _sources(path: Path) -> Iterator[str]:
     yield source[extends.end() :] if extends else source
     if extends:
         beside = path.parent / extends[1]
-        yield from _sources(beside if beside.is_file() else Path(__file__).parent / extends[1])
+        yield from _sources(beside if beside.is_file() else _HERE / extends[1])
 
 
 def _flat(environment: Environment, sources: tuple[str, ...]) -> Tree:
@@ -88,7 +122,6 @@ def _without_blocks(nodes: list[Node], overriding: Mapping[str, Block]) -> Itera
 
 @cache
 def _environment() -> Environment:
-    # Importing Jinja costs more than most compiles, and not every command renders a skeleton.
     from jinja2 import Environment, StrictUndefined
 
     return Environment(

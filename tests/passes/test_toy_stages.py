@@ -28,8 +28,10 @@ from burnish.compiler.ir.shader import (
 )
 from burnish.compiler.ir.stages import (
     CLIP_POSITION,
+    FLAT,
     FRAGMENT,
     FRAGMENTS,
+    SMOOTH,
     TARGET,
     VARYING,
     VERTEX,
@@ -279,6 +281,19 @@ def test_nothing_may_skip_a_stage() -> None:
         verify([toy.call("add", VEC2, uv, crossed)], stage="semantics")
 
 
+def test_a_value_may_cross_in_two_ways() -> None:
+    toy = Toy()
+    uv = toy.attribute("uv", VEC2)
+    smooth, flat = (build.cross(toy.graph, uv, crossing) for crossing in (SMOOTH, FLAT))
+    color = build.vector(toy.graph, (smooth, flat))
+    shader = toy.shader([Result(TARGET, FRAGMENT, color, "color")], VERTEX, FRAGMENT)
+    program = stage(shader, Options()).program
+    slots = [(varying.field.name, varying.field.mode) for varying in program.varyings]
+    assert slots == [("uv", "perspective"), ("uv_2", "flat")]
+    _, fragment = emit(legalise(program, *registry.select("glsl:vulkan"))).files
+    assert "out_color = vec4(v_uv, v_uv_2);" in fragment.text
+
+
 MISFITS = {
     "made of what another stage has": (
         lambda toy: Result(TARGET, FRAGMENT, toy.attribute("c", VEC4), "c"),
@@ -333,3 +348,12 @@ def test_what_is_captured_is_handed_on() -> None:
     assert "layout(location = 0) out vec3 v_moved;" in file.text
     assert "layout(location = 1) out float v_distance;" in file.text
     assert "v_moved = place + cos(place);" in file.text
+
+
+def test_a_result_that_no_skeleton_writes_is_not_lost_in_silence() -> None:
+    toy = Toy()
+    row = changed(CAPTURING, delivers=("depth",))
+    shader = toy.shader([Result("depth", row, toy.attribute("far", FLOAT))], row)
+    program = stage(shader, Options()).program
+    with pytest.raises(NotImplementedError, match="no skeleton writes a depth"):
+        emit(legalise(program, *registry.select("glsl:vulkan")))

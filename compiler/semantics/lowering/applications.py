@@ -24,6 +24,7 @@ from .bodies import settle_body
 from .call_marks import marked
 from .functions import bound, fit_result, may_enter, scope_of_body, usage
 from .operands import listed
+from .signatures import SharedCall, applied, failed, shared_call
 
 
 def apply_best(
@@ -154,9 +155,14 @@ def apply_body(
     if key not in ctx.applied:
         if not may_enter(ctx, symbol, span):
             return FAILURE
+        call = shared_call(ctx, symbol, arguments, surface)
+        value = None if call is None else applied(ctx, call, span)
+        if value is not None:
+            ctx.applied[key] = value
+            return value
         scope = scope_of_body(ctx, symbol, arguments, surface)
         in_use = Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
-        finish = partial(_finish, ctx, key, arguments, scope, ctx.report.count, in_use)
+        finish = partial(_finish, ctx, key, call, arguments, scope, ctx.report.count, in_use)
         settle_body(ctx, symbol, span, scope, finish)
     return ctx.applied[key]
 
@@ -164,6 +170,7 @@ def apply_body(
 def _finish(
     ctx: Context,
     key: Application,
+    call: SharedCall | None,
     arguments: tuple[Node, ...],
     scope: Scope,
     before: int,
@@ -173,6 +180,8 @@ def _finish(
     """Keep a body's value, marked as that of a call."""
     symbol, _, surface = key
     result = fit_result(ctx, symbol, result, arguments)
+    if call is not None and isinstance(result, Failure):
+        failed(ctx, call.signature, before)
     if scope.variables:
         ctx.report.explain(before, in_use)
     if isinstance(result, Node) and result.operands:

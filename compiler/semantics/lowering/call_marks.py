@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
-
 from ....frozen import frozen
 from ...ir import build
-from ...ir.meaning import Meaning
 from ...ir.node import Node, bare
-from ...ir.types import Array, Matrix, Scalar, Struct, Texture, Type, Vector
+from ...ir.types import Array, Matrix, Scalar, Struct, Texture, Vector
 from ..names.modules import Symbol
-from ..state.context import Context
-
-Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
-"""What a body knows of an argument: its value, or what kind of value it is."""
+from ..state.context import Context, Given
 
 
 @frozen
@@ -28,6 +22,20 @@ def marked(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], value: Nod
     """``value`` as what a function gives for ``arguments``: a node ``called``."""
     if not isinstance(value.type, Scalar | Vector | Matrix) or not value.operands:
         return value
+    kinds = kinds_of(ctx, arguments)
+    if kinds is None:
+        return value
+    given, parts = kinds
+    return ctx.graph.node("called", value.type, (value, *parts), Callee(symbol, given))
+
+
+def kinds_of(
+    ctx: Context, arguments: tuple[Node, ...]
+) -> tuple[tuple[Given, ...], tuple[Node, ...]] | None:
+    """What is known of each argument, and the numbers, vectors and matrices that they consist of.
+
+    ``None`` if there are none of these, or if an argument is no variable but depends on one.
+    """
     given: list[Given] = []
     parts: list[Node] = []
     for argument in arguments:
@@ -36,13 +44,10 @@ def marked(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], value: Nod
             whole = bare(argument) if isinstance(argument.type, Struct) else argument
             parts += build.flattened(ctx.graph, whole)
         elif argument.variables:
-            return value
+            return None
         else:
             given.append(argument)
-    if not parts:
-        return value
-    callee = Callee(symbol, tuple(given))
-    return ctx.graph.node("called", value.type, (value, *parts), callee)
+    return (tuple(given), tuple(parts)) if parts else None
 
 
 def _is_kept(argument: Node) -> bool:

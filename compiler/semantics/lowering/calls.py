@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import takewhile
 from typing import TypeGuard
 
@@ -23,7 +23,7 @@ from ..inheritance.records import Definition
 from ..names.duplicates import check_once
 from ..state.context import Context
 from ..state.evaluation import plain
-from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Replacement, Scope, Value
+from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Scope, Value
 from . import lookup, textures
 from .aggregates import structure
 from .applications import apply_best
@@ -31,6 +31,7 @@ from .builtin_calls import builtin_call
 from .constructors import construct, is_constructor
 from .members import member_of
 from .slots import slot
+from .surfaces import shaded
 from .unknown_names import is_declared, is_known, unknown, unknown_here
 
 
@@ -290,15 +291,5 @@ def replaced(ctx: Context, e: ast.With, operands: Sequence[Value], scope: Scope)
     term = e.operand.callee
     assert isinstance(term, ast.Reference)
     arguments, failed = _arguments(ctx, e.operand, operands[len(known) :], scope)
-    shaded = changed(scope, surface=_shaded(ctx, surface, given))
-    return _named(ctx, e.operand, term, arguments, shaded, failed)
-
-
-def _shaded(ctx: Context, surface: Instance, given: Mapping[str, Node | Failure]) -> Instance:
-    """The surface with other values in some slots; the same values make the same surface."""
-    key = (surface, tuple(given.items()))
-    if key not in ctx.shaded:
-        ctx.shaded[key] = surface.with_replaced(
-            {name: Replacement(value=value) for name, value in given.items()}
-        )
-    return ctx.shaded[key]
+    within = changed(scope, surface=shaded(ctx, surface, given))
+    return _named(ctx, e.operand, term, arguments, within, failed)

@@ -414,7 +414,7 @@ def _allowed(
     if crossing is not None and (states or not turns.known or turns.bound > CROSSING_TURNS):
         ctx.report.add(rules.CROSSING_IN_LOOP, ctx.notes.spans.get(crossing.id, span))
         return False
-    read = next((node for node in inside if _compares_neighbours(node)), None)
+    read = next((node for node in inside if compares_neighbours(node)), None)
     if read is None or not (waits or _varies(turns.count)):
         return True
     what = "a texture read" if read.data == "sample" else f"`{read.data}`"
@@ -423,7 +423,7 @@ def _allowed(
     return False
 
 
-def _compares_neighbours(node: Node) -> bool:
+def compares_neighbours(node: Node) -> bool:
     return node.op in ("call", "native") and BUILTINS[str(node.data)].uniform_control_flow
 
 

@@ -10,10 +10,10 @@ they are not, the arguments had a say in how the body was lowered, and the call 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable
 from typing import TypeAlias
 
+from ....frozen import record
 from ...ir import build
 from ...ir.binding import close, freed, open_body
 from ...ir.leaves import Resource
@@ -23,6 +23,7 @@ from ...ir.rewrite import rewrite
 from ...syntax import ast
 from ..lowering.applications import apply_body
 from ..lowering.call_marks import Callee
+from ..lowering.signatures import stand_ins
 from ..state.context import Context
 from ..types.meanings import erased
 
@@ -35,7 +36,7 @@ def shared(ctx: Context, roots: Iterable[Node]) -> list[Node]:
     return _Sharing(ctx).roots(list(roots))
 
 
-@dataclass(slots=True, eq=False)
+@record
 class _Group:
     """Calls that may share a body."""
 
@@ -89,7 +90,10 @@ class _Sharing:
         """Lower the body of a group; whatever is wrong with it has been reported of its calls."""
         ctx, found = self._ctx, self._ctx.report.count
         formals: list[Formal] = []
-        arguments = tuple(self._stand_ins(callee, fixed, formals))
+        function = callee.symbol.declaration
+        assert isinstance(function, ast.Function)
+        names = [argument.name.text for argument in function.arguments]
+        arguments = tuple(stand_ins(ctx, names, callee.given, fixed, formals))
         span = callee.symbol.declaration.name.span
         value = apply_body(ctx, callee.symbol, arguments, span)
         failed = ctx.report.count > found
@@ -99,26 +103,6 @@ class _Sharing:
         body = value.operands[0] if value.op == "called" else value
         self._groups[callee, fixed] = _Group(callee, fixed, tuple(formals), body)
         return True
-
-    def _stand_ins(self, callee: Callee, fixed: Fixed, formals: list[Formal]) -> Iterator[Node]:
-        """The arguments with which a body is lowered; its variables are added to ``formals``."""
-        function = callee.symbol.declaration
-        assert isinstance(function, ast.Function)
-        constants = iter(fixed)
-        for argument, given in zip(function.arguments, callee.given, strict=True):
-            if isinstance(given, Node):
-                yield given
-                continue
-            type_, meaning = given
-            leaves: list[Node] = []
-            for name, inner in build.named_parts(argument.name.text, type_):
-                leaf = next(constants)
-                if leaf is None:
-                    formals.append(Formal(name))
-                    leaf = self._graph.node("formal", inner, (), formals[-1])
-                leaves.append(leaf)
-            whole = build.assembled(self._graph, type_, iter(leaves))
-            yield self._ctx.meanings.ascribed(whole, meaning)
 
     def _at_rest(self, group: _Group) -> Node:
         """The body of a group, closed, with what texts show of the function."""

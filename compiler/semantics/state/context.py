@@ -7,12 +7,12 @@ the modules in which they stand can import this one.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from ....frozen import frozen
-from ...diagnostics.diagnostic import Report
+from ....frozen import fresh, frozen, record
+from ...diagnostics.diagnostic import Diagnostic, Report
 from ...diagnostics.source import Span
+from ...ir.meaning import Meaning
 from ...ir.node import Formal, Graph, Node, reachable
 from ...ir.ranges import Ranges
 from ...ir.shader import ExternInfo, Notes, ParameterInfo
@@ -27,28 +27,28 @@ from .crossings import Crossings
 from .scope import Application, Failure, Inner, Instance, RigEntry, Scope, Value
 
 
-@dataclass(slots=True)
+@record
 class WrittenTypes:
     """What written types stand for, as far as anybody has asked."""
 
     resolver: TypeResolver
-    declared: dict[ast.TypeName, Declared | None] = field(default_factory=dict)
-    structs: dict[Symbol, Declared | None] = field(default_factory=dict)
-    struct_members: dict[str, tuple[tuple[str, Type], ...]] = field(default_factory=dict)
+    declared: dict[ast.TypeName, Declared | None] = fresh(factory=dict)
+    structs: dict[Symbol, Declared | None] = fresh(factory=dict)
+    struct_members: dict[str, tuple[tuple[str, Type], ...]] = fresh(factory=dict)
     """The members of structures, by the names that texts call them."""
-    counts: dict[Hashable, int | None] = field(default_factory=dict)
+    counts: dict[Hashable, int | None] = fresh(factory=dict)
     """Numbers of elements, by the expression and the type parameters that it may read."""
 
 
-@dataclass(slots=True)
+@record
 class ExternBlocks:
     """The blocks of the host that have been read so far."""
 
-    known: dict[Symbol, ExternInfo] = field(default_factory=dict)
+    known: dict[Symbol, ExternInfo] = fresh(factory=dict)
     """By the declaration of each, in the order in which they were met."""
-    parameters: dict[tuple[Module, str], ParameterInfo | None] = field(default_factory=dict)
+    parameters: dict[tuple[Module, str], ParameterInfo | None] = fresh(factory=dict)
     """The members, by file and name."""
-    reading: set[Module] = field(default_factory=set)
+    reading: set[Module] = fresh(factory=set)
     """Files whose blocks are being read: defaults there cannot be made of members."""
 
     @property
@@ -57,18 +57,22 @@ class ExternBlocks:
         return tuple(self.known.values())
 
 
-@dataclass(slots=True)
+@record
 class Progress:
     """Which values are being computed at the moment, and which never can be."""
 
-    active: dict[Hashable, tuple[str, Span]] = field(default_factory=dict)
+    active: dict[Hashable, tuple[str, Span]] = fresh(factory=dict)
     """By key, outermost first: to meet one of them again is a cycle."""
-    cyclic: set[Hashable] = field(default_factory=set)
+    cyclic: set[Hashable] = fresh(factory=set)
     """What is defined by itself, which has been reported."""
-    recursive: set[Symbol] = field(default_factory=set)
+    recursive: set[Symbol] = fresh(factory=set)
     """Functions that call themselves, which has been reported."""
     depth: int = 0
     """How many values are computed inside each other on Python's stack (``evaluation``)."""
+
+
+Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
+"""What a body knows of an argument: its value, or what kind of value it is."""
 
 
 class Context:
@@ -95,6 +99,8 @@ class Context:
         """Values of functions and of the file's constants."""
         self.light_bodies: dict[Application, LightBody | Failure] = {}
         """Bodies of terms that are summed over the lights."""
+        self.call_sizes: dict[Symbol, int] = {}
+        """How many bodies one call of a function comes to (``call_sizes``)."""
         self.entered: set[Symbol] = set()
         """Functions and terms whose bodies were evaluated."""
         self.placeholders: set[Node] = set()
@@ -104,6 +110,12 @@ class Context:
         self.lights: dict[tuple[str, Instance], tuple[Instance, Formal | None]] = {}
         self.shaded: dict[tuple[Instance, Hashable], Instance] = {}
         """Surfaces with slots replaced by ``with``, by the surface and the new values."""
+        self.shaded_from: dict[Instance, tuple[Instance, Mapping[str, Node | Failure]]] = {}
+        """For each of these the surface without replacements, and the new values."""
+        self.bodies: dict[Signature, SharedBody | Failure | None] = {}
+        """Bodies that serve all calls with a signature; ``None`` where calls have a say in it."""
+        self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
+        """What is wrong with a function's body as long as nothing is known of its arguments."""
 
     def reached(self) -> Iterator[Symbol]:
         """The functions, terms, constants and structures that were checked by being used."""
@@ -116,7 +128,33 @@ class Context:
         return not self.placeholders.isdisjoint(reachable((node,)))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
+class Signature:
+    """What calls of a function have in common that share a body."""
+
+    symbol: Symbol
+    given: tuple[Given, ...]
+    """What is known of each argument, and then of each replaced slot."""
+    constants: tuple[Node | None, ...]
+    """For each number, vector and matrix among these the constant that it is, if it is one."""
+    units: tuple[bool, ...]
+    """For each of them whether it has length one."""
+    surface: Instance | None
+    """What is shaded, without replaced slots."""
+    slots: tuple[str, ...]
+    """The names of the slots that are replaced."""
+
+
+@frozen
+class SharedBody:
+    """What a function gives for a signature."""
+
+    body: Node
+    applied: bool
+    """Whether it is closed, and to be applied to arguments; otherwise it is the value as it is."""
+
+
+@frozen
 class LightBody:
     """A term's body, closed, and the variables in it that stand for slots of the light."""
 

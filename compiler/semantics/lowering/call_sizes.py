@@ -1,0 +1,53 @@
+"""How much is evaluated for one call, if every call in a body is evaluated with its own arguments.
+
+It doubles with each function that calls the one before it twice. ``applications`` asks, and has the
+bodies of functions that are too large in this sense evaluated once for many calls.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from ...syntax import ast
+from ..names.modules import Symbol
+from ..state.context import Context
+
+
+def bodies_of(ctx: Context, symbol: Symbol) -> int:
+    """How many bodies one call of a function comes to, its own and those of all inner calls."""
+    known = ctx.call_sizes
+    pending = [] if symbol in known else [symbol]
+    entered: set[Symbol] = set()
+    while pending:
+        top = pending[-1]
+        calls = _calls(top)
+        missing = [] if top in entered else [s for s in calls if s not in known]
+        if missing:
+            entered.add(top)
+            # What has been entered already calls itself, which is reported where it is called.
+            pending += [s for s in missing if s not in entered]
+            continue
+        pending.pop()
+        known[top] = 1 + sum(known.get(s, 1) * count for s, count in calls.items())
+    return known[symbol]
+
+
+def _calls(symbol: Symbol) -> Counter[Symbol]:
+    """The functions that are called in a body, with how often they stand there.
+
+    Of overloads each counts, as what the arguments are is not known here.
+    """
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    found: Counter[Symbol] = Counter()
+    waiting: list[object] = [function.body, *(part.value for part in function.parts)]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, tuple):
+            waiting.extend(part)
+        elif isinstance(part, ast.Expression | ast.Turns):
+            waiting.extend(getattr(part, field) for field in type(part).__match_args__)
+            if isinstance(part, ast.Call) and isinstance(part.callee, ast.Reference):
+                symbols = symbol.module.known(part.callee.name)
+                found.update(s for s in symbols if isinstance(s.declaration, ast.Function))
+    return found
