@@ -17,7 +17,7 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
     {
         **{kind: _RECORD.format(kind, kind) for kind in ("material", "light")},
         "pass": "a pass is `pass Name : Base blend mode { … }`; base and mode may be left out",
-        "abstract": "what heirs complete is `abstract material Name : Base { … }`",
+        "abstract": "a material for others to complete is `abstract material Name : Base { … }`",
         "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, or `… for pass`",
         "fn": "a function is `fn name(x: float, y: vec3) -> float = expression`, or, with names "
         "for parts of it, `fn name(x: float) -> float = part * part where { part = expression }`",

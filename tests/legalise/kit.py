@@ -13,8 +13,8 @@ SINGLE = sorted(path for path in EXAMPLES.glob("*.burnish") if path.stem != "rig
 """The examples in which no rig has to be chosen."""
 
 
-def staged(source: str | Path) -> Staged:
-    """The first material in a text or a file, after the passes."""
+def staged(source: str | Path, pass_: str | None = None) -> Staged:
+    """The first material in a text or a file, after the passes of the compiler."""
     report = Report()
     frontend = Frontend(report)
     if isinstance(source, Path):
@@ -22,6 +22,6 @@ def staged(source: str | Path) -> Staged:
     else:
         module = frontend.open_text(source, "<test>")
     assert module is not None
-    shaders = frontend.shaders(module, None, None, None)
+    shaders = frontend.shaders(module, None, None, pass_)
     assert not report.failed, report.diagnostics
     return stage(shaders[0], Options())

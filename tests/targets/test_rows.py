@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from itertools import product
 
 import pytest
 
 from burnish.compiler.ir.stages import inputs_of
 from burnish.stdlib.builtins import BUILTINS
+from burnish.stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from burnish.stdlib.builtins.row import Builtin, nowhere
 from burnish.targets import registry
 from burnish.targets.emit.natives import spelling_of
@@ -40,6 +43,28 @@ def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_what_a_profile_lacks_is_defined(selected: Selected) -> None:
     assert all(BUILTINS[name].definition for name in selected.profile.lacks)
+
+
+NUMBERS = (-(2.0**31), -1.0, 0.0, 1.0, 31.0, 32.0, 2.0**31 - 1)
+KINDS: tuple[Kind, ...] = ("float", "int", "uint")
+
+
+def known(count: int) -> Iterator[tuple[Fact, ...]]:
+    """What may be known of operands of one kind: that they are a number, or between two."""
+    for kind in KINDS:
+        ends = [n for n in NUMBERS if kind != "uint" or n >= 0]
+        facts = [Fact(low, high, kind=kind) for low in ends for high in ends if low <= high]
+        yield from product([*facts, UNKNOWN.as_kind(kind)], repeat=count)
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_what_a_profile_promises_is_looked_at(selected: Selected) -> None:
+    """Types decide where there is a definition; elsewhere a profile only promises more."""
+    for name, domain in selected.profile.agrees.items():
+        row = BUILTINS[name]
+        assert row.definition or row.by_profile is not nowhere
+        if not row.definition:
+            assert all(domain(facts) for facts in known(2) if row.domain(facts))
 
 
 def test_what_is_defined_stands_before_its_users_and_once() -> None:

@@ -62,7 +62,7 @@ class Attribute:
 
 @frozen(eq=False)
 class Slot:
-    """``name : T = e``, an equation; without ``e`` an abstract slot that an heir has to set."""
+    """``name : T = e``, an equation; without ``e`` a slot that a derived record must set."""
 
     span: Span
     doc: str
@@ -235,7 +235,7 @@ KINDS: tuple[MemberKind, ...] = (
         inheritance="overridden",
         contribution="value",
         form="an equation is `name = expression` or `name : type = expression`; without a value, "
-        "`name : type`, an heir has to give one",
+        "`name : type`, a derived record has to give one",
         doc="a value that is computed",
         has_default=True,
     ),
