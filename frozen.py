@@ -1,4 +1,4 @@
-"""``frozen``: like ``dataclass(frozen=True, slots=True)``, but cheap to declare.
+"""``frozen`` and ``record``: like dataclasses with slots, but cheap to declare.
 
 Almost every record of the compiler is declared with it. ``dataclasses`` writes and compiles eight
 methods for each class while the module is imported. This takes most of a millisecond for each
@@ -12,12 +12,24 @@ from __future__ import annotations
 from collections.abc import Callable
 from operator import attrgetter
 from types import MappingProxyType
-from typing import Any, TypeVar, dataclass_transform, overload
+from typing import Any, TypeVar, cast, dataclass_transform, overload
 
 T = TypeVar("T")
 
 EMPTY: Any = MappingProxyType({})
 """The default of a field whose type is ``Mapping``."""
+
+
+class _Fresh:
+    """Stands for the default of a field that each record gets anew."""
+
+    def __init__(self, factory: Callable[[], object]) -> None:
+        self.factory = factory
+
+
+def fresh(*, factory: Callable[[], T]) -> T:
+    """The default of a field for which every record calls ``factory``: ``fresh(factory=list)``."""
+    return cast(T, _Fresh(factory))
 
 
 @overload
@@ -26,7 +38,7 @@ def frozen(cls: type[T], /) -> type[T]: ...
 def frozen(
     *, eq: bool = True, kw_only: bool = False, key: bool = False
 ) -> Callable[[type[T]], type[T]]: ...
-@dataclass_transform(frozen_default=True)
+@dataclass_transform(frozen_default=True, field_specifiers=(fresh,))
 def frozen(
     cls: type[T] | None = None, /, *, eq: bool = True, kw_only: bool = False, key: bool = False
 ) -> Any:
@@ -37,9 +49,16 @@ def frozen(
     with ``kw_only=True`` fields are initialised by name. ``key=True`` is for records that are part
     of keys much more often than they are made: the hash is computed when the record is made.
     """
+    shared = _ANY | _UNCHANGEABLE | (_KEPT_HASH if key else {})
     if cls is None:
-        return lambda decorated: _frozen(decorated, eq, kw_only, key)
-    return _frozen(cls, eq, kw_only, key)
+        return lambda decorated: _slotted(decorated, shared, eq, kw_only)
+    return _slotted(cls, shared, eq, kw_only)
+
+
+@dataclass_transform(eq_default=False, field_specifiers=(fresh,))
+def record(cls: type[T], /) -> type[T]:
+    """Make a class of slotted records that can be changed; each is equal only to itself."""
+    return _slotted(cls, _ANY, eq=False, kw_only=False)
 
 
 def changed(record: T, **changes: Any) -> T:
@@ -52,14 +71,15 @@ def changed(record: T, **changes: Any) -> T:
     return made
 
 
-def _frozen(cls: type[T], eq: bool, kw_only: bool, key: bool) -> type[T]:
+def _slotted(cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool) -> type[T]:
     texts: dict[str, str] = cls.__annotations__
     names = tuple(name for name, text in texts.items() if not text.startswith("ClassVar"))
     members = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
     defaults = {name: members.pop(name) for name in names if name in members}
-    own = {"__slots__": (*names, "_hash") if key else names, "__match_args__": names}
-    shared = _ANY | (_by_value(names) if eq else {}) | (_KEPT_HASH if key else {})
-    made: Any = type(cls.__name__, cls.__bases__, shared | members | own)
+    kept = ("_hash",) if "__hash__" in shared else ()
+    own = {"__slots__": (*names, *kept), "__match_args__": names}
+    compared = _by_value(names) if eq else {}
+    made: Any = type(cls.__name__, cls.__bases__, compared | shared | members | own)
     made.__qualname__ = cls.__qualname__
     made.__init__ = _on_first_use(made, defaults, kw_only)
     kind: type[T] = made
@@ -83,7 +103,10 @@ def _initialiser(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callab
     known |= {f"set_{name}": getattr(cls, name).__set__ for name in names}
     parameters = [f"{name}=default_{name}" if name in defaults else name for name in names]
     head = ["self", *(["*"] if kw_only else []), *parameters]
-    body = [f"set_{name}(self, {name})" for name in names] or ["pass"]
+    made_anew = {name: d.factory for name, d in defaults.items() if isinstance(d, _Fresh)}
+    known |= {f"make_{name}": factory for name, factory in made_anew.items()}
+    body = [f"if {name} is default_{name}: {name} = make_{name}()" for name in made_anew]
+    body += [f"set_{name}(self, {name})" for name in names] or ["pass"]
     if hasattr(cls, "_hash"):
         known["keep_hash"] = cls._hash.__set__
         body.append(f"keep_hash(self, hash(({', '.join(names)},)))")
@@ -129,6 +152,8 @@ def _refused(self: object, name: str, *_: object) -> None:
 _ANY: dict[str, Any] = {
     "__repr__": _shown,
     "__reduce__": _reduced,
+}
+_UNCHANGEABLE: dict[str, Any] = {
     "__setattr__": _refused,
     "__delattr__": _refused,
 }

@@ -5,21 +5,19 @@ Starting fast is a feature, so nothing here loads the compiler.
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 import click
 
 from .. import __version__
-from .check import check
-from .compile import compile_
-from .conform import conform
 from .console import FAILED
-from .doctor import doctor
-from .explain import explain
-from .graph import graph
-from .render import render
-from .targets import targets
 from .terminal import INTERRUPTED, show_everything
+
+COMMANDS = ("compile", "check", "graph", "render", "conform", "targets", "doctor", "explain")
+"""The modules of the commands, each of which calls itself so; only those asked for are loaded."""
+FUNCTIONS = {"compile": "compile_"}
+"""Their functions, where Python has another use for the name."""
 
 
 class _QuietGroup(click.Group):
@@ -29,6 +27,17 @@ class _QuietGroup(click.Group):
         """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
         show_everything()
         return super().main(*arguments, **options)
+
+    def list_commands(self, _context: click.Context) -> list[str]:
+        """The names of the commands, as the help lists them."""
+        return sorted(COMMANDS)
+
+    def get_command(self, _context: click.Context, name: str) -> click.Command | None:
+        """The command of that name, if there is one. Else click suggests one of ``commands``."""
+        for wanted in (name,) if name in COMMANDS else COMMANDS:
+            module = import_module(f".{wanted}", __package__)
+            self.commands[wanted] = getattr(module, FUNCTIONS.get(wanted, wanted))
+        return self.commands.get(name)
 
     def resolve_command(self, context: click.Context, args: list[str]) -> Any:
         """The command that is named; a material alone is likely to be compiled."""
@@ -66,7 +75,3 @@ def burnish() -> None:
     What was computed before is kept in a cache folder, named by BURNISH_CACHE, and used again as
     long as nothing that it came of has changed.
     """
-
-
-for _command in (compile_, check, graph, render, conform, targets, doctor, explain):
-    burnish.add_command(_command)

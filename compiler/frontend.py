@@ -137,7 +137,11 @@ class Frontend:
         if wanted is None:
             if not concrete and not self._report.failed:
                 unfinished = records_of(module, "material", abstract=True)
-                hint = f"`{unfinished[0].name}` is abstract: declare an heir" if unfinished else ""
+                hint = (
+                    f"`{unfinished[0].name}` is abstract: declare a material that extends it"
+                    if unfinished
+                    else ""
+                )
                 path = module.file.source.name
                 self._report.add(rules.NO_MATERIAL, _whole(module), path=path, hint=hint)
             return concrete

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass, field
 
-from ...frozen import frozen
+from ...frozen import frozen, record
 
 
-@dataclass(eq=False, slots=True)
+@record
 class Source:
     """One file (or string) of Burnish text; compared by identity.
 
@@ -17,9 +16,9 @@ class Source:
 
     name: str
     text: str
-    compared: int = field(default=0, repr=False)
+    compared: int = 0
     """How many names were compared with unknown ones in this text; ``nearest.py`` keeps count."""
-    _line_starts: list[int] | None = field(default=None, repr=False)
+    _line_starts: list[int] | None = None
 
     @property
     def line_starts(self) -> list[int]:

@@ -7,11 +7,11 @@ one slot.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from heapq import heappop, heappush
 from itertools import count
 from operator import itemgetter
 
+from ...frozen import record
 from ..ir.leaves import Attribute
 from ..ir.node import Node
 from ..ir.operations import CROSS
@@ -23,7 +23,7 @@ from ..ir.types import Scalar, ScalarKind, Vector, scalar_kind, width, with_widt
 SLOT_LANES = 4
 
 
-@dataclass(slots=True)
+@record
 class _Slot:
     kind: ScalarKind
     mode: InterpolationMode

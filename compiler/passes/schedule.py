@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 
+from ...frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of, reachable
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
@@ -35,7 +35,7 @@ BOUND = (0, 0)
 """Size and depth, where it is used, of a value that has a name, and of a leaf."""
 
 
-@dataclass(eq=False, slots=True)
+@record
 class _Block:
     """A region under construction."""
 
@@ -45,7 +45,7 @@ class _Block:
     loop: frozenset[Formal] = frozenset()
     """The variables, where this is the body of a loop."""
     depth: int = 0
-    nodes: list[Node] = field(default_factory=list)
+    nodes: list[Node] = fresh(factory=list)
 
 
 class Scheduler:

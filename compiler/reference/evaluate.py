@@ -9,8 +9,8 @@ and binders may be nested without limit.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 
+from ...frozen import fresh, record
 from ..ir.node import Formal, Node, binders, bodies_of, formals_of
 from ..ir.operations import BOUND, FOLD, FORMAL, ITERATE, OUTSIDE
 from ..ir.types import scalar_kind
@@ -56,7 +56,7 @@ def evaluate(
     return Evaluator(leaves, xp, most_steps=most_steps).value(root)
 
 
-@dataclass(eq=False, slots=True)
+@record
 class _Frame:
     """One evaluation of a binder's body; without a parent, of everything that is under no
     binder."""
@@ -64,8 +64,8 @@ class _Frame:
     parent: _Frame | None = None
     bound: tuple[Lanes, ...] = ()
     """The values of the de Bruijn variables of all binders around the body, the innermost first."""
-    formals: Mapping[Formal, Lanes] = field(default_factory=dict)
-    values: dict[int, Lanes] = field(default_factory=dict)
+    formals: Mapping[Formal, Lanes] = fresh(factory=dict)
+    values: dict[int, Lanes] = fresh(factory=dict)
 
 
 class Evaluator:

@@ -5,8 +5,7 @@ Each declaration is then parsed on its own, so that a mistake in one leaves the 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from ...frozen import fresh, record
 from .ast import MEMBERS
 from .forms import DECLARATIONS
 from .tokens import RESERVED, Token
@@ -26,13 +25,13 @@ _CAN_END = frozenset(
 )
 
 
-@dataclass(slots=True)
+@record
 class Chunk:
     """The tokens of one declaration, or of a few where only parsing could tell them apart."""
 
     start: int
     end: int = 0
-    unclosed: list[int] = field(default_factory=list)
+    unclosed: list[int] = fresh(factory=list)
     """Opening brackets that nothing closes, in order."""
     too_deep: int | None = None
     """The bracket that goes beyond the limit, if any."""

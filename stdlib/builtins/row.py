@@ -7,7 +7,6 @@ analysis, guards, emission, the reference evaluator and the manual all read the 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import Literal
 
 from ...frozen import frozen
@@ -59,7 +58,7 @@ EXACT = Accuracy("correct", WGSL_ACCURACY)
 INHERITED = Accuracy("inherited", WGSL_ACCURACY)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Builtin:
     """One builtin function or operator.
 
@@ -124,5 +123,5 @@ class Builtin:
     """The kind of sampler that a read needs; none where it names texels, or asks for a size."""
     constants: tuple[int, ...] = ()
     """Operands, counted from the end (-1), that have to be constants in 0..3."""
-    samples: tuple[tuple[float, ...], ...] = field(default=())
+    samples: tuple[tuple[float, ...], ...] = ()
     """Operand tuples worth testing beyond the usual ones (scalars; broadcast to vectors)."""

@@ -59,11 +59,12 @@ class StagePrinter:
         expressions, statements = self._body(namer)
         functions = [self._function(function) for function in stage.functions]
         lines = statements.lines(stage.region)
-        stored = [
-            (self._field(output.field, _role(output)), output.value)
-            for output in stage.results
-            if output.field is not None
-        ]
+        stored = []
+        for output in stage.results:
+            if output.field is not None:
+                stored.append((self._field(output.field, _role(output)), output.value))
+            elif output.kind not in (CLIP_POSITION, DISCARD):
+                raise NotImplementedError(f"no skeleton writes a {output.kind}")
         return EntryView(
             stage=stage.name,
             name=name,

@@ -101,7 +101,7 @@ class EntryView(NamedTuple):
     lines: list[str]
     stores: list[StoreView]
     position: str
-    """Clip-space position, in the vertex stage."""
+    """Clip-space position; empty in stages that do not deliver it."""
     discard: list[str]
     """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
 

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from burnish import __version__
-from burnish.commands.group import burnish
+from burnish.commands.group import COMMANDS
 from burnish.commands.terminal import wants_color
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
@@ -27,7 +27,7 @@ from .kit import PLAIN, invoke
 RULES = [rule for rule in vars(rules).values() if isinstance(rule, Rule)]
 
 
-@pytest.mark.parametrize("command", burnish.commands)
+@pytest.mark.parametrize("command", COMMANDS)
 def test_help_teaches_by_example(command: str) -> None:
     text = invoke(command, "--help").stdout
     assert f"Example:\n      burnish {command}" in text
@@ -230,6 +230,10 @@ def test_watching_without_its_package(monkeypatch: pytest.MonkeyPatch) -> None:
     result = invoke(*WATCH)
     assert result.exit_code == 2
     assert "pip install watchfiles" in result.stderr
+
+
+def test_a_command_that_is_misspelt() -> None:
+    assert "No such command 'compil'. Did you mean 'compile'?" in invoke("compil").stderr
 
 
 LOADED = """

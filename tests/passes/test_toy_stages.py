@@ -348,3 +348,12 @@ def test_what_is_captured_is_handed_on() -> None:
     assert "layout(location = 0) out vec3 v_moved;" in file.text
     assert "layout(location = 1) out float v_distance;" in file.text
     assert "v_moved = place + cos(place);" in file.text
+
+
+def test_a_result_that_no_skeleton_writes_is_not_lost_in_silence() -> None:
+    toy = Toy()
+    row = changed(CAPTURING, delivers=("depth",))
+    shader = toy.shader([Result("depth", row, toy.attribute("far", FLOAT))], row)
+    program = stage(shader, Options()).program
+    with pytest.raises(NotImplementedError, match="no skeleton writes a depth"):
+        emit(legalise(program, *registry.select("glsl:vulkan")))

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import Generic, NamedTuple, TypeVar
 
-from ....frozen import frozen
+from ....frozen import fresh, frozen, record
 from ...syntax import ast
 from ..names.modules import Symbol
 
@@ -31,16 +30,16 @@ class Statement(NamedTuple, Generic[M]):
     level: int
 
 
-@dataclass(slots=True, eq=False)
+@record
 class Record:
     """A record with its ancestors."""
 
     symbol: Symbol
     chain: tuple[Symbol, ...]
     """Most derived first."""
-    definitions: dict[str, tuple[Definition, ...]] = field(default_factory=dict)
+    definitions: dict[str, tuple[Definition, ...]] = fresh(factory=dict)
     """Of each name, most derived first; names in order of first declaration, ancestors first."""
-    requirements: list[Definition] = field(default_factory=list)
+    requirements: list[Definition] = fresh(factory=list)
     """What mixins ask for that the chain behind them has: slots with a type and no value."""
     statements: tuple[Statement[ast.Member], ...] = ()
     """The members of the chain that count and have no definition, as nothing reads them."""

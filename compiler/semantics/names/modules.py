@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import Protocol
 
-from ....frozen import frozen
+from ....frozen import fresh, frozen, record
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.fixes import Hint, fix_it
@@ -45,21 +44,21 @@ class Symbol:
         return self.declaration.name.text
 
 
-@dataclass(slots=True, eq=False)
+@record
 class Module:
     """One file with everything it can name; functions may share a name (overloads)."""
 
     file: ast.File
     path: Path | None
-    declared: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
-    imported: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
-    chosen: set[tuple[Path | None, str]] = field(default_factory=set)
+    declared: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
+    imported: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
+    chosen: set[tuple[Path | None, str]] = fresh(factory=set)
     """Names that were imported one by one, with their files."""
-    missing: set[str] = field(default_factory=set)
+    missing: set[str] = fresh(factory=set)
     """Names whose import failed, about which enough has been said."""
     incomplete: bool = False
     """Whether a file that was to be imported whole could not be, and its names are not known."""
-    doubtful: dict[str, Callable[[], None]] = field(default_factory=dict)
+    doubtful: dict[str, Callable[[], None]] = fresh(factory=dict)
     """Names that several imported files declare, with what reports them once they are used."""
     prelude: Module | None = None
     offered: Callable[[str], str] = lambda _name: ""
@@ -110,7 +109,7 @@ class Looked(Protocol):
         """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
 
 
-@dataclass(slots=True)
+@record
 class _Linking:
     """A module whose imports are being read."""
 

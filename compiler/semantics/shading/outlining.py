@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from ....frozen import record
 from ...ir import build
 from ...ir.binding import close, freed, open_body
 from ...ir.leaves import Resource
@@ -36,7 +36,7 @@ def shared(ctx: Context, roots: Iterable[Node]) -> list[Node]:
     return _Sharing(ctx).roots(list(roots))
 
 
-@dataclass(slots=True, eq=False)
+@record
 class _Group:
     """Calls that may share a body."""
 

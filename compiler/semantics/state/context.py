@@ -7,10 +7,9 @@ the modules in which they stand can import this one.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from ....frozen import frozen
+from ....frozen import fresh, frozen, record
 from ...diagnostics.diagnostic import Diagnostic, Report
 from ...diagnostics.source import Span
 from ...ir.meaning import Meaning
@@ -28,28 +27,28 @@ from .crossings import Crossings
 from .scope import Application, Failure, Inner, Instance, RigEntry, Scope, Value
 
 
-@dataclass(slots=True)
+@record
 class WrittenTypes:
     """What written types stand for, as far as anybody has asked."""
 
     resolver: TypeResolver
-    declared: dict[ast.TypeName, Declared | None] = field(default_factory=dict)
-    structs: dict[Symbol, Declared | None] = field(default_factory=dict)
-    struct_members: dict[str, tuple[tuple[str, Type], ...]] = field(default_factory=dict)
+    declared: dict[ast.TypeName, Declared | None] = fresh(factory=dict)
+    structs: dict[Symbol, Declared | None] = fresh(factory=dict)
+    struct_members: dict[str, tuple[tuple[str, Type], ...]] = fresh(factory=dict)
     """The members of structures, by the names that texts call them."""
-    counts: dict[Hashable, int | None] = field(default_factory=dict)
+    counts: dict[Hashable, int | None] = fresh(factory=dict)
     """Numbers of elements, by the expression and the type parameters that it may read."""
 
 
-@dataclass(slots=True)
+@record
 class ExternBlocks:
     """The blocks of the host that have been read so far."""
 
-    known: dict[Symbol, ExternInfo] = field(default_factory=dict)
+    known: dict[Symbol, ExternInfo] = fresh(factory=dict)
     """By the declaration of each, in the order in which they were met."""
-    parameters: dict[tuple[Module, str], ParameterInfo | None] = field(default_factory=dict)
+    parameters: dict[tuple[Module, str], ParameterInfo | None] = fresh(factory=dict)
     """The members, by file and name."""
-    reading: set[Module] = field(default_factory=set)
+    reading: set[Module] = fresh(factory=set)
     """Files whose blocks are being read: defaults there cannot be made of members."""
 
     @property
@@ -58,15 +57,15 @@ class ExternBlocks:
         return tuple(self.known.values())
 
 
-@dataclass(slots=True)
+@record
 class Progress:
     """Which values are being computed at the moment, and which never can be."""
 
-    active: dict[Hashable, tuple[str, Span]] = field(default_factory=dict)
+    active: dict[Hashable, tuple[str, Span]] = fresh(factory=dict)
     """By key, outermost first: to meet one of them again is a cycle."""
-    cyclic: set[Hashable] = field(default_factory=set)
+    cyclic: set[Hashable] = fresh(factory=set)
     """What is defined by itself, which has been reported."""
-    recursive: set[Symbol] = field(default_factory=set)
+    recursive: set[Symbol] = fresh(factory=set)
     """Functions that call themselves, which has been reported."""
     depth: int = 0
     """How many values are computed inside each other on Python's stack (``evaluation``)."""
@@ -146,7 +145,7 @@ class Signature:
     """The names of the slots that are replaced."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SharedBody:
     """What a function gives for a signature."""
 
@@ -155,7 +154,7 @@ class SharedBody:
     """Whether it is closed, and to be applied to arguments; otherwise it is the value as it is."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LightBody:
     """A term's body, closed, and the variables in it that stand for slots of the light."""
 

@@ -12,8 +12,8 @@ second run would stumble over.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass
 
+from ....frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
@@ -25,7 +25,7 @@ DEEPEST = 16
 """So many demands may wait for each other on Python's stack; each takes about ten frames."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Demand:
     """A value that is computed once and then kept: a slot's, a constant's, that of a call."""
 
@@ -49,14 +49,14 @@ class Unsettled(Exception):  # noqa: N818
         super().__init__(demand.name)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Finish:
     """A demand, to be finished with the value that its expression will have."""
 
     demand: Demand
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Leave:
     """A loop whose inner expressions have been evaluated, and where their values start."""
 

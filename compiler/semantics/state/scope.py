@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Literal
 
-from ....frozen import changed, frozen
+from ....frozen import changed, fresh, frozen, record
 from ...diagnostics.source import Span
 from ...ir.leaves import Parameter, Resource
 from ...ir.node import Node
@@ -28,7 +27,7 @@ OUTERMOST = -1
 wins over the record's own definitions."""
 
 
-@dataclass(slots=True, eq=False)
+@record
 class Instance:
     """A record whose names have values: the surface being shaded, one rig entry, the pass.
 
@@ -41,12 +40,12 @@ class Instance:
     """Put before names in the output: ``sun`` gives ``sun_to_light``."""
     surface: Instance | None = None
     """The material instance whose slots are visible behind this record's own names."""
-    parameters: Mapping[str, Node] = field(default_factory=dict)
+    parameters: Mapping[str, Node] = fresh(factory=dict)
     """What reads each ``param``; for one light of many, a member of an array element."""
-    resources: Mapping[str, Node] = field(default_factory=dict)
-    attributes: Mapping[str, Node] = field(default_factory=dict)
-    replaced: dict[str, Replacement] = field(default_factory=dict)
-    values: dict[tuple[str, int], Node | Failure] = field(default_factory=dict)
+    resources: Mapping[str, Node] = fresh(factory=dict)
+    attributes: Mapping[str, Node] = fresh(factory=dict)
+    replaced: dict[str, Replacement] = fresh(factory=dict)
+    values: dict[tuple[str, int], Node | Failure] = fresh(factory=dict)
 
     def has(self, name: str) -> bool:
         """Whether the record defines ``name``."""
@@ -91,17 +90,17 @@ Application = tuple[Symbol, tuple[int, ...], Instance | None]
 """A function, the ids of its arguments, and the surface that it shades."""
 
 
-@dataclass(slots=True, eq=False)
+@record
 class FunctionParts:
     """The equations behind a function's ``where``, for one application of it; lowered on demand."""
 
     declared: Mapping[str, ast.Slot]
     scope: Scope
     """The arguments' scope, in which the equations themselves are lowered."""
-    values: dict[str, Node | Failure] = field(default_factory=dict)
+    values: dict[str, Node | Failure] = fresh(factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scope:
     """Where a name is looked up: locals, the record's own names, the file's names, the surface."""
 
@@ -110,8 +109,8 @@ class Scope:
     level: int = 0
     """The level of ``instance``'s chain whose text is being lowered."""
     surface: Instance | None = None
-    locals: Mapping[str, Value] = field(default_factory=dict)
-    variables: Variables = field(default_factory=dict)
+    locals: Mapping[str, Value] = fresh(factory=dict)
+    variables: Variables = fresh(factory=dict)
     """What the type parameters of the function stand for whose body this is."""
     parts: FunctionParts | None = None
     """What that function names behind ``where``."""
@@ -121,7 +120,7 @@ class Scope:
         return changed(self, locals={**self.locals, **locals_})
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Inner:
     """What a loop leaves to be evaluated under names of its own, and what is made of it then."""
 
@@ -130,7 +129,7 @@ class Inner:
     then: Callable[[Sequence[Value]], Value]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RigEntry:
     """One line of a rig: its light and where its parameters are kept."""
 
@@ -145,4 +144,4 @@ class RigEntry:
     bound: int = 1
     count: Parameter | None = None
     """Of ``[<= N]``: the run-time count."""
-    replaced: Mapping[str, Replacement] = field(default_factory=dict)
+    replaced: Mapping[str, Replacement] = fresh(factory=dict)
