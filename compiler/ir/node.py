@@ -156,6 +156,10 @@ class Applying(Binder):
 HEADS: Mapping[Op, str] = {op: f".{op}" for op in get_args(Op) if op not in ("call", "native")}
 """The heads of nodes that are no builtins."""
 
+_VARIABLES: frozenset[Op] = frozenset(("bound", "formal", "fold", "iterate", "apply"))
+"""Variables, and what binds them."""
+_NONE: frozenset[Formal] = frozenset()
+
 
 class Node:
     """One value. Compare with ``is``; build only through ``Graph``."""
@@ -172,7 +176,17 @@ class Node:
         self.id = id_
         self.head: Hashable = HEADS.get(op, data)
         """What kind of value it is: its builtin, or its operation with a dot before the name."""
-        self.free, self.variables = _free(op, operands, data)
+        free: int = 0
+        variables = _NONE
+        if op in _VARIABLES:
+            free, variables = _free(op, operands, data)
+        else:  # most nodes, so written out here
+            for operand in operands:
+                free |= operand.free
+                if (theirs := operand.variables) and theirs is not variables:
+                    variables = variables | theirs if variables else theirs
+        self.free: int = free
+        self.variables: frozenset[Formal] = variables
         """In ``free``, bit i is set when the binder i levels out (de Bruijn) occurs free;
         ``variables`` are the formals of binders further out."""
 
@@ -228,9 +242,6 @@ class Graph:
             found = Node(op, type_, operands, data, len(self._interned))
             self._interned[key] = found
         return found
-
-
-_NONE: frozenset[Formal] = frozenset()
 
 
 def _free(op: Op, operands: tuple[Node, ...], data: Hashable) -> tuple[int, frozenset[Formal]]:

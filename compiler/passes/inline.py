@@ -56,16 +56,17 @@ class _Prices:
     def __init__(self, simplifier: Simplifier) -> None:
         self._simplifier = simplifier
         self._constant = DrawConstants()
-        self._trivial: dict[int, bool] = {}
+        self._costs: dict[Node, int] = {}
+        """Of bodies, with all that they need."""
+        self._outside: dict[Node, frozenset[int]] = {}
+        """What of a body depends on nothing inside it, and so is computed before the call."""
         self._left: dict[tuple[int, tuple[Node | None, ...]], int] = {}
         """By the body and the arguments that are put in."""
 
     def is_worth_calling(self, call: Node) -> bool:
         """Whether a call is better than its body written out."""
         body, *arguments = call.operands
-        if body.id not in self._trivial:
-            self._trivial[body.id] = cost(body) <= TRIVIAL
-        if self._trivial[body.id]:
+        if self._cost(body) <= TRIVIAL:
             return False
         fixed = tuple(a if a in self._constant else None for a in arguments)
         if not any(fixed):
@@ -80,18 +81,28 @@ class _Prices:
             pairs = zip(formals, fixed, strict=True)
             known = {formal: value for formal, value in pairs if value is not None}
             left = self._simplifier.substituted(body, known)
-            outside = {node.id for node in visible((body,)) if not node.variables}
-            self._left[body.id, fixed] = _varying_cost(left, outside)
+            self._left[body.id, fixed] = self._varying_cost(left, self._outside_of(body))
         return self._left[body.id, fixed]
 
+    def _outside_of(self, body: Node) -> frozenset[int]:
+        if body not in self._outside:
+            nodes = visible((body,))
+            self._outside[body] = frozenset(node.id for node in nodes if not node.variables)
+        return self._outside[body]
 
-def _varying_cost(root: Node, outside: Container[int]) -> int:
-    """The cost of what may differ from pixel to pixel, but for what is computed ``outside``."""
-    varying: set[int] = set()
-    price = 0
-    for node in visible((root,)):
-        if node.op in VARYING or any(operand.id in varying for operand in operands_of(node)):
-            varying.add(node.id)
-            own = cost(node.operands[0]) if node.op == "apply" else cost_of(node)
-            price += 0 if node.id in outside else own
-    return price
+    def _cost(self, body: Node) -> int:
+        if body not in self._costs:
+            self._costs[body] = cost(body)
+        return self._costs[body]
+
+    def _varying_cost(self, root: Node, outside: Container[int]) -> int:
+        """The cost of what may differ from pixel to pixel, but for what is computed ``outside``."""
+        varying: set[Node] = set()
+        price = 0
+        for node in visible((root,)):
+            if node.op in VARYING or not varying.isdisjoint(operands_of(node)):
+                varying.add(node)
+                if node.id not in outside:
+                    called = node.op == "apply"
+                    price += self._cost(node.operands[0]) if called else cost_of(node)
+        return price

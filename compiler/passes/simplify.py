@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 
 from ..diagnostics.source import Span
-from ..ir.binding import substitute
 from ..ir.node import HEADS, Formal, Graph, Node, Op
+from ..ir.operations import FORMAL
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -58,9 +58,9 @@ class Simplifier(Builder):
         """The simplest node with the value of this operation."""
         head = HEADS.get(op, data)
         candidates = self._candidates((head, *[operand.head for operand in operands]))
-        for rule, is_swapped in candidates:
+        for rule, is_swapped, closer in candidates:
             site = Site(op, type_, operands[::-1] if is_swapped else operands, data)
-            found = rule.apply(self, site)
+            found = rule.apply(self, site, closer)
             if found is not None:
                 if rule.drops:
                     self.remark(str(data), operands, "dropped")
@@ -69,8 +69,17 @@ class Simplifier(Builder):
 
     def substituted(self, body: Node, replacements: Mapping[Formal, Node]) -> Node:
         """``body`` with formals replaced; all that changes is built in its simplest form."""
-        replaced = substitute(self.graph, body, replacements, self.notes.follow)
-        if replaced is body:
+        used = [formal for formal in replacements if formal in body.variables]
+        if not used:
             return body
-        (simplified,) = rewrite(self.graph, (replaced,), self.rule, self.notes.follow)
+        given = [replacements[formal] for formal in used]
+        values = rewrite(self.graph, given, self.rule, self.notes.follow)
+        simplest = dict(zip(used, values, strict=True))
+
+        def rule(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+            if node.op == "formal":
+                return simplest.get(FORMAL.data(node))
+            return self.rule(graph, node, operands)
+
+        (simplified,) = rewrite(self.graph, (body,), rule, self.notes.follow)
         return simplified

@@ -68,7 +68,7 @@ def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> t
     known = types()
     if word and name in known and type_ not in known:
         instead = f"{word}{type_} : {known[name]}"
-        return f"a type stands behind a colon: write `{instead}`", instead
+        return f"the type follows a colon: write `{instead}`", instead
     if type_ in _SAMPLERS:
         written = "map name : texture2d with { filter = nearest }"
         return f"a sampler belongs to its texture: `{written}`", ""
@@ -86,11 +86,11 @@ def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> t
         here += f"[{row.length}]"
     if is_uniform:
         instead = f"param {name} : {here}"
-        return f"a value from the host is a parameter of a material: `{instead}`", instead
+        return f"a value that the host sets is a parameter of a material: `{instead}`", instead
     may_have_value = not word or MEMBERS[word.rstrip()].has_default
     value = " = …" if row.has_value and may_have_value else ""
     instead = f"{word}{name} : {here}"
-    return f"a type stands behind the name: write `{instead}{value}`", instead
+    return f"the type follows the name: write `{instead}{value}`", instead
 
 
 def _begins_elsewhere(word: str) -> bool:

@@ -53,11 +53,11 @@ _HINTS = {
     "?": "write `if condition then a else b`",
     "=>": "an equation is written `name = expression`",
     ":=": "an equation is written `name = expression`",
-    "..=": "write `..`; the upper bound of a fold is not among its numbers",
+    "..=": "write `..`; a fold leaves out its upper bound",
     "**": "a power is written `pow(x, y)`",
     **dict.fromkeys(
         ("+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="),
-        "nothing changes its value: an equation `name = expression` gives a new name to it",
+        "values do not change: an equation `name = expression` names the new value",
     ),
 }
 
@@ -112,7 +112,7 @@ def _hash(line: str, span: Span, report: Report) -> None:
     if words[0] in ("#elif", "#else", "#endif") and report.failed:
         return
     sign = Span(span.source, span.start, span.start + 1)
-    hint: Hint = fix_it("a remark begins with `//`", (sign, "//"))
+    hint: Hint = fix_it("a comment begins with `//`", (sign, "//"))
     if words[0] != "#":
         hint = _instead_of_directive(line, span)
         report.unread(word.partition("(")[0] for word in words[1:2])
@@ -205,7 +205,7 @@ def _joined_or_counted(span: Span) -> Hint:
     if before and re.match(r" *[\w(\[#.]", text[span.end : span.end + _NEARBY]):
         return fix_it("numbers are added by `+`; arrays are not joined", (span, "+"))
     name = before[0] if before else "x"
-    return f"nothing changes its value: an equation gives a new name to `{name} + 1`"
+    return f"values do not change: an equation gives a new name to `{name} + 1`"
 
 
 def _character(character: str) -> str:

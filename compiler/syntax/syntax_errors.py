@@ -37,7 +37,7 @@ class SyntaxErrors:
 
     def foreign(self, first: Token) -> None:
         """A file of another kind, of which nothing can be read."""
-        hint = f"{FOREIGN_FILES[first.kind]}: a file of Burnish is made of declarations, such as "
+        hint = f"{FOREIGN_FILES[first.kind]}: a Burnish file consists of declarations, such as "
         self._unexpected(first, {"material"}, f"{hint}`material Name {{ … }}`")
 
     def report(self, index: int, chunk: Chunk, expected: set[str], start: int) -> int:
@@ -79,10 +79,10 @@ class SyntaxErrors:
         name, before = self._tokens[index - 1], self._tokens[index - 2]
         if before.kind == ":" and chunk.start + 3 == index - 1 and self._is_record(chunk.start):
             header = " ".join(token.text for token in self._tokens[chunk.start : index - 2])
-            self._unexpected(name, {"{"}, f"the members stand in braces: `{header} {{ … }}`")
+            self._unexpected(name, {"{"}, f"the members need braces: `{header} {{ … }}`")
             return
         over = self._token(index - 3).kind == "NAME" and before.text == "in"
-        hint = "numbers are counted, `sum i in a..b : e`; lights are summed by a `term … per light`"
+        hint = "a fold counts numbers, `sum i in a..b : e`; a `term … per light` sums over lights"
         self._unexpected(name, {"NUMBER", "NAME"}, hint if over else "")
 
     def _is_record(self, index: int) -> bool:
@@ -130,7 +130,7 @@ class SyntaxErrors:
         called, type_ = self._token(index - 3).text, self._token(index - 1).text
         name = types().get(f"{called}{type_[:1]}", called)
         span = self._span(self._token(index - 3)).to(self._span(self._token(index)))
-        return fix_it(f"a call names no types: write `{name}(…)`", (span, name))
+        return fix_it(f"a call does not name types: write `{name}(…)`", (span, name))
 
     def _unexpected(self, found: Token, expected: set[str], hint: Hint = "") -> None:
         words = describe_expected(expected)

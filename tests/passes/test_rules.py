@@ -63,7 +63,7 @@ def applications(rule: Rule) -> Iterator[tuple[Node, Node]]:
         simplifier = Simplifier(sites.graph, Ranges([before]), Notes())
         if not rule.admits(tuple(each.head for each in site.operands)):
             continue
-        after = rule.apply(simplifier, site)
+        after = rule.apply(simplifier, site, rule.closer)
         if after is not None and after is not before:
             yield before, after
 

@@ -111,9 +111,9 @@ TARGET = Target(
 
 SKELETON = """{% extends "skeleton.j2" %}
 {% block interface %}
-{% for title, list in (("given", entry.inputs), ("taken", entry.outputs)) %}
+{% for way, list in (("given", entry.inputs), ("taken", entry.outputs)) %}
 
-struct {{ entry.name }}_{{ title }}
+struct {{ entry.name }}_{{ way }}
 {% for field in list %}
     {{ field.typed }} at {{ field.location }}
 {% endfor %}
@@ -141,6 +141,9 @@ work {{ entry.name }}(
 {% endfor %}
 {% if entry.position %}
     place := {{ entry.position }}
+{% if flip_y %}
+    place.b := -place.b
+{% endif %}
 {% endif %}
 {% for line in entry.discard %}
     {{ line }}

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.targets import registry
 from burnish.targets.emit import emitter, templates
 from burnish.targets.emit.description import Profile
 from burnish.targets.emit.forms import Forms
@@ -48,10 +49,11 @@ def test_jinja_writes_the_same(
     assert texts() == plain
 
 
-@pytest.mark.parametrize("selected", PROFILES, ids=str)
-def test_every_skeleton_is_compiled(selected: Selected, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("name", registry.defaults())
+def test_skeletons_are_compiled(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(templates, "by_jinja", None)
-    renderer.__wrapped__(selected.target.folder / selected.target.template)
+    target = registry.load(name)
+    renderer.__wrapped__(target.folder / target.template)
 
 
 @pytest.mark.parametrize(

@@ -91,8 +91,8 @@ class Pattern:
         """Whether ``node`` looks like this."""
         if not self.admits(node.head):
             return False
-        if self.lane is not None and not _is_lane(uniform_lane(node), self.lane):
-            return False
+        if self.lane is not None:
+            return _is_lane(uniform_lane(node), self.lane)
         pairs = zip(self.parts, node.operands, strict=False)
         return all(part.matches(operand) for part, operand in pairs)
 
@@ -132,7 +132,7 @@ class Rule:
     on: tuple[str, ...]
     """The builtins that it is for, or operations with a dot (``.select``); ``*``: all builtins."""
     pattern: tuple[Pattern, ...] | Pattern
-    """What the operands look like: each of them, or all."""
+    """What the operands look like: each of them, or (told by its head) all."""
     gives: Callable[[Builder, Site], Node | None]
     """The simpler value; ``None`` where it turns out that there is none."""
     when: Callable[[Builder, Site], bool] = always
@@ -160,20 +160,25 @@ class Rule:
             pattern.admits(head) for pattern, head in zip(self.pattern, heads, strict=True)
         )
 
-    def matches(self, operands: tuple[Node, ...]) -> bool:
-        """Whether these operands look like the pattern; ``admits`` their heads."""
+    @property
+    def closer(self) -> tuple[tuple[int, Pattern], ...]:
+        """The operands whose heads alone do not decide, with what they look like."""
         if isinstance(self.pattern, Pattern):
-            return self.pattern.is_told_by_head or all(map(self.pattern.matches, operands))
-        for pattern, operand in zip(self.pattern, operands, strict=True):
-            if not (pattern.is_told_by_head or pattern.matches(operand)):
-                return False
-        return True
+            return ()
+        patterns = enumerate(self.pattern)
+        return tuple((i, pattern) for i, pattern in patterns if not pattern.is_told_by_head)
 
-    def apply(self, builder: Builder, site: Site) -> Node | None:
-        """The simpler value, if the rule has one for an operation; ``admits`` its heads."""
-        if self.matches(site.operands) and self.when(builder, site):
-            return self.gives(builder, site)
-        return None
+    def apply(
+        self, builder: Builder, site: Site, closer: tuple[tuple[int, Pattern], ...]
+    ) -> Node | None:
+        """The simpler value, if the rule has one for an operation.
+
+        The rule ``admits`` the heads of its operands already, ``closer`` is what is left to see.
+        """
+        for position, pattern in closer:
+            if not pattern.matches(site.operands[position]):
+                return None
+        return self.gives(builder, site) if self.when(builder, site) else None
 
 
 # --- words for conditions and results ------------------------------------------------------------
@@ -185,7 +190,7 @@ def uniform_lane(node: Node) -> Number | None:
         return None
     values = constant_lanes(node.type, node.data)
     first: Number = values[0]
-    return first if all(value == first for value in values) else None
+    return first if values.count(first) == len(values) else None
 
 
 def _is_lane(found: Number | None, wanted: Number) -> bool:

@@ -13,7 +13,7 @@ from .arithmetic import ARITHMETIC
 from .bits import BIT_RULES
 from .bounds import BOUNDS
 from .loops import LOOP_RULES
-from .rule import Rule
+from .rule import Pattern, Rule
 from .structure import FOLDING, STRUCTURE
 
 RULES: tuple[Rule, ...] = (
@@ -23,8 +23,8 @@ RULES: tuple[Rule, ...] = (
 MOST_KEPT = 20_000
 """Combinations of heads that are kept; a program has some hundreds."""
 
-Candidate = tuple[Rule, bool]
-"""A rule, and whether it looks at the operands the other way round."""
+Candidate = tuple[Rule, bool, tuple[tuple[int, Pattern], ...]]
+"""A rule, whether it looks at the operands the other way round, and ``Rule.closer``."""
 
 
 class RuleTable:
@@ -50,7 +50,7 @@ class RuleTable:
         for rule in self._on.get(head, ()):
             for is_swapped in rule.orders:
                 if rule.admits(operands[::-1] if is_swapped else operands):
-                    yield rule, is_swapped
+                    yield rule, is_swapped, rule.closer
 
 
 ALL = RuleTable(RULES)
