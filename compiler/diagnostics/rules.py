@@ -32,7 +32,7 @@ NOT_A_FILE = _error(
 UNREADABLE_FILE = _error(
     "B0003",
     "`{path}` cannot be read: {reason}",
-    "The file exists, but the system refuses to hand it out. Check its permissions.",
+    "The file exists, but the system does not allow it to be read. Check its permissions.",
 )
 NOT_TEXT = _error(
     "B0004",
@@ -70,7 +70,7 @@ UNWRITABLE_OUTPUT = _error(
 UNKNOWN_TARGET = _error(
     "B0010",
     "unknown target `{name}`",
-    "`burnish targets` lists the known ones. Several are given separated by commas.",
+    "`burnish targets` lists the known targets. Separate several targets by commas.",
 )
 UNKNOWN_PROFILE = _error(
     "B0011",
@@ -86,7 +86,8 @@ UNKNOWN_EXPORT = _error(
 MISSING_FOLDER = _error(
     "B0013",
     "there is no folder `{path}` to look for imports in",
-    "Check the search path, which are the folders behind `--include`, or `search_path=`.",
+    "The search path consists of the folders that `--include` or `search_path=` names. Check "
+    "their names.",
 )
 
 # --- B01: syntax ---------------------------------------------------------------------------------
@@ -112,7 +113,7 @@ BAD_NUMBER = _error(
     "B0104",
     "`{text}` is not a number",
     "Numbers are written `2`, `7u`, `0xFF`, `0.5`, `1e-3`, angles `30deg` or `0.5rad`. A float "
-    "needs no suffix, and digits follow its point.",
+    "needs no suffix, and there are digits after its point.",
 )
 BAD_COLOR = _error(
     "B0105",
@@ -122,7 +123,7 @@ BAD_COLOR = _error(
 UNFINISHED_TEXT = _error(
     "B0106",
     'this text has no closing `"`',
-    "Quoted texts name files and end on the line they begin on.",
+    "Quoted texts are names of files. They end on the line on which they begin.",
 )
 UNFINISHED_COMMENT = _error(
     "B0107",
@@ -137,12 +138,12 @@ UNCLOSED = _error(
 CHAINED_COMPARISON = _error(
     "B0109",
     "comparisons do not chain",
-    "`a < b < c` would compare a truth value with `c`. Write `a < b and b < c`.",
+    "`a < b < c` would compare a bool with `c`. Write `a < b and b < c`.",
 )
 RESERVED_WORD = _error(
     "B0110",
     "`{word}` is a reserved word and cannot be a name",
-    "Reserved are only: and, else, false, if, mod, not, or, then, true.",
+    "Only these words are reserved: and, else, false, if, mod, not, or, then, true.",
 )
 TOO_NESTED = _error(
     "B0111",
@@ -164,8 +165,8 @@ STRAY_DOC = _warning(
 UNPARENTHESISED = _error(
     "B0114",
     "`{word}` needs parentheses here",
-    "`if`, `sum` and `product` reach as far to the right as they can, so as part of a larger "
-    "expression they stand in parentheses.",
+    "An `if`, a fold such as `sum`, or an `iterate` extends as far to the right as possible. As "
+    "a part of a larger expression it needs parentheses.",
 )
 BAD_NAME = _error(
     "B0115",
@@ -197,14 +198,14 @@ DUPLICATE_NAME = _error(
 CYCLIC_DEFINITION = _error(
     "B0203",
     "`{name}` is defined by itself: {cycle}",
-    "An equation may use any other name, but following the uses must never lead back. Break the "
-    "cycle by giving one of these a value that does not need the others.",
+    "An equation may use any other name, but no name may depend on itself, not even by way of "
+    "other names. Break the cycle: give one of these a value that does not need the others.",
 )
 RECURSIVE_FUNCTION = _error(
     "B0204",
     "`{name}` calls itself: {cycle}",
-    "Every program has to end on every device, so functions do not call themselves. Use `sum` or "
-    "`product` to repeat something a bounded number of times.",
+    "Every program has to end on every device, so functions do not call themselves. To repeat "
+    "something a limited number of times, use a fold such as `sum`, or `iterate`.",
 )
 CYCLIC_INHERITANCE = _error(
     "B0205",
@@ -220,28 +221,30 @@ NO_MATERIAL = _error(
 AMBIGUOUS_NAME = _error(
     "B0207",
     "`{name}` is imported from several files",
-    "Import the one that is meant by name: `import std.lights.{Sun}` decides between two.",
+    "Import the one that you mean by its name: `import std.lights.{Sun}` decides between two.",
 )
 WRONG_BASE = _error(
     "B0208",
     "`{name}` is not a {kind}",
-    "A material extends a material, a light a light, a pass a pass.",
+    "A material extends a material, a light extends a light, and a pass extends a pass.",
 )
 NOT_A_VALUE = _error(
     "B0209",
-    "this is no value by itself",
-    "Functions, terms and structures are called; of `light`, `material` and `inherited` a slot is "
-    "read.",
+    "this is not a value",
+    "Functions, terms and structures are called, as in `f(x)`. Of `light`, `material` and "
+    "`inherited` a slot is read, as in `light.diffuse`.",
 )
 MISSPELT_SLOT = _warning(
     "B0210",
     "nothing reads `{name}`",
-    "A name that no base declares makes a slot of the material's own; nothing outside asks for it.",
+    "A name that no base declares is a new slot of the material. Nothing outside of the material "
+    "reads it, so it has an effect only if another equation of the material uses it.",
 )
 UNUSUAL_GROUP = _warning(
     "B0212",
     "`{name}` is a group of its own",
-    "Parameters belong to frame, view, rig, material, draw, or to a group that you name.",
+    "The groups of parameters are frame, view, rig, material and draw. Any other name makes a "
+    "new group.",
 )
 MISPLACED_MEMBER = _error(
     "B0213",
@@ -251,9 +254,10 @@ MISPLACED_MEMBER = _error(
 )
 UNREADABLE_NAME = _error(
     "B0214",
-    "nothing that is read can be called `{name}`",
-    "In a material, light or pass, `material` is the material that is drawn, and `inherited` what "
-    "the base says. A slot, a constant or a function of such a name would be out of reach there.",
+    "`{name}` cannot be the name of a value",
+    "In a material, light or pass, `material` stands for the material that is drawn, and "
+    "`inherited` for what the base defines. A slot, a constant or a function with one of these "
+    "names could not be read there.",
 )
 
 # --- B03: types ----------------------------------------------------------------------------------
@@ -267,8 +271,8 @@ WRONG_TYPE = _error(
 NO_OVERLOAD = _error(
     "B0302",
     "`{name}` cannot be called with ({arguments})",
-    "Count and types of the arguments have to match one of the candidates, and arguments of one "
-    "type parameter each other.",
+    "The number and the types of the arguments have to match one of the candidates. Arguments "
+    "that share a type parameter need the same type.",
 )
 WRONG_COUNT = _error(
     "B0303",
@@ -283,8 +287,8 @@ NO_MEMBER = _error(
 NO_OPERATOR = _error(
     "B0305",
     "no `{operator}` between {left} and {right}",
-    "Arithmetic takes two operands of one shape, or one of them is a single number, and their "
-    "lanes are of one kind; `and` and `or` take truths.",
+    "Arithmetic needs two operands of the same shape, or one of them a single number, and lanes "
+    "of the same kind. `and` and `or` take bools.",
 )
 OVERRIDE_CHANGES_TYPE = _error(
     "B0306",
@@ -309,7 +313,8 @@ BRANCH_TYPES = _error(
 NOT_INDEXABLE = _error(
     "B0310",
     "{type} has no elements to index",
-    "Vectors, matrices and arrays have; the lanes of a vector are also read as `v.x`.",
+    "Vectors, matrices and arrays have elements. The lanes of a vector can also be read by name, "
+    "as in `v.x`.",
 )
 SPACE_COUNT = _error(
     "B0311",
@@ -324,9 +329,10 @@ NO_RANGE = _error(
 WRONG_MEANING = _error(
     "B0320",
     "expected {expected}, found {found}",
-    "What a value means is part of its type: a point is no vector, a colour no direction, and a "
-    "value in one space none in another. `x in space` converts, `(x as type)` gives another "
-    "meaning to the same numbers, and `vec3(x)` takes them as bare numbers, which fit everywhere.",
+    "What a value means is part of its type: a point is not a vector, a colour is not a "
+    "direction, and a value in one space is not a value in another. `x in space` converts "
+    "between spaces, `(x as type)` gives another meaning to the same numbers, and `vec3(x)` "
+    "takes them as bare numbers, which fit everywhere.",
 )
 MIXED_SPACES = _error(
     "B0321",
@@ -337,51 +343,53 @@ MIXED_SPACES = _error(
 MIXED_MEANINGS = _error(
     "B0322",
     "`{operator}` means nothing between {left} and {right}",
-    "Points differ by vectors, and vectors move points; a sum of two points depends on where the "
-    "origin lies. Colours, angles and geometry do not mix. Calls such as `vec3(x)` or `float(x)` "
-    "take a value as bare numbers.",
+    "The difference of two points is a vector, and a vector moves a point. The sum of two points "
+    "would depend on where the origin lies. Colours, angles and geometry do not mix. Calls such "
+    "as `vec3(x)` or `float(x)` take a value as bare numbers.",
 )
 NOT_OF_A_POINT = _error(
     "B0323",
     "`{operator}` cannot be taken of a {left}",
-    "A point is a place: it has a distance to another point, but no length, and from it to another "
-    "leads a direction, but it has none itself.",
+    "A point is a place. It has a distance from another point, but no length of its own, and "
+    "there is a direction from one point to another, but no direction of a point.",
 )
 NOT_UNIT = _error(
     "B0324",
     "expected {expected}, found {found}, which may not have length one",
     "A `direction` or `normal` that is declared has length one, and formulas rely on that. The "
-    "compiler has to see it: from `normalize`, from another direction, from the numbers "
-    "themselves. Interpolation loses it, since the mean of two directions is shorter.",
+    "compiler has to be able to prove it: the value is the result of `normalize`, another "
+    "direction, or made of numbers that show it. Interpolation does not keep the length, since "
+    "the mean of two directions is shorter.",
 )
 BARE_ANGLE = _error(
     "B0325",
-    "`{text}` is no angle: it lacks a unit",
-    "Angles are written with their unit, `20deg` or `0.35rad`. Only zero needs none.",
+    "`{text}` is not an angle: it has no unit",
+    "Angles are written with their unit, `20deg` or `0.35rad`. Only zero needs no unit.",
 )
 IN_NO_SPACE = _error(
     "B0326",
     "{found} is in no space, so there is nothing to convert",
-    "`x in space` takes points, vectors, directions and normals, whose type says where they are.",
+    "`x in space` takes points, vectors, directions and normals, because their types name the "
+    "space that they are in.",
 )
 NO_CONVERSION = _error(
     "B0327",
-    "nothing leads from {found} into `{space}`",
-    "Values are converted by the slots that are declared as `transform<A, B>` or `basis<A, B>` in "
-    "the record, its surface or the pass. Points need transforms; clip space is for points only, "
-    "and nothing leads back out of it.",
+    "there is no transform from {found} into `{space}`",
+    "Values are converted by slots that are declared as `transform<A, B>` or `basis<A, B>` in "
+    "the record, its surface or the pass. Points need transforms. Only points can be converted "
+    "into clip space, and nothing can be converted out of it.",
 )
 UNTOLD_PARAMETER = _error(
     "B0328",
-    "no argument of `{function}` tells what `{name}` is",
-    "A type parameter stands for something about the arguments, so the type of at least one of "
-    "them has to name it.",
+    "no argument of `{function}` determines `{name}`",
+    "The compiler finds out from the arguments what a type parameter stands for, so the type of "
+    "at least one argument has to name it.",
 )
 TEXTURE_LACKS_READ = _error(
     "B0350",
     "`{type}` has no {read}",
-    "Colours are filtered, depths compared with a reference, whole numbers loaded; texels have "
-    "numbers in all but cubes.",
+    "Colours are filtered, depths are compared with a reference, and whole numbers are loaded. "
+    "Single texels can be loaded from all textures but cubes.",
 )
 NOT_A_LANE = _error(
     "B0351",
@@ -390,15 +398,14 @@ NOT_A_LANE = _error(
 )
 SETTING_WITHOUT_USE = _error(
     "B0352",
-    "`{name}` says nothing about `{type}`",
-    "Cubes do not wrap, only depths are compared, depths are read at level 0, and nothing filters "
-    "whole numbers.",
+    "`{name}` does not apply to `{type}`",
+    "Cubes do not wrap, only depths are compared, depths are read at level 0, and whole numbers "
+    "are not filtered.",
 )
 MEMBER_COUNT = _error(
     "B0380",
     "`{name}` has the members ({members}), found {found}",
-    "A structure is made by calling it with a value for each member, in the order of the "
-    "declaration.",
+    "A structure is made by a call with a value for each member, in the order of the declaration.",
 )
 ELEMENTS_DIFFER = _error(
     "B0381",
@@ -408,42 +415,43 @@ ELEMENTS_DIFFER = _error(
 )
 UNBOUNDED_LOOP = _error(
     "B0382",
-    "nothing says how often this loop turns at most",
-    "Every loop ends, and the compiler has to see when. The ranges of parameters tell, and so do "
-    "`clamp`, `mod` and constants.",
+    "the maximum number of iterations of this loop is not known",
+    "Every loop has to end, and the compiler has to know after how many iterations at most. It "
+    "knows that from constants, from the ranges of parameters, and from `clamp` and `mod`.",
 )
 NO_INITIAL = _error(
     "B0383",
-    "`{word}` of nothing has no value",
-    "There may be no term at all, so say what the result is then: `min i in a..b from x : e`.",
+    "`{word}` of no terms has no value",
+    "The fold may have no terms at all. Say what its result is then: `min i in a..b from x : e`.",
 )
 STATE_CHANGES = _error(
     "B0384",
-    "`{name}` is {before} at the start, and {after} after a turn",
+    "`{name}` is {before} at the start, and {after} after an iteration",
     "A state keeps its type. `iterate x from 1` begins with an `int`, `from 1.0` with a `float`.",
 )
 STATE_TOO_LARGE = _error(
     "B0385",
-    "a state of {count} parts; there can be {most}",
-    "Every part of a state is a variable of the loop. Keep what no turn changes outside of it.",
+    "the state has {count} parts, and {most} are the most that a loop can have",
+    "Every part of a state is a variable of the loop. Compute what does not change outside of "
+    "the loop.",
 )
 READ_IN_LOOP = _error(
     "B0386",
-    "{what} compares neighbouring pixels, which may not turn as often",
-    "Its result is open where neighbours have left the loop. Read with an explicit level, "
-    "or before the loop.",
+    "{what} compares neighbouring pixels, which may have left the loop already",
+    "Its result is undefined where a neighbour has left the loop. Read the texture with an "
+    "explicit level, or before the loop.",
 )
 CROSSING_IN_LOOP = _error(
     "B0387",
-    "what changes from turn to turn cannot cross from the vertices",
-    "Every turn's value would need a varying of its own. That is done for folds of at most 16 "
-    "turns whose bounds are constants; else put `@vertex` around the whole loop.",
+    "a value that changes in a loop cannot be computed at the vertices",
+    "Each iteration would need a varying of its own. That is done for folds of at most 16 "
+    "iterations whose bounds are constants. Otherwise put `@vertex` in front of the whole loop.",
 )
 CROSSING_PER_LIGHT = _error(
     "B0388",
-    "what differs from light to light cannot cross from the vertices one by one",
-    "Put `@vertex` around the call of the term, so that the sum over the lights crosses: "
-    "`@vertex shaded(…)`.",
+    "a value that differs between lights cannot be computed at the vertices for each of them",
+    "Put `@vertex` in front of the call of the term, so that the sum over the lights is "
+    "interpolated: `@vertex shaded(…)`.",
 )
 
 # --- B04: values and meaning ---------------------------------------------------------------------
@@ -461,13 +469,13 @@ NUMBER_TOO_LARGE = _error(
 OUT_OF_RANGE = _error(
     "B0403",
     "{value} is outside of {range}",
-    "The declared range is a promise that the compiler uses to prove guards away; a default or "
-    "override has to keep it.",
+    "The declared range is a promise. The compiler relies on it when it leaves out guards, so a "
+    "default or an override has to keep it.",
 )
 EMPTY_RANGE = _error(
     "B0404",
     "the range {range} is empty",
-    "The lower bound stands first: `0..1`.",
+    "The lower bound comes first: `0..1`.",
 )
 OUT_OF_BOUNDS = _error(
     "B0405",
@@ -476,9 +484,9 @@ OUT_OF_BOUNDS = _error(
 )
 NOT_CONSTANT = _error(
     "B0406",
-    "this has to be known when compiling",
-    "Array lengths, light counts and ranges are part of the shader's text, so they are built from "
-    "literals and constants only.",
+    "this has to be known at compile time",
+    "Array lengths, numbers of lights and ranges are part of the shader's text, so they are "
+    "built from literals and constants only.",
 )
 ABSTRACT_SLOT = _error(
     "B0407",
@@ -489,11 +497,12 @@ ABSTRACT_SLOT = _error(
 ABSTRACT_USE = _error(
     "B0408",
     "`{name}` is abstract and cannot be used itself",
-    "Declare an heir that sets what is missing: `material Mine : Base { … }`.",
+    "Declare a material, light or pass that extends it and sets what is missing: `material Mine "
+    ": Base { … }`.",
 )
 BAD_COUNT = _error(
     "B0409",
-    "{count} is no count of elements",
+    "{count} is not a possible number of elements",
     "Arrays and rig entries hold at least 1 element and at most 4096.",
 )
 FOLD_TOO_LONG = _error(
@@ -504,7 +513,7 @@ FOLD_TOO_LONG = _error(
 ZERO_DIRECTION = _error(
     "B0411",
     "a direction cannot be zero",
-    "A `direction` has length one; defaults are brought to it, and zero has no direction.",
+    "A `direction` has length one. Defaults are normalised, and that is not possible for zero.",
 )
 UNGUARDED = _error(
     "B0412",
@@ -514,7 +523,7 @@ UNGUARDED = _error(
 
 TOO_MUCH_WORK = _error(
     "B0413",
-    "this has to be known when compiling, and takes more than {most} operations",
+    "this has to be known at compile time, and takes more than {most} operations",
     "Array lengths, ranges and defaults are computed by the compiler, loops in them turn by turn. "
     "Use fewer turns, or let the shader compute the value: an equation is not computed when "
     "compiling.",
@@ -530,20 +539,20 @@ MIXIN_AS_BASE = _error(
 NOT_A_MIXIN = _error(
     "B0431",
     "`{name}` is not a mixin for a {kind}",
-    "Only mixins stand behind the `+` of a header, each with records of its own kind: "
+    "Only mixins may follow the `+` of a header, and each has to be for records of this kind: "
     "`mixin Flicker for light { … }`, and `mixin Skinned { … }` for materials.",
 )
 MIXIN_TWICE = _error(
     "B0432",
-    "the mixin `{name}` is in already",
-    "A mixin stands once in the chain of a record and its bases.",
+    "the mixin `{name}` is already included",
+    "A record and its bases include a mixin only once.",
 )
 MIXINS_CLASH = _error(
     "B0433",
     "the mixins `{first}` and `{later}` of `{record}` both declare `{name}`",
-    "What two mixins declare independently of each other would become one thing by chance. One "
-    "that is meant to continue the other's says so by `inherited.name`, and one that only needs it "
-    "by the name and its type, without a value.",
+    "Two mixins that do not know of each other would share a name by chance. A mixin that "
+    "continues the definition of another one uses `inherited.name`. A mixin that only needs the "
+    "value declares the name with its type and without a value.",
 )
 
 # Blocks that the host owns
@@ -576,7 +585,7 @@ EXTERN_NUMBER = _error(
 EXTERN_PLACE_TAKEN = _error(
     "B0444",
     "`{name}` is bound where `{other}` is",
-    "Each block of the host's has a group and binding of its own.",
+    "Each block that the host owns needs a group and a binding of its own.",
 )
 
 # Tools
@@ -590,8 +599,8 @@ NO_LINE_DIRECTIVES = _warning(
 TOO_LARGE_TO_DRAW = _error(
     "B0451",
     "{name} has {count} values to draw, and a picture holds {limit}",
-    "Nobody reads a larger one. `--format dot` and `--format text` have no limit; without `--all` "
-    "there are only the values that have names.",
+    "Nobody reads a larger picture. `--format dot` and `--format text` have no limit; without "
+    "`--all` only values that have names are shown.",
 )
 
 # Structures
@@ -599,8 +608,8 @@ TOO_LARGE_TO_DRAW = _error(
 STRUCT_TOO_LARGE = _error(
     "B0480",
     "`{name}` has more than {parts} parts, or more than {levels} levels of structures",
-    "A structure is taken apart into the numbers, vectors and matrices in it, those of the "
-    "structures in it included.",
+    "The parts of a structure are the numbers, vectors and matrices in it, including those of "
+    "the structures in it.",
 )
 EMPTY_STRUCT = _error(
     "B0481",
@@ -610,9 +619,9 @@ EMPTY_STRUCT = _error(
 
 HOST_NAME_TAKEN = _error(
     "B0490",
-    "a host would set {what} and {other} by one name, `{name}`",
-    "Hosts set parameters, textures, lights, passes' own parameters and members of blocks by name, "
-    "each of a shader's by another. Rename one of the two.",
+    "{what} and {other} would both be called `{name}` by a host",
+    "Every name that a host sets has to be unique within a shader: those of parameters, textures "
+    "and lights, of a pass's own parameters, and of members of blocks. Rename one of the two.",
 )
 
 # --- B05: stages and rates -----------------------------------------------------------------------
@@ -626,14 +635,14 @@ NOT_AT_VERTEX = _error(
     "B0502",
     "{what} is not available at the vertex",
     "Texture reads and derivatives compare neighbouring pixels, and `frag_coord` and "
-    "`front_facing` are a pixel's own. Move them out of `@vertex`, and out of what "
+    "`front_facing` belong to a pixel. Move them out of `@vertex`, and out of what "
     "`clip_position` is computed from.",
 )
 CANNOT_CROSS = _error(
     "B0503",
-    "a {type} cannot cross from the vertex to the fragment stage",
-    "Numbers and vectors of numbers can; let the columns of a matrix cross one by one. A truth "
-    "comes from the mesh as a `uint`.",
+    "a {type} cannot be interpolated from the vertex to the fragment stage",
+    "Numbers and vectors of numbers can be interpolated, and so can the columns of a matrix, one "
+    "by one. A mesh gives a bool as a `uint`.",
 )
 NO_CLIP_POSITION = _error(
     "B0504",
@@ -650,8 +659,8 @@ NO_TARGET = _error(
 
 OUTSIDE_LIGHT = _error(
     "B0601",
-    "`{name}` is known only per light",
-    "`light` means the light being summed over, inside of a `term … per light`. A light reads its "
+    "`{name}` is known only in a `term … per light`",
+    "`light` is the light that is summed over, inside of a `term … per light`. A light reads its "
     "own slots by their names alone.",
     of_absence=True,
 )
@@ -663,7 +672,7 @@ UNKNOWN_LIGHT = _error(
 NO_SUCH_RIG = _error(
     "B0604",
     "which rig is meant? {known}",
-    "A file with one rig uses it by itself; with several, name one: `--rig Studio`.",
+    "If a file has one rig, that is used. If it has several, name one: `--rig Studio`.",
 )
 TERM_WITHOUT_SURFACE = _error(
     "B0605",
@@ -674,23 +683,24 @@ TERM_WITHOUT_SURFACE = _error(
 EMPTY_RIG = _error(
     "B0606",
     "`{name}` is summed over the lights of a rig that has none",
-    "Give the rig a light, or use a term that is not `per light`.",
+    "Add a light to the rig, or use a term that is not `per light`.",
 )
 LIGHT_LACKS_SLOT = _error(
     "B0607",
     "light `{light}` has no `{slot}`",
-    "A `per light` term is applied to every light of the rig, so it reads only what all have.",
+    "A `per light` term is applied to every light of the rig, so it can read only slots that all "
+    "of them have.",
 )
 WITH_NEEDS_TERM = _error(
     "B0608",
-    "`with` replaces slots for a term",
-    "Write it behind the call of a term: `name(k) with { normal = coat }`.",
+    "`with` replaces the slots that a term reads",
+    "Write it after the call of a term: `name(k) with { normal = coat }`.",
 )
 NO_ARRAY_OF = _error(
     "B0609",
     "there can be no array of `{light}`",
-    "An array of lights keeps their parameters in one uniform array: the light needs at least one "
-    "parameter, and textures cannot be elements.",
+    "The parameters of an array of lights are kept in one uniform array. So the light needs at "
+    "least one parameter, and it cannot have textures.",
 )
 
 # --- B07: targets --------------------------------------------------------------------------------
@@ -714,13 +724,12 @@ REJECTED = _error(
 DOUBTED = _warning(
     "B0704",
     "{checker} about `{file}`: {text}",
-    "The text was accepted, but this compiler has something to say about it.",
+    "The text was accepted, but with this remark.",
 )
 TOOL_BROKE = _error(
     "B0705",
-    "{checker} has no answer on `{file}`: {reason}",
-    "The tool crashed or ran out of time, which is the tool's fault and leaves the shader "
-    "unchecked.",
+    "{checker} gives no answer about `{file}`: {reason}",
+    "The tool crashed or took too long. That is the tool's fault. The shader has not been checked.",
 )
 TOOL_MISSING = _error(
     "B0706",

@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from .node import Formal, Graph, Node, binders, bodies_of
 from .operations import BOUND, FORMAL
+from .types import Type
 
 Moved = Callable[[Node, Node], None]
 """Told of every node that was rebuilt: ``(old, new)``."""
@@ -57,15 +58,15 @@ def open_body(
 
 def freed(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     """The roots with formals for the bound variables of binders further out, the same in all."""
-    variables: dict[int, Node] = {}
+    variables: dict[tuple[int, Type], Node] = {}
 
     def leaf(node: Node, depth: int) -> Node | None:
         if node.op != "bound" or BOUND.data(node) < depth:
             return None
-        position = BOUND.data(node) - depth
-        if position not in variables:
-            variables[position] = graph.node("formal", node.type, (), Formal(str(position)))
-        return variables[position]
+        key = position, _ = BOUND.data(node) - depth, node.type
+        if key not in variables:
+            variables[key] = graph.node("formal", node.type, (), Formal(str(position)))
+        return variables[key]
 
     return [
         _transform(graph, root, leaf, lambda node, depth: node.free >> depth != 0, None)

@@ -1,4 +1,7 @@
-"""The edit that is probably wanted where a text cannot be read."""
+"""Hints for syntax errors: what was probably meant, and where possible the edit that writes it.
+
+``SyntaxErrors`` asks here after it has decided which token is wrong.
+"""
 
 from __future__ import annotations
 
@@ -16,47 +19,47 @@ from .lalr_tables import END
 from .outline import Outline
 from .tokens import RESERVED, Token
 
-_IF = "every `if` is a value and has both sides: `if condition then a else b`"
-_CHOICE = "there are no statements: `name = if condition then a else b` chooses a value"
+_IF = "every `if` needs both branches: `if condition then a else b`"
+_CHOICE = "there are no statements: choose a value by `name = if condition then a else b`"
 _FOLD = "`{0} i in a..b : e` repeats, or `{0} i in a..b up to 16 : e`"
 _ITERATE = "`iterate x from start up to n while condition : next` repeats"
 _VECTOR = "a vector is written `vec3(x, y, z)`, an array `[a, b]`"
 _PLACES = (
-    "places are not written: the compiler assigns them, and the reflection names them; "
-    "`extern block` is for those of the host's"
+    "the compiler assigns bindings, and the reflection lists them: remove this; "
+    "only an `extern block` has bindings of its own"
 )
 _OPENED_BY = {")": "(", "]": "[", "}": "{"}
 _MARKS: Mapping[str, str] = MappingProxyType(
-    {"@": _PLACES, "[": "nothing is said in brackets: how loops and stages are made is not written"}
+    {"@": _PLACES, "[": "attributes such as `[unroll]` do not exist: remove this"}
 )
-"""By the mark that begins an attribute elsewhere."""
+"""Hints about attributes of other languages, by the mark that they begin with."""
 _CONVERSIONS = frozenset(("float", "int", "uint", "bool"))
 
 STATEMENTS: Mapping[str, str] = MappingProxyType({"if": _CHOICE, "else": _CHOICE, "then": _IF})
-"""What there is in place of a statement, by a reserved word that it begins with."""
+"""What to write instead of a statement, by the reserved word that it begins with."""
 
 _FOUND: Mapping[str, str] = MappingProxyType(
     {
-        "as": "another meaning is given in parentheses: `(x as type)`",
+        "as": "`as` stands in parentheses: `(x as type)`",
         "{": f"{_VECTOR}, a structure `Name(a, b)`",
-        "STRING": "quoted texts are for imports; a colour is written `#ff0000`",
+        "STRING": "quoted texts are only used in imports; a colour is written `#ff0000`",
     }
 )
-"""By the token that is found where an expression or an operator could be."""
+"""Hints by the token that stands where an expression or an operator was expected."""
 
 
 _BRACKETS = {"(": ")", "[": "]"}
 
 
 def elsewhere(word: str) -> str:
-    """What there is in place of a statement or declaration that begins with ``word`` elsewhere."""
+    """What to write instead of a statement of another language that begins with ``word``."""
     from ...stdlib.builtins.elsewhere import KEYWORDS
 
     return KEYWORDS.get(word, "")
 
 
 def _called(word: str) -> str:
-    """What there is for a function that is called elsewhere for what it does."""
+    """What to write instead of a function that other languages call for its effect."""
     from ...stdlib.builtins.elsewhere import FUNCTIONS
 
     instead = FUNCTIONS.get(word)
@@ -64,7 +67,7 @@ def _called(word: str) -> str:
 
 
 class Advice:
-    """Looks at the tokens around a mistake."""
+    """Finds hints by looking at the tokens around a mistake."""
 
     def __init__(self, outline: Outline, source: Source) -> None:
         self._outline = outline
@@ -72,7 +75,7 @@ class Advice:
         self._tokens = outline.tokens
 
     def at(self, index: int, expected: set[str], start: int, begin: int) -> Hint:
-        """What to do about the token at ``index``; empty where the rule's help is as good.
+        """The hint for the token at ``index``; empty if the rule's own help is as good.
 
         What cannot be read starts at ``start``, and the declaration around it at ``begin``.
         """
@@ -91,7 +94,7 @@ class Advice:
         return next((hint for way in ways if (hint := way())), "")
 
     def misspelt(self, index: int, expected: set[str], start: int, begin: int) -> str:
-        """The word that the token in front of ``index`` was to be, where that begins something."""
+        """The word of a declaration or member that is misspelt before ``index``, if one is."""
         previous = self._token(index - 1)
         is_word = previous.kind == "NAME" and self._token(index).kind == "NAME"
         if not is_word or "=" not in expected or index - 1 != start:
@@ -128,36 +131,38 @@ class Advice:
         if kinds != ["NUMBER", ",", "NUMBER"] or found.start != before.end + 1:
             return ""
         number = f"{before.text}.{found.text}"
-        return self._replace(f"decimals follow a point: `{number}`", index - 2, index, number)
+        return self._replace(
+            f"the decimal separator is a point: `{number}`", index - 2, index, number
+        )
 
     def _of_marks(self, index: int, expected: set[str]) -> Hint:
-        """About marks that are one too many, or the wrong ones."""
+        """About punctuation that is wrong or superfluous."""
         found, previous = self._token(index), self._token(index - 1)
         begins = may_begin_member(expected) or may_begin_declaration(expected)
         if found.kind in _OPENED_BY and begins and found.kind not in expected:
             return self._without(f"no `{_OPENED_BY[found.kind]}` is open here", index, index + 1)
         at_start = self._outline.begins_line(index) or previous.kind in ("{", ";", ",")
         if found.kind == "=" and begins and at_start:
-            return "a name stands in front: `name = expression`"
+            return "an equation begins with a name: `name = expression`"
         if found.text in MEMBERS and may_begin_declaration(expected):
             return _placed(found.text)
         if found.kind == "," == previous.kind and "NUMBER" in expected:
-            return "between these commas an argument is missing"
+            return "an argument is missing between these commas"
         if found.kind == ";" and {",", ")"} <= expected:
-            return self._replace("arguments are parted by commas", index, index, ",")
+            return self._replace("arguments are separated by commas", index, index, ",")
         if found.kind in ("NAME", "NUMBER", "COLOR") and expected & {")", "]"} and "+" in expected:
             return self._of_missing_mark(index)
         return ""
 
     def _of_missing_mark(self, index: int) -> str:
-        """About a value directly behind another, unless a word of another language is between."""
+        """About a value directly after another one."""
         found = self._token(index)
         if self._is_cast(index) or elsewhere(found.text) or found.text in ("as", "while"):
             return ""
-        return f"a comma or an operator is missing in front of `{found.text}`"
+        return f"a comma or an operator is missing before `{found.text}`"
 
     def _of_header(self, index: int, expected: set[str]) -> Hint:
-        """About what stands behind the name of a material, light or pass."""
+        """About what follows the name of a material, light or pass."""
         found, previous, following = (self._token(index + step) for step in (0, -1, 1))
         if "blend" not in expected or "{" not in expected:
             return ""
@@ -175,20 +180,20 @@ class Advice:
                 first = start if word in MEMBERS and index - start < 4 else index - 1
                 return rewritten(self._row(first), in_body=start != begin)
             if found.kind == ",":
-                return "each name has a declaration of its own"
+                return "each name needs a declaration of its own"
             if found.kind == ">":
                 name = f"{previous.text}: floats"
-                said = f"a type parameter names its family: `{name}`"
+                said = f"a type parameter needs a family of types: `{name}`"
                 return self._replace(said, index - 1, index - 1, name)
             if found.kind == "=" and within == "rig":
                 entry = f"{previous.text} : {following.text}"
-                said = f"the kind of a light stands behind `:`: `{entry}`"
+                said = f"the kind of a light follows `:`: `{entry}`"
                 return self._replace(said, index, index, ":")
         if expected == {"="} and found.kind == ":":
-            said = f"a value stands behind `=`: `{previous.text} = …`"
+            said = f"a value follows `=`: `{previous.text} = …`"
             return self._replace(said, index, index, "=")
         if found.kind == "=" and within == "struct":
-            return "members of a structure have no values of their own"
+            return "members of a structure have no default values"
         if found.kind == ":" and word in MEMBERS and "per" in expected:
             return self._without(_PLACES, index, self._behind_brackets(index + 2))
         if found.kind == "NUMBER" and expected == {">", "NAME"}:
@@ -228,18 +233,18 @@ class Advice:
         if found.text in ("in", "{") and (hint := elsewhere(before.text)):
             return hint
         if found.kind == "," and "=" in expected:
-            return "each name has an equation of its own"
+            return "each name needs an equation of its own"
         if found.kind in (".", "(") and self._follows_value(index - 1):
-            return f"an operator is missing in front of `{previous.text}`"
+            return f"an operator is missing before `{previous.text}`"
         if found.kind in (".", "[") and previous.kind == "NAME":
             return (
-                "nothing is changed part by part: an equation gives the whole value, "
+                "values are not changed in parts: an equation gives the whole value, "
                 f"`{previous.text} = …`"
             )
         if found.kind == "(" and before.text == "vertex":
-            return "what is computed at the vertices is `@vertex e`"
+            return "write `@vertex e` to compute `e` at the vertices"
         if previous.kind == "NAME" and previous.text in DECLARATIONS and not outside:
-            return f"`{previous.text}` stands outside of other declarations"
+            return f"`{previous.text}` belongs at the top level of a file"
         if previous.kind != "NAME" or self._outline.begins_line(index):
             return ""
         return self._dashed(index) or self._of_two_words(index, start, outside)
@@ -276,14 +281,16 @@ class Advice:
         found, previous = self._token(index), self._token(index - 1)
         if found.kind == "(":
             if self._token(index + 1).kind == "STRING":
-                return f"a value from the host is a parameter: `param {previous.text} : type`"
-            effect = "nothing is called for its effect: `name = f(x)`" if index - 1 == start else ""
+                return f"a value that the host sets is a parameter: `param {previous.text} : type`"
+            effect = (
+                "a call is always part of an equation: `name = f(x)`" if index - 1 == start else ""
+            )
             return _called(previous.text) or effect
         if outside and previous.text in MEMBERS:
             return _placed(previous.text)
         row = self._row(index - 1)
         if previous.text == "as":
-            said = "what is imported keeps its name"
+            said = "an import has no `as`: the name stays as it is"
             return self._without(said, index - 1, index + 1) if found.kind == "NAME" else said
         if self._token(index + len(row.words) - 1).kind == "(":
             return DECLARATIONS["fn"]
@@ -319,11 +326,11 @@ class Advice:
         if ".." in expected:
             return "a range is written `low..high`"
         if found.kind == "..":
-            return "numbers in a row stand in `sum i in a..b : e`, and in the range of a parameter"
+            return "`..` is used in folds, `sum i in a..b : e`, and in the range of a parameter"
         if hint := self._of_loop(index, expected) or self._of_argument(index, expected):
             return hint
         if found.kind == "]" and previous.kind == "[":
-            return "the length is written: `float[4]`"
+            return "write the length: `float[4]`"
         if found.kind == "," and "as" in expected:
             return _VECTOR
         if self._is_cast(index):
@@ -340,16 +347,16 @@ class Advice:
         if found.kind == "NAME" and previous.text in FOLDS:
             return _FOLD.format(previous.text)
         if ":" in expected and "from" in expected and found.kind == "{":
-            return f"what is repeated stands behind a colon: {_FOLD.format('sum')}"
+            return f"the body of a loop follows a colon: {_FOLD.format('sum')}"
         return ""
 
     def _of_argument(self, index: int, expected: set[str]) -> str:
         """About arguments that are given by name."""
         found = self._token(index)
         if found.kind == "=" and expected & {")", "+"}:
-            return "arguments are given by their position, without names or defaults"
+            return "arguments are given by position, without names and without defaults"
         if found.kind == ":" and "," in expected and ")" in expected:
-            return "arguments are given by their position, without names"
+            return "arguments are given by position, without names"
         return ""
 
     def _of_cast(self, index: int) -> Hint:
@@ -390,12 +397,14 @@ class Advice:
         """About what stands where only a name can: a type, a space, what a texture is at first."""
         found, previous, before = (self._token(index - back) for back in range(3))
         if found.kind == "STRING" and member == "map":
-            return "the host binds the picture; until then a texture is `white`, `black` …"
+            return "the host binds the picture; the default is a colour such as `white` or `black`"
         if previous.text == "in" and member != "param":
-            return "spaces are named, `x in world`; a fold is `sum i in a..b : e`"
+            return (
+                "`in` needs the name of a space, as in `x in world`; a fold is `sum i in a..b : e`"
+            )
         is_value = found.kind in ("COLOR", "NUMBER", "(", "-", "[", "true", "false")
         if is_value and previous.kind == ":" and before.text == member:
-            said = f"a value stands behind `=`: `{before.text} = …`"
+            said = f"a value follows `=`: `{before.text} = …`"
             return self._replace(said, index - 1, index - 1, "=")
         return ""
 
@@ -403,9 +412,9 @@ class Advice:
         """About a reserved word where a value begins or goes on."""
         found = self._token(index)
         if found.kind == "mod" and self._token(index + 1).kind == "(":
-            return "the remainder stands between its operands: `x mod y`"
+            return "`mod` stands between its operands: `x mod y`"
         if found.kind == "if" and "+" in expected:
-            return "the condition stands in front: `if condition then a else b`"
+            return "the condition comes first: `if condition then a else b`"
         return f"`{found.text}` is a reserved word" if "NUMBER" in expected else ""
 
     def _is_cast(self, index: int) -> bool:

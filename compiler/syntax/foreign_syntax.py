@@ -1,4 +1,7 @@
-"""Declarations as other languages write them, type first, and how they are written here."""
+"""Declarations as other languages write them, type first, and how Burnish writes them.
+
+``advice.py`` asks here for hints about names in a row, such as ``const vec3 tint``.
+"""
 
 from __future__ import annotations
 
@@ -17,14 +20,14 @@ _QUALIFIERS = _DECLARATORS | frozenset(
         "inout", "uniform", "varying", "public", "private", "pub", "export", "extern", "readonly",
     )
 )  # fmt: skip
-"""What stands in front of a type, or in the place of one, elsewhere."""
+"""Words that other languages write before a type, or instead of one."""
 _SAMPLERS = frozenset(("SamplerState", "SamplerComparisonState", "sampler_comparison"))
 _WORDS_OF_MEMBERS = frozenset(word for word, kind in MEMBERS.items() if kind.is_named)
-"""What stands in front of a member that has a name, here and elsewhere."""
+"""The words of members that have a name."""
 
 
 def types() -> Mapping[str, str]:
-    """Types by what they are called, here and elsewhere."""
+    """The names of types here, by their names here and in other languages."""
     from ...stdlib.builtins.elsewhere import TYPES
 
     here = dict.fromkeys(("float", "int", "uint", "bool", "angle", *TYPES.values()))
@@ -32,11 +35,11 @@ def types() -> Mapping[str, str]:
 
 
 class Row(NamedTuple):
-    """Names that stand in a row, with what follows them on the line."""
+    """Several names in a row, with what follows them on the line."""
 
     words: Sequence[str]
     length: str
-    """What stands in brackets behind them: the length of an array."""
+    """The number in brackets after them, which is the length of an array; may be empty."""
     has_value: bool
     span: Span
     """Of the names and the brackets."""
@@ -68,7 +71,7 @@ def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> t
     known = types()
     if word and name in known and type_ not in known:
         instead = f"{word}{type_} : {known[name]}"
-        return f"a type stands behind a colon: write `{instead}`", instead
+        return f"the type follows a colon: write `{instead}`", instead
     if type_ in _SAMPLERS:
         written = "map name : texture2d with { filter = nearest }"
         return f"a sampler belongs to its texture: `{written}`", ""
@@ -86,11 +89,11 @@ def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> t
         here += f"[{row.length}]"
     if is_uniform:
         instead = f"param {name} : {here}"
-        return f"a value from the host is a parameter of a material: `{instead}`", instead
+        return f"a value that the host sets is a parameter of a material: `{instead}`", instead
     may_have_value = not word or MEMBERS[word.rstrip()].has_default
     value = " = …" if row.has_value and may_have_value else ""
     instead = f"{word}{name} : {here}"
-    return f"a type stands behind the name: write `{instead}{value}`", instead
+    return f"the type follows the name: write `{instead}{value}`", instead
 
 
 def _begins_elsewhere(word: str) -> bool:

@@ -11,12 +11,12 @@ from typing import get_args
 
 from .ast import FoldWord
 
-_RECORD = "a {} is `{} Name : Base + Mixin {{ … }}`, where base and mixins may be left out"
+_RECORD = "a {} is `{} Name : Base + Mixin {{ … }}`, where the base and the mixins are optional"
 
 DECLARATIONS: Mapping[str, str] = MappingProxyType(
     {
         **{kind: _RECORD.format(kind, kind) for kind in ("material", "light")},
-        "pass": "a pass is `pass Name : Base blend mode { … }`; base and mode may be left out",
+        "pass": "a pass is `pass Name : Base blend mode { … }`; the base and the mode are optional",
         "abstract": "a material for others to complete is `abstract material Name : Base { … }`",
         "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, or `… for pass`",
         "fn": "a function is `fn name(x: float, y: vec3) -> float = expression`, or, with names "
@@ -25,21 +25,24 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
         "parts of it, `term name(k: rgb) per light = k * part where { part = expression }`",
         "rig": "a rig is `rig Name { one : Kind  four : Kind[4] { slot = value } }`",
         "struct": "a structure is `struct Name { member : type, … }`",
-        "extern": "a block of the host's is "
+        "extern": "a block that the host owns is "
         "`extern block Name per frame at group 0, binding 3 { member : type at 16 }`",
         "space": "a space is `space name`",
-        "import": "a file is imported by `import folder.file`, `import folder.file.{name}` or "
+        "import": "imports are `import folder.file`, `import folder.file.{name}` or "
         '`import "folder/file.burnish"`',
     }
 )
-"""By the word that a declaration begins with."""
+"""How each declaration is written, by the word that it begins with."""
 
 FOLDS: Mapping[str, str] = MappingProxyType(
     {**dict.fromkeys(get_args(FoldWord), "in"), "iterate": "from"}
 )
-"""Words that begin a fold, and what follows the name behind them; else they are names."""
+"""Words that begin a fold, each with the word that follows the variable after it.
+
+Without that, as in ``sum * 2``, they are names.
+"""
 
 FOREIGN_FILES: Mapping[str, str] = MappingProxyType(
     {"<": "this looks like XML", "{": "this looks like JSON"}
 )
-"""Files of other kinds, by the mark that they begin with, as no declaration does."""
+"""Other kinds of files, by their first character, with which no declaration begins."""

@@ -288,7 +288,7 @@ METHODS: Mapping[str, str] = MappingProxyType(
 )
 """Texture methods of other languages, and how to read such a texture here."""
 
-_HOST = "a value from the host is a parameter: `param name : type`"
+_HOST = "a value that the host sets is a parameter: `param name : type`"
 _LOOP = "there are no statements; `sum i in 0..n : e` and `iterate` repeat"
 
 KEYWORDS: Mapping[str, str] = MappingProxyType(
@@ -302,7 +302,7 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(
             ("switch", "match", "case"), "there are no statements; `if c then a else b` chooses"
         ),
-        "layout": "a block of the host's is `extern block Name at group 0, binding 3 { … }`",
+        "layout": "a block that the host owns is `extern block Name at group 0, binding 3 { … }`",
         "precision": "numbers have 32 bits; nothing has to be said of precision",
         "lambda": "a function is declared outside: `fn name(x: float) = x * x`",
         **dict.fromkeys(
@@ -310,7 +310,7 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         ),
         "is": "equality is `==`",
         **dict.fromkeys(("edition", "version"), "the edition is named by `burnish 1`"),
-        "discard": "a pass says `discard when condition`",
+        "discard": "a pass discards pixels by `discard when condition`",
         "sampler": "a texture is `map name : texture2d`",
         **dict.fromkeys(
             ("def", "func", "function", "sub", "proc"),

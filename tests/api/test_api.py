@@ -75,7 +75,9 @@ def test_lights_and_parameters_do_not_share_a_name() -> None:
         "material A { param lamps : float = 1  color = lambert(vec3(lamps)) }\n"
         "rig R { lamps : Point[2] }\n"
     )
-    with pytest.raises(burnish.CompileError, match="a light and a parameter by one name, `lamps`"):
+    with pytest.raises(
+        burnish.CompileError, match="a light and a parameter would both be called `lamps`"
+    ):
         burnish.compile(source)
 
 

@@ -80,7 +80,7 @@ def test_what_is_written_instead_compiles() -> None:
         ("a = gl_FragCoord.x", "it is `frag_coord` here"),
         ("return color", "a function is one expression"),
         ("static const = 1", "an equation is `name = expression`"),
-        ("uniform float x", "a value from the host is a parameter"),
+        ("uniform float x", "a value that the host sets is a parameter"),
         ("color = vec3(a < b ? a : b)", "`if condition then a else b`"),
     ],
 )

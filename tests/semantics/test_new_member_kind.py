@@ -178,7 +178,7 @@ def material(members: str) -> str:
         (
             material("knob a : float"),
             "error[B0101]: expected `=`, found `:`",
-            "a value stands behind `=`: `a = …`",
+            "a value follows `=`: `a = …`",
         ),
         (material("knob a = 1\nknob a = 2"), "error[B0202]: `a` is declared twice", ""),
         (material("b = vec3(1 +\nknob a = 2"), "error[B0108]: this `(` is never closed", ""),

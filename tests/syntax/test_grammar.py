@@ -54,7 +54,9 @@ def test_members_open_as_the_table_says(kind: MemberKind) -> None:
 
 def test_reserved_words_are_words_of_the_grammar() -> None:
     assert load_tables().literals >= RESERVED
-    assert rules.RESERVED_WORD.help == f"Reserved are only: {', '.join(sorted(RESERVED))}."
+    assert (
+        rules.RESERVED_WORD.help == f"Only these words are reserved: {', '.join(sorted(RESERVED))}."
+    )
 
 
 def test_lark_is_not_needed_once_the_tables_are_cached(

@@ -183,7 +183,7 @@ class Records:
             self._twice.add(again.span)
             self._report.add(
                 rules.MIXIN_TWICE, again.span, name=again.text,
-                labels=[Label(first.span, "it is in already by this")],
+                labels=[Label(first.span, "already included here")],
             )  # fmt: skip
 
     def _mixin(self, symbol: Symbol, kind: str, name: ast.Name) -> Symbol | None:

@@ -7,6 +7,7 @@ bodies of functions that are too large in this sense evaluated once for many cal
 from __future__ import annotations
 
 from collections import Counter
+from functools import lru_cache
 
 from ...syntax import ast
 from ..names.modules import Symbol
@@ -40,6 +41,17 @@ def _calls(symbol: Symbol) -> Counter[Symbol]:
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     found: Counter[Symbol] = Counter()
+    for name, count in _called_names(function):
+        for known in symbol.module.known(name):
+            if isinstance(known.declaration, ast.Function):
+                found[known] += count
+    return found
+
+
+@lru_cache(maxsize=1024)
+def _called_names(function: ast.Function) -> tuple[tuple[str, int], ...]:
+    """The names that are called in a body; syntax trees of the library stay the same."""
+    found: Counter[str] = Counter()
     waiting: list[object] = [function.body, *(part.value for part in function.parts)]
     while waiting:
         part = waiting.pop()
@@ -48,6 +60,5 @@ def _calls(symbol: Symbol) -> Counter[Symbol]:
         elif isinstance(part, ast.Expression | ast.Turns):
             waiting.extend(getattr(part, field) for field in type(part).__match_args__)
             if isinstance(part, ast.Call) and isinstance(part.callee, ast.Reference):
-                symbols = symbol.module.known(part.callee.name)
-                found.update(s for s in symbols if isinstance(s.declaration, ast.Function))
-    return found
+                found[part.callee.name] += 1
+    return tuple(found.items())

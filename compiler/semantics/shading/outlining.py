@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from itertools import islice
 from typing import TypeAlias
 
 from ....frozen import record
@@ -136,26 +137,26 @@ class _Sharing:
             group: close(self._graph, body, group.formals)
             for group, body in zip(groups, self._plain([g.body for g in groups]), strict=True)
         }
-        flat = self._plain([operand for mark in marks for operand in mark.operands])
-        start = 0
-        for mark in marks:
-            end = start + len(mark.operands)
-            group = self._group(mark)
-            if group is not None and self._agrees(group, bodies[group], flat[start:end]):
+        groups_of = [self._group(mark) for mark in marks]
+        called = [(mark, group) for mark, group in zip(marks, groups_of, strict=True) if group]
+        flat = self._plain([operand for mark, _ in called for operand in mark.operands])
+        plain = iter(freed(self._graph, flat))
+        values, opened = [], []
+        for mark, group in called:
+            value, *arguments = islice(plain, len(mark.operands))
+            values.append(value)
+            varying = group.varying(tuple(arguments))
+            opened.append(open_body(self._graph, bodies[group], varying))
+        # Where a call's value is what the body is for its arguments, the body serves the call.
+        for (mark, group), value, body in zip(called, values, self._plain(opened), strict=True):
+            if body is value:
                 self._group_of[mark.id] = group
-            start = end
 
     def _group(self, mark: Node) -> _Group | None:
         assert isinstance(mark.data, Callee)
         nothing: Fixed = (None,) * len(mark.operands[1:])
         whole = self._groups.get((mark.data, nothing))
         return whole or self._groups.get((mark.data, _constants(mark)))
-
-    def _agrees(self, group: _Group, body: Node, plain: list[Node]) -> bool:
-        """Whether a call's value is what the body is for its arguments."""
-        value, *arguments = freed(self._graph, plain)
-        opened = open_body(self._graph, body, group.varying(tuple(arguments)))
-        return self._plain([opened])[0] is value
 
     def _plain(self, roots: list[Node]) -> list[Node]:
         """The roots without marks, with members of what was put together as what was put there."""

@@ -196,8 +196,8 @@ KINDS: tuple[MemberKind, ...] = (
         records=RECORD_KINDS,
         inheritance="overridden",
         contribution="parameter",
-        form="a parameter is `param name : type in low..high per group = default`, where all "
-        "behind the type may be left out",
+        form="a parameter is `param name : type in low..high per group = default`, where "
+        "everything after the type is optional",
         doc="a value that the host sets",
         has_default=True,
     ),
@@ -210,7 +210,7 @@ KINDS: tuple[MemberKind, ...] = (
         inheritance="overridden",
         contribution="resource",
         form="a texture is `map name : texture2d per group = white with { filter = nearest }`, "
-        "where all behind the type may be left out",
+        "where everything after the type is optional",
         doc="a texture that the host binds, with its sampler",
         has_default=True,
     ),
@@ -222,8 +222,8 @@ KINDS: tuple[MemberKind, ...] = (
         records=("material", "pass"),
         inheritance="overridden",
         contribution="attribute",
-        form="what a mesh brings along is `attribute name : type` or "
-        "`attribute name : type per instance`, and has no default",
+        form="a vertex input is `attribute name : type` or "
+        "`attribute name : type per instance`; it has no default",
         doc="an input of the vertices, from the mesh",
     ),
     MemberKind(
@@ -248,7 +248,7 @@ KINDS: tuple[MemberKind, ...] = (
         inheritance="replaced",
         contribution="result",
         form="a target is `target name : format = expression blend mode`, where the blending "
-        "may be left out",
+        "is optional",
         doc="what a pass writes to one render target",
         has_default=True,
     ),
@@ -260,7 +260,7 @@ KINDS: tuple[MemberKind, ...] = (
         records=("pass",),
         inheritance="gathered",
         contribution="result",
-        form="a pass says `discard when condition`",
+        form="a pass discards pixels by `discard when condition`",
         doc="where a pass writes nothing",
     ),
 )
