@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from burnish.frozen import changed
+from burnish.stdlib.builtins.row import everywhere
 from burnish.targets import registry
 from burnish.targets.conformance.rows import Status
 from burnish.targets.emit import templates
@@ -69,6 +70,19 @@ def target(language: str, change: Callable[[Target], Target]) -> Plant:
 def spelling(language: str, builtin: str, text: str | Spelling) -> Plant:
     """Give a builtin a wrong name or template."""
     return target(language, lambda t: changed(t, natives={**t.natives, builtin: text}))
+
+
+def promised(language: str, builtin: str) -> Plant:
+    """Have all profiles of a language promise a builtin's meaning for all operands."""
+
+    def change(whole: Target) -> Target:
+        profiles = (
+            changed(profile, agrees={**profile.agrees, builtin: everywhere})
+            for profile in whole.profiles
+        )
+        return changed(whole, profiles=tuple(profiles))
+
+    return target(language, change)
 
 
 def form(language: str, **forms: Any) -> Plant:
