@@ -1,5 +1,5 @@
-# Everything that is done with a checkout. Both `make demo` and `make test` set up what they need in
-# .venv and in the user's cache folder; PYTHON says which Python makes the environment.
+# All tasks for a checkout. `make demo` and `make test` install what they need in .venv and in the
+# user's cache folder; PYTHON names the Python that makes the environment.
 
 PYTHON ?= $(shell command -v python3.11 || command -v python3 || echo python3)
 VENV := .venv
@@ -10,7 +10,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 .DELETE_ON_ERROR:
 .PHONY: help demo test lint bench tools clean
 
-help: ## Say what there is to make
+help: ## List everything that make can do
 	@sed -n 's/^\([a-z]*\):.*## /make \1\t/p' $(MAKEFILE_LIST) | expand -t 14
 
 demo: $(VENV)/installed ## Compile examples/plastic.burnish for all backends into build/, and draw it
@@ -32,13 +32,13 @@ lint: $(VENV)/dev build/mypy/burnish ## Check style and types
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
-bench: tools ## Measure: a table, and build/bench.json
+bench: tools ## Measure; prints tables and writes build/bench.json
 	$(BIN)/python -m tests.bench
 
 tools: $(VENV)/dev ## Install the downstream compilers, the drivers and the browser
 	$(BIN)/python -m burnish.targets.toolchain.install
 
-clean: ## Remove everything that was made in the checkout
+clean: ## Remove everything that make has created in the checkout
 	rm -rf $(VENV) build dist *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
@@ -53,7 +53,7 @@ $(VENV)/dev: $(VENV)/installed
 	$(PIP) install --editable '.[dev]'
 	@touch $@
 
-# The checkout under its name as a package, whatever its folder is called, for mypy.
+# The checkout as a package called burnish, whatever its folder is called, for mypy.
 build/mypy/burnish:
 	mkdir -p build/mypy
 	ln -s ../.. $@
