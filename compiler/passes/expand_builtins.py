@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
+from ..expansion_templates import Template, template
 from ..ir import build
 from ..ir.node import Formal, Formals, Graph, Node, reachable
 from ..ir.operations import CALL
@@ -16,7 +17,6 @@ from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
 from .draw_constants import DrawConstants
-from .expansion_templates import Template, template
 from .simplify import Simplifier
 
 OUTLINED = 3

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Program, TextureRead
 from ...compiler.ir.types import Texture
-from ...stdlib.builtins.row import SamplerUse
+from ..legalise.samplers import sampler_use, texture_type
 from .description import Profile, Target, TextureNames
 
 
@@ -38,17 +38,6 @@ class TextureSpeller:
 
     def _spelled(self, form: str, type_: Texture) -> str:
         return form.format(dimension=self._names.dimensions[type_.dimension])
-
-
-def texture_type(resource: Resource) -> Texture:
-    """The type of a resource. All resources are textures."""
-    assert isinstance(resource.type, Texture)
-    return resource.type
-
-
-def sampler_use(resource: Resource) -> SamplerUse:
-    """What the sampler of a texture does."""
-    return "comparison" if texture_type(resource).sample == "depth" else "filtering"
 
 
 def opening_lines(

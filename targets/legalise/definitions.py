@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from ...compiler.expansion_templates import definition
 from ...compiler.ir.node import Formal, Graph
 from ...compiler.ir.program import Function, NativeUse, Program, Stage, native_uses
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.shader import Notes
 from ...compiler.ir.types import Type, scalar_kind
-from ...compiler.passes.expansion_templates import definition
 from ...compiler.passes.guard import Guarding
 from ...compiler.passes.naming import Naming
 from ...compiler.passes.path_conditions import PathConditions

@@ -9,7 +9,7 @@ from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture
 from ...frozen import frozen
 from ..emit.description import Lack, Limits, Profile
-from ..emit.texture_declarations import sampler_use
+from .samplers import sampler_use
 
 
 @frozen

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from burnish.compiler.expansion_templates import definition, template
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.ranges import Ranges
@@ -16,7 +17,6 @@ from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.signatures import result_type
 from burnish.compiler.ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from burnish.compiler.ir.verify import verify
-from burnish.compiler.passes.expansion_templates import definition, template
 from burnish.compiler.passes.guard import Guarding
 from burnish.compiler.passes.path_conditions import PathConditions
 from burnish.compiler.reference.evaluate import evaluate

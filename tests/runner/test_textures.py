@@ -18,7 +18,7 @@ import burnish
 from burnish import PictureError, Texture
 from burnish.compiler.ir import types
 from burnish.compiler.semantics.declarations.maps import kind_of
-from burnish.compiler.semantics.lowering.expressions import linear
+from burnish.compiler.srgb import linear
 from burnish.targets.runner.drivers.checks import level_size
 from burnish.targets.runner.textures.texture import default_texture
 

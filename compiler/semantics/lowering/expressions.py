@@ -21,6 +21,7 @@ from ...ir.types import (
     Texture,
     Vector,
 )
+from ...srgb import linear
 from ...syntax import ast
 from ...syntax.quoting import shortened
 from ..declarations import contracts
@@ -69,12 +70,6 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Value], _scope: Sco
         return FAILURE
     number = build.floating(ctx.graph, radians(value) if e.unit == "deg" else value)
     return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
-
-
-def linear(channel: int) -> float:
-    """An 8-bit sRGB channel as linear light in 0..1 (IEC 61966-2-1)."""
-    value = channel / 255
-    return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
 
 
 def _color(ctx: Context, e: ast.Color, _operands: Sequence[Value], _scope: Scope) -> Value:

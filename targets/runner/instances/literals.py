@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import re
 
+from ....compiler.srgb import linear
+
 _LITERAL = re.compile(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
 
 
@@ -24,8 +26,6 @@ def color_channels(text: str) -> tuple[int, ...] | None:
 
 def color_lanes(text: str) -> tuple[float, ...] | None:
     """Three or four lanes in 0..1, the colours in linear light; ``None`` if it is not a literal."""
-    from ....compiler.semantics.lowering.expressions import linear
-
     channels = color_channels(text)
     if channels is None:
         return None

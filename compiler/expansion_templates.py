@@ -9,21 +9,21 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 from functools import cache
 
-from ...frozen import changed, frozen
-from ...stdlib.builtins import BUILTINS
-from ..diagnostics.diagnostic import Report
-from ..diagnostics.source import Span
-from ..ir.node import Formal, Node, Op, reachable
-from ..ir.types import Scalar, Type, Vector
-from ..library import MEANING, expansions
-from ..semantics.inheritance.flattening import Records
-from ..semantics.lowering.applications import apply_body, best
-from ..semantics.lowering.expressions import RULES
-from ..semantics.names.modules import Named
-from ..semantics.state.context import Context
-from ..semantics.state.scope import Failure
-from ..semantics.types.meanings import erased
-from ..syntax import ast
+from ..frozen import changed, frozen
+from ..stdlib.builtins import BUILTINS
+from .diagnostics.diagnostic import Report
+from .diagnostics.source import Span
+from .ir.node import Formal, Node, Op, reachable
+from .ir.types import Scalar, Type, Vector
+from .library import MEANING, expansions
+from .semantics.inheritance.flattening import Records
+from .semantics.lowering.applications import apply_body, best
+from .semantics.lowering.expressions import RULES
+from .semantics.names.modules import Named
+from .semantics.state.context import Context
+from .semantics.state.scope import Failure
+from .semantics.types.meanings import erased
+from .syntax import ast
 
 
 @frozen
