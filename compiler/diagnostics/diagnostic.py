@@ -1,4 +1,8 @@
-"""What is wrong, as data: renderers and exit codes are derived from it."""
+"""Diagnostics as data, and the report that collects them.
+
+Every part of the compiler reports through a ``Report``. Rendered texts, JSON and exit codes are
+derived from it.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +18,7 @@ Severity = Literal["error", "warning", "note"]
 
 @frozen
 class Rule:
-    """One row of the table: everything about a kind of diagnostic but its place."""
+    """One row of ``rules.py``: what all diagnostics of one kind have in common."""
 
     code: str
     severity: Severity
@@ -23,12 +27,15 @@ class Rule:
     help: str
     """What the rule means and how to satisfy it; shown by ``burnish explain``."""
     of_absence: bool = False
-    """Whether it says that nothing has its ``name``: no news about a name in text without sense."""
+    """Whether it reports an undefined name.
+
+    It is suppressed for names that text declares which could not be parsed.
+    """
 
 
 @frozen
 class Label:
-    """A second place that the reader should see, with what it has to do with the first."""
+    """A further place that the reader should see, with a few words that say why."""
 
     span: Span
     text: str
@@ -62,21 +69,19 @@ class Report:
     def __init__(self) -> None:
         self._found: dict[tuple[str, str, Span | None], Diagnostic] = {}
         self.unread_names: set[str] = set()
-        """Names that stand where the text makes no sense, and may have been declared there."""
+        """Names in text that could not be parsed, which may be declared there."""
         self._unreadable: set[Span | None] = set()
 
     def unread(self, names: Iterable[str]) -> None:
-        """These stand where the text makes no sense, and may have been declared there.
+        """Suppress reports that these names are undefined.
 
-        That has been reported, so nothing more is said about nobody's declaring them.
+        They stand in text that could not be parsed, which has been reported, and may be declared
+        there.
         """
         self.unread_names.update(names)
 
     def unreadable(self, found: Iterable[Diagnostic]) -> None:
-        """Where these are, nothing more is said, and nothing that contradicts what stands there.
-
-        It would follow from them.
-        """
+        """Suppress further diagnostics that touch these places: they would be consequences."""
         self._unreadable.update(each.span for each in found if each.severity == "error")
 
     def add(
@@ -103,12 +108,12 @@ class Report:
         self._found.setdefault((rule.code, message, span), found)
 
     def extend(self, others: Iterable[Diagnostic]) -> None:
-        """Take over diagnostics collected elsewhere."""
+        """Add diagnostics from another report."""
         for other in others:
             self._found.setdefault((other.rule.code, other.message, other.span), other)
 
     def apart(self) -> Report:
-        """An empty report about the same files, for what is only tried."""
+        """An empty report about the same files, for an attempt whose findings may be dropped."""
         trial = Report()
         trial.unread_names = self.unread_names
         trial._unreadable = self._unreadable
@@ -124,21 +129,21 @@ class Report:
         return len(self._found)
 
     def explain(self, since: int, label: Label) -> None:
-        """Add a place to all that was found after the first ``since`` findings."""
+        """Add a label to all findings after the first ``since`` ones."""
         for key in list(self._found)[since:]:
             found = self._found[key]
             self._found[key] = changed(found, labels=(*found.labels, label))
 
     def forget(self, since: int) -> None:
-        """Drop all that was found after the first ``since`` findings."""
+        """Drop all findings after the first ``since`` ones."""
         for key in list(self._found)[since:]:
             del self._found[key]
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """All findings so far, as a reader meets them: by file, from top to bottom.
+        """All findings so far in reading order: file by file, each from top to bottom.
 
-        What is about no text at all comes first; files stand in the order of their first finding.
+        Findings without a place come first. Files are ordered by their first finding.
         """
         found = self._found.values()
         sources = {id(f.span.source): None for f in found if f.span is not None}

@@ -1,4 +1,4 @@
-"""Text as a terminal shows it: one character may be wide, narrow, or better not shown as itself."""
+"""How a terminal shows a text: characters may be wide, combine, or have to be escaped."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ import unicodedata
 
 _TAB = 4
 _HARMFUL = frozenset(("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"))
-"""Categories that move the cursor, reorder text, or show nothing: written as their number."""
+"""Unicode categories that move the cursor, reorder text or are invisible: they are escaped."""
 
 
 def harmless(text: str) -> str:
-    """``text`` with everything that could disturb a terminal written out."""
+    """``text`` with every character escaped that could disturb a terminal."""
     if text.isascii() and text.isprintable():
         return text
     return "".join(map(_shown, text))
 
 
 def cells(text: str) -> list[str]:
-    """What each character of a line is shown as; tabs reach to the next stop."""
+    """How each character of a line is shown; a tab extends to the next tab stop."""
     shown: list[str] = []
     column = 0
     for character in text:

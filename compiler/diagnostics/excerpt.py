@@ -16,7 +16,7 @@ _LEAD = 30
 
 
 class Mark(NamedTuple):
-    """A place to point out."""
+    """A place to mark in the excerpt."""
 
     span: Span
     text: str

@@ -1,4 +1,4 @@
-"""The known name that was probably meant."""
+"""Suggestions: the known name that a misspelt one was probably meant to be."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from .fixes import Hint, fix_it
 from .source import Source, Span
 
 _ALIKE = 0.62
-"""How much of two names has to agree."""
+"""How similar two names have to be, as ``difflib`` measures it."""
 _SHORT, _ALIKE_IF_SHORT = 4, 0.7
-"""Names of so few letters agree in most of them by chance: `i` and `pi`, `key` and `eye`."""
+"""Names of up to four letters are similar by chance, as `i` and `pi` or `key` and `eye` are."""
 
 
 _MOST_COMPARED = 100_000
@@ -19,7 +19,11 @@ grow with the number of unknown names times that of known ones."""
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The name most like ``name``, if any is like it; a slip in case or order counts least."""
+    """The known name most similar to ``name``, if any is similar enough.
+
+    Names that differ only in upper and lower case come first, then those with the same letters in
+    another order.
+    """
     from difflib import get_close_matches
 
     candidates = sorted(set(known) - {name})
@@ -39,7 +43,7 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
 
 
 def _continues(name: str, other: str) -> bool:
-    """Whether one of two names is the other with a letter more: `tt` for `t`."""
+    """Whether one of two names is the other with one more letter at its end: `tt` for `t`."""
     return abs(len(name) - len(other)) == 1 and (name.startswith(other) or other.startswith(name))
 
 
@@ -68,6 +72,6 @@ def respelt(name: str, span: Span, meant: str) -> Hint:
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:
-    """A hint naming the nearest name; empty where none is near."""
+    """A hint with the nearest name, for names that are not in a text; empty if none is near."""
     found = nearest(name, known)
     return f"did you mean `{found}`?" if found else ""

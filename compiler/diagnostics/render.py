@@ -16,7 +16,7 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
 
 
 def render_all(diagnostics: Iterable[Diagnostic], *, color: bool = False) -> str:
-    """Many diagnostics, set apart by empty lines; what a rule means is told only once."""
+    """Several diagnostics, separated by empty lines; the help of each rule is shown only once."""
     style = Style(color)
     explained: set[str] = set()
     paragraphs = []

@@ -154,7 +154,21 @@ class Applying(Binder):
 
 
 HEADS: Mapping[Op, str] = {op: f".{op}" for op in get_args(Op) if op not in ("call", "native")}
-"""The heads of nodes that are no builtins."""
+"""The heads of nodes that are no builtins, but for constants that rules look for."""
+
+SPECIAL: Mapping[tuple[bool, Hashable], str] = {
+    (isinstance(value, bool), value): f".constant {value}" for value in (0, 1, -1, False, True)
+}
+"""The heads of constants with one of these in each lane: by whether it is a truth, and by value."""
+
+
+def constant_head(data: Hashable) -> str:
+    """The head of a constant: numbers that rules look for stand in it."""
+    lane = data[0] if isinstance(data, tuple) else data
+    if isinstance(data, tuple) and data.count(lane) != len(data):
+        return HEADS["constant"]
+    return SPECIAL.get((isinstance(lane, bool), lane), HEADS["constant"])
+
 
 _VARIABLES: frozenset[Op] = frozenset(("bound", "formal", "fold", "iterate", "apply"))
 """Variables, and what binds them."""
@@ -174,8 +188,9 @@ class Node:
         self.operands = operands
         self.data = data
         self.id = id_
-        self.head: Hashable = HEADS.get(op, data)
-        """What kind of value it is: its builtin, or its operation with a dot before the name."""
+        self.head: Hashable = constant_head(data) if op == "constant" else HEADS.get(op, data)
+        """What kind of value it is, which rules are looked up by: its builtin, or its operation
+        with a dot before the name."""
         free: int = 0
         variables = _NONE
         if op in _VARIABLES:

@@ -51,7 +51,7 @@ class _Moving:
 
     def _moved_operand(self, node: Node, operands: tuple[Node, ...]) -> int | None:
         """Which operand is a crossing that nothing else needs, if ``node`` is affine in it."""
-        if not _is_affine(node):
+        if not any(operand.op == "cross" for operand in operands) or not _is_affine(node):
             return None
         varying = [i for i, old in enumerate(node.operands) if old not in self._constant]
         if len(varying) != 1:

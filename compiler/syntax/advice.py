@@ -1,4 +1,7 @@
-"""The edit that is probably wanted where a text cannot be read."""
+"""Hints for syntax errors: what was probably meant, and where possible the edit that writes it.
+
+``SyntaxErrors`` asks here after it has decided which token is wrong.
+"""
 
 from __future__ import annotations
 
@@ -29,11 +32,11 @@ _OPENED_BY = {")": "(", "]": "[", "}": "{"}
 _MARKS: Mapping[str, str] = MappingProxyType(
     {"@": _PLACES, "[": "attributes such as `[unroll]` do not exist: remove this"}
 )
-"""By the mark that begins an attribute elsewhere."""
+"""Hints about attributes of other languages, by the mark that they begin with."""
 _CONVERSIONS = frozenset(("float", "int", "uint", "bool"))
 
 STATEMENTS: Mapping[str, str] = MappingProxyType({"if": _CHOICE, "else": _CHOICE, "then": _IF})
-"""What there is in place of a statement, by a reserved word that it begins with."""
+"""What to write instead of a statement, by the reserved word that it begins with."""
 
 _FOUND: Mapping[str, str] = MappingProxyType(
     {
@@ -42,21 +45,21 @@ _FOUND: Mapping[str, str] = MappingProxyType(
         "STRING": "quoted texts are only used in imports; a colour is written `#ff0000`",
     }
 )
-"""By the token that is found where an expression or an operator could be."""
+"""Hints by the token that stands where an expression or an operator was expected."""
 
 
 _BRACKETS = {"(": ")", "[": "]"}
 
 
 def elsewhere(word: str) -> str:
-    """What there is in place of a statement or declaration that begins with ``word`` elsewhere."""
+    """What to write instead of a statement of another language that begins with ``word``."""
     from ...stdlib.builtins.elsewhere import KEYWORDS
 
     return KEYWORDS.get(word, "")
 
 
 def _called(word: str) -> str:
-    """What there is for a function that is called elsewhere for what it does."""
+    """What to write instead of a function that other languages call for its effect."""
     from ...stdlib.builtins.elsewhere import FUNCTIONS
 
     instead = FUNCTIONS.get(word)
@@ -64,7 +67,7 @@ def _called(word: str) -> str:
 
 
 class Advice:
-    """Looks at the tokens around a mistake."""
+    """Finds hints by looking at the tokens around a mistake."""
 
     def __init__(self, outline: Outline, source: Source) -> None:
         self._outline = outline
@@ -72,7 +75,7 @@ class Advice:
         self._tokens = outline.tokens
 
     def at(self, index: int, expected: set[str], start: int, begin: int) -> Hint:
-        """What to do about the token at ``index``; empty where the rule's help is as good.
+        """The hint for the token at ``index``; empty if the rule's own help is as good.
 
         What cannot be read starts at ``start``, and the declaration around it at ``begin``.
         """
@@ -91,7 +94,7 @@ class Advice:
         return next((hint for way in ways if (hint := way())), "")
 
     def misspelt(self, index: int, expected: set[str], start: int, begin: int) -> str:
-        """The word that the token in front of ``index`` was to be, where that begins something."""
+        """The word of a declaration or member that is misspelt before ``index``, if one is."""
         previous = self._token(index - 1)
         is_word = previous.kind == "NAME" and self._token(index).kind == "NAME"
         if not is_word or "=" not in expected or index - 1 != start:
@@ -133,7 +136,7 @@ class Advice:
         )
 
     def _of_marks(self, index: int, expected: set[str]) -> Hint:
-        """About marks that are one too many, or the wrong ones."""
+        """About punctuation that is wrong or superfluous."""
         found, previous = self._token(index), self._token(index - 1)
         begins = may_begin_member(expected) or may_begin_declaration(expected)
         if found.kind in _OPENED_BY and begins and found.kind not in expected:
@@ -152,14 +155,14 @@ class Advice:
         return ""
 
     def _of_missing_mark(self, index: int) -> str:
-        """About a value directly behind another, unless a word of another language is between."""
+        """About a value directly after another one."""
         found = self._token(index)
         if self._is_cast(index) or elsewhere(found.text) or found.text in ("as", "while"):
             return ""
         return f"a comma or an operator is missing before `{found.text}`"
 
     def _of_header(self, index: int, expected: set[str]) -> Hint:
-        """About what stands behind the name of a material, light or pass."""
+        """About what follows the name of a material, light or pass."""
         found, previous, following = (self._token(index + step) for step in (0, -1, 1))
         if "blend" not in expected or "{" not in expected:
             return ""

@@ -1,4 +1,4 @@
-"""Puts a syntax error into words: what was expected, and what was found instead."""
+"""Words for the message of a syntax error: what was expected, and what was found instead."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def may_begin_declaration(expected: Set[str]) -> bool:
 
 
 def describe_expected(expected: Set[str]) -> str:
-    """The symbols that would do, in words a reader of the text knows."""
+    """The symbols that the grammar accepts, in words that a reader of the text knows."""
     left = set(expected) - (_SEPARATORS if ";" in expected else set())
     kinds = []
     if "NUMBER" in left and "NAME" in left:
@@ -58,7 +58,7 @@ def describe_expected(expected: Set[str]) -> str:
 
 
 def describe_found(token: Token) -> str:
-    """What stands there instead."""
+    """The token that was found instead."""
     return "the end of the file" if token.kind == END else f"`{token.text}`"
 
 

@@ -1,4 +1,7 @@
-"""Declarations as other languages write them, type first, and how they are written here."""
+"""Declarations as other languages write them, type first, and how Burnish writes them.
+
+``advice.py`` asks here for hints about names in a row, such as ``const vec3 tint``.
+"""
 
 from __future__ import annotations
 
@@ -17,14 +20,14 @@ _QUALIFIERS = _DECLARATORS | frozenset(
         "inout", "uniform", "varying", "public", "private", "pub", "export", "extern", "readonly",
     )
 )  # fmt: skip
-"""What stands in front of a type, or in the place of one, elsewhere."""
+"""Words that other languages write before a type, or instead of one."""
 _SAMPLERS = frozenset(("SamplerState", "SamplerComparisonState", "sampler_comparison"))
 _WORDS_OF_MEMBERS = frozenset(word for word, kind in MEMBERS.items() if kind.is_named)
-"""What stands in front of a member that has a name, here and elsewhere."""
+"""The words of members that have a name."""
 
 
 def types() -> Mapping[str, str]:
-    """Types by what they are called, here and elsewhere."""
+    """The names of types here, by their names here and in other languages."""
     from ...stdlib.builtins.elsewhere import TYPES
 
     here = dict.fromkeys(("float", "int", "uint", "bool", "angle", *TYPES.values()))
@@ -32,11 +35,11 @@ def types() -> Mapping[str, str]:
 
 
 class Row(NamedTuple):
-    """Names that stand in a row, with what follows them on the line."""
+    """Several names in a row, with what follows them on the line."""
 
     words: Sequence[str]
     length: str
-    """What stands in brackets behind them: the length of an array."""
+    """The number in brackets after them, which is the length of an array; may be empty."""
     has_value: bool
     span: Span
     """Of the names and the brackets."""

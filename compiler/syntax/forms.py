@@ -32,14 +32,17 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
         '`import "folder/file.burnish"`',
     }
 )
-"""By the word that a declaration begins with."""
+"""How each declaration is written, by the word that it begins with."""
 
 FOLDS: Mapping[str, str] = MappingProxyType(
     {**dict.fromkeys(get_args(FoldWord), "in"), "iterate": "from"}
 )
-"""Words that begin a fold, and what follows the name behind them; else they are names."""
+"""Words that begin a fold, each with the word that follows the variable after it.
+
+Without that, as in ``sum * 2``, they are names.
+"""
 
 FOREIGN_FILES: Mapping[str, str] = MappingProxyType(
     {"<": "this looks like XML", "{": "this looks like JSON"}
 )
-"""Files of other kinds, by the mark that they begin with, as no declaration does."""
+"""Other kinds of files, by their first character, with which no declaration begins."""

@@ -1,7 +1,7 @@
-"""The parse tables: what ``burnish.lark`` says, in the form that the machine runs.
+"""The LALR tables of ``burnish.lark``, in the form that the machine uses.
 
-Lark reads the grammar and computes the LALR tables. Importing it takes longer than parsing a file,
-so its result is kept as plain data in the cache, and Lark is not loaded again until the grammar
+Lark reads the grammar and computes the tables. Importing Lark takes longer than parsing a file, so
+the result is kept in the cache as plain data, and Lark is not imported again until the grammar
 changes.
 """
 
@@ -47,7 +47,7 @@ class Tables(NamedTuple):
     patterns: dict[str, str]
     """Regular expressions of the other symbols."""
     collapsed: dict[tuple[int, int, str], int]
-    """What the machine has found of chains of reductions that change nothing but the state."""
+    """The machine's memory of chains of reductions that only change the state."""
 
 
 @cache

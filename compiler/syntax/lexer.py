@@ -1,4 +1,7 @@
-"""From text to tokens: the whole file at once, reporting what is no Burnish at all."""
+"""Turns the text of a file into tokens, and reports what cannot be one.
+
+``parse`` calls ``lex`` once for each file.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,7 @@ _ORDER = ("BLANK", "NAME", "NUMBER", "COLOR", "STRING", "DOC", "FILE_DOC", "COMM
 """The grammar's patterns in the order of trial: a doc comment would also be a comment."""
 
 _NOT_BEFORE = {"NAME": r"(?!\w)", "NUMBER": rf"(?!\w|\.(?!\.)|{PERCENT})", "COLOR": r"(?!\w)"}
-"""What must not follow, lest ``1.0f`` read as ``1.0`` and a name."""
+"""What must not follow a token; otherwise ``1.0f`` would be read as ``1.0`` and a name."""
 
 _SEPARATORS = ";,"
 
@@ -33,7 +36,7 @@ def _pattern() -> re.Pattern[str]:
 
 
 def lex(source: Source, report: Report) -> Lexed:
-    """All tokens of ``source``; what cannot be read is reported and mended or left out."""
+    """All tokens of ``source``. What cannot be read is reported, and corrected or left out."""
     tokens: list[Token] = []
     docs = _DocCollector(source.text)
     for match in _pattern().finditer(source.text):
@@ -63,7 +66,7 @@ def lex(source: Source, report: Report) -> Lexed:
 
 
 class _DocCollector:
-    """Decides what each doc comment describes: what ended on its line, or what comes next."""
+    """Decides for each doc comment what it describes: what ends on its line, or what follows."""
 
     def __init__(self, text: str) -> None:
         self.found = Docs()

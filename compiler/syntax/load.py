@@ -22,7 +22,7 @@ def load_source(
     name: str = "",
     seen: Callable[[bytes], None] | None = None,
 ) -> Source | None:
-    """The text of the file at ``path``; None where it cannot be had, and ``report`` says why.
+    """The text of the file at ``path``; None if it cannot be read, and then ``report`` says why.
 
     ``name`` is what messages call it; by default the path as given. ``seen`` is called with the
     bytes that were read.
@@ -66,7 +66,7 @@ def _content(path: str | os.PathLike[str], name: str, report: Report) -> bytes |
 
 
 def _similar(path: Path) -> str:
-    """The file of the folder that was probably meant."""
+    """A hint to use the file in the same folder whose name is most similar."""
     if not path.parent.is_dir():
         return ""
     files = {file.stem: file for file in path.parent.glob("*.burnish")}

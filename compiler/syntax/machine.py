@@ -1,6 +1,7 @@
-"""A shift-reduce machine over the grammar's tables, building nodes as it reduces.
+"""The LALR machine: it shifts tokens, reduces by the grammar's productions, and builds nodes.
 
-It keeps its own stack, so neither the length nor the nesting of a text can exhaust Python's.
+The parser feeds it one token after the other. It has its own stack, so neither a long nor a deeply
+nested text can exhaust the stack of Python.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ class Machine:
 
     @property
     def result(self) -> object:
-        """What stands for the whole text, once ``END`` was fed."""
+        """The node for the whole text, after ``END`` was fed."""
         return self._values[-1]
 
     def reset(self) -> None:
@@ -148,7 +149,8 @@ class Machine:
 
 
 def _arranged(parts: list[object], plan: tuple[tuple[int, bool], ...]) -> list[object]:
-    """The parts that matter; a leading list is extended in place: long lists stay linear."""
+    """The parts that the builder gets. A leading list is extended in place, so that long lists take
+    linear time."""
     arranged: list[object] = []
     for position, unpack in plan:
         part = parts[position] if position >= 0 else None

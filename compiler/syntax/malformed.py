@@ -1,4 +1,8 @@
-"""What is nearly a token: named for what it is, and mended so that the rest still parses."""
+"""Texts that are nearly tokens, such as ``1.0f`` or ``&&``.
+
+The lexer calls ``mend`` for each of them. It reports the mistake, and returns the token that was
+probably meant, so that the rest of the file can still be parsed.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +15,7 @@ from ..diagnostics.source import Span
 from .tokens import Token
 
 PERCENT = r"%(?=\s*(?:$|[\n,;)\]}=]|\.\.))"
-"""A sign behind a number that has no second operand."""
+"""A percent sign after a number that no second operand follows."""
 
 MALFORMED = [
     ("CONFLICT", r"(?m:^)<{7}[^\n]*"),
@@ -32,14 +36,14 @@ MALFORMED = [
     ("BAD_COMMENT", r"/\*[\s\S]*"),
     ("FOREIGN", r"&&|\|\||\+\+|\*\*|:=|<>|[=!]==|\.\.=|(?:[-+*/%&|^]|<<|>>)=|::|=>|!(?!=)|[%?]"),
 ]
-"""Tried after the proper patterns, before the marks."""
+"""Tried after the patterns of the grammar and before punctuation."""
 
 _SIMPLE = {
     "BAD_NAME": (rules.BAD_NAME, "NAME", ""),
     "BAD_COLOR": (rules.BAD_COLOR, "COLOR", "#000"),
     "BAD_STRING": (rules.UNFINISHED_TEXT, "STRING", ""),
 }
-"""The rule that is broken, and the token put in place."""
+"""The broken rule, and kind and text of the token that is used instead."""
 
 _INSTEAD = {
     "&&": "and", "||": "or", "!": "not", "%": "mod", ":=": "=", "<>": "!=", "===": "==",
@@ -47,7 +51,7 @@ _INSTEAD = {
 }  # fmt: skip
 
 _SAME = frozenset(("&&", "||", "!", ":=", "<>", "===", "!=="))
-"""Those that mean the same as what stands here instead, whatever their operands are."""
+"""Operators whose replacement means the same for all operands."""
 
 _HINTS = {
     "?": "write `if condition then a else b`",
@@ -66,7 +70,7 @@ _CHARACTERS = {
     "°": "deg", "×": "*", "·": "*", "÷": "/", "–": "-", "−": "-", "≤": "<=", "≥": ">=", "≠": "!=",
     "\N{LEFT DOUBLE QUOTATION MARK}": '"', "\N{RIGHT DOUBLE QUOTATION MARK}": '"', "π": "pi",
 }  # fmt: skip
-"""What is meant by characters that painting and writing programs put in."""
+"""What is meant by characters that word processors and painting programs insert."""
 
 
 _NEARBY = 80
@@ -74,7 +78,7 @@ _NEARBY = 80
 
 
 def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
-    """Report the slip; the token that was probably meant, or None to leave it out."""
+    """Report the mistake; returns the token that was probably meant, or None to leave it out."""
     if kind == "BAD_NUMBER":
         return _number(word, span, report)
     if kind == "PERCENT":
@@ -107,7 +111,7 @@ def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
 
 
 def _hash(line: str, span: Span, report: Report) -> None:
-    """A line of another language's: a remark, or one for a preprocessor, with what it defines."""
+    """Report a line that begins with `#`: a foreign comment or a preprocessor directive."""
     words = line.split()
     if words[0] in ("#elif", "#else", "#endif") and report.failed:
         return
@@ -121,7 +125,7 @@ def _hash(line: str, span: Span, report: Report) -> None:
 
 
 def _instead_of_directive(line: str, span: Span) -> Hint:
-    """What there is in place of a line for a preprocessor."""
+    """What to write instead of a preprocessor directive."""
     said = "there is no preprocessor"
     macro = re.match(r"#define\s+(\w+)\(([\w\s,]*)\)\s*(.*)", line)
     if macro:

@@ -1,6 +1,7 @@
-"""Splits a file into its declarations before anything is parsed.
+"""Splits the tokens of a file into its declarations, before the parser runs.
 
-Each declaration is then parsed on its own, so that a mistake in one leaves the others whole.
+The parser then reads each declaration on its own, so that a mistake in one does not affect the
+others. Brackets are matched here, too, and the depth of every token is known afterwards.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from .tokens import RESERVED, Token
 NESTING_LIMIT = 200
 
 _TWO_WORDS = frozenset(("abstract", "extern"))
-"""What another word of the declaration's own follows before its name."""
+"""Words that a second word follows before the name: ``abstract material``, ``extern block``."""
 _AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
 _AWAITS_VALUE = frozenset(("from", "to", "while"))
 """Words of a loop's head; elsewhere they are names, and so may end an equation."""
@@ -27,7 +28,7 @@ _CAN_END = frozenset(
 
 @record
 class Chunk:
-    """The tokens of one declaration, or of a few where only parsing could tell them apart."""
+    """The tokens of one declaration, or of several that only the parser can tell apart."""
 
     start: int
     end: int = 0
@@ -38,7 +39,7 @@ class Chunk:
 
 
 class Outline:
-    """Brackets matched, depths known, declarations told apart."""
+    """The brackets, depths and declarations of a file, found without the grammar."""
 
     def __init__(self, text: str, tokens: list[Token]) -> None:
         self._text = text
@@ -61,7 +62,7 @@ class Outline:
         return token.text in MEMBERS and (following == "NAME" or following in RESERVED)
 
     def is_member(self, index: int) -> bool:
-        """Whether a line begins here as only a member does, whatever is unfinished above it."""
+        """Whether a line begins here that can only be a member, whatever stands above it."""
         kind = MEMBERS.get(self.tokens[index].text)
         if kind is None or not self.begins_line(index) or self.begins_line(index + 1):
             return False
@@ -94,7 +95,7 @@ class Outline:
         return token.kind in _CAN_END and token.text not in _AWAITS_NAME
 
     def _is_in_head(self, index: int) -> bool:
-        """Whether a name is the last of a loop's head: ``sum i in 0..n up to m : i``."""
+        """Whether a name ends the head of a loop, like ``m`` in ``sum i in 0..n up to m : i``."""
         before = self._text_of(index - 1) if index else ""
         ends = before in _AWAITS_VALUE and self._text_of(index + 1) == ":"
         return ends and not self.begins_line(index)
@@ -182,7 +183,7 @@ class Outline:
         return following == "=" or (starts_member and self._may_follow(index))
 
     def _begin(self, index: int) -> None:
-        """A declaration begins here, whatever is still open."""
+        """Begin a declaration here, even if brackets are still open."""
         self._abandon_open(index)
         if index > self.chunks[-1].start:
             self.chunks[-1].end = index
@@ -207,12 +208,12 @@ class Outline:
         self._open.pop()
 
     def _abandon_open(self, index: int, down_to: str = "") -> None:
-        """Nothing that is still open will be closed, or nothing inside the innermost brace."""
+        """Give up the open brackets: all of them, or those inside of the innermost ``down_to``."""
         while self._open and self.tokens[self._open[-1]].kind != down_to:
             self._abandon(self._open.pop(), index)
 
     def _abandon(self, opener: int, index: int) -> None:
-        """``opener`` is never closed: what follows it up to ``index`` does not count as inside."""
+        """Record that ``opener`` is never closed: tokens up to ``index`` are not inside of it."""
         chunk = self.chunks[-1]
         chunk.unclosed.append(opener)
         if self.tokens[opener].kind != "{" and chunk.too_deep is None:

@@ -1,4 +1,8 @@
-"""From text to AST, as far as the text allows: every mistake is reported, none is raised."""
+"""Parses a file into its syntax tree.
+
+``compiler/frontend.py`` and ``library.py`` call ``parse`` for each file. It always returns a tree:
+every mistake is reported, none is raised, and the tree lacks what could not be read.
+"""
 
 from __future__ import annotations
 
@@ -28,11 +32,11 @@ if TYPE_CHECKING:
 _BODY_PARTS = ("slot", "entry", "field", "extern_member")
 _FILE_PARTS = ("record",)
 _OF_WORDS = (rules.FOREIGN_OPERATOR, rules.BAD_NUMBER)
-"""What is said of single words, of which there are many where whole statements are foreign."""
+"""Rules about single words. Where whole statements are foreign, there are many such words."""
 
 
 def parse(source: Source, report: Report) -> ast.File:
-    """The declarations of ``source`` that could be read; what could not be is in ``report``."""
+    """The declarations of ``source`` that could be read; ``report`` gets the mistakes."""
     found = Report()
     lexed = lex(source, found)
     outline = Outline(source.text, lexed.tokens)
@@ -55,10 +59,10 @@ def parse(source: Source, report: Report) -> ast.File:
 
 
 def _without_skipped(found: Report, skipped: list[range]) -> Report:
-    """What was found, less what other findings explain.
+    """The findings that do not follow from others.
 
-    That are words of other languages in what was given up on their account, and brackets whose end
-    a comment has swallowed.
+    Two kinds are left out: foreign words inside text that was skipped because of them, and brackets
+    that look unclosed only because an unfinished comment contains their end.
     """
     kept = Report()
     kept.unread(found.unread_names)
@@ -82,7 +86,7 @@ def _syntax_errors(source: Source, outline: Outline, report: Report) -> SyntaxEr
 
 
 class _Parser:
-    """Feeds the machine, and finds a place to go on where it cannot."""
+    """Feeds tokens to the machine. After a mistake it finds a place from which it can go on."""
 
     def __init__(self, source: Source, outline: Outline, machine: Machine, report: Report) -> None:
         self._source = source
@@ -92,14 +96,14 @@ class _Parser:
         self._report = report
         self._words = load_tables().literals
         self.skipped: list[range] = []
-        """Places in the text at which nothing was read, behind what could not be."""
+        """Parts of the text that were skipped after a mistake."""
         self._given_up = 0
-        """The token up to which names were kept of what could not be read."""
+        """Tokens before this one have already been searched for names by ``_give_up``."""
         self.unread: set[str] = set()
-        """Names that what could not be read may have declared."""
+        """Names that the unreadable parts may declare, so that nobody reports them as unknown."""
 
     def parse(self, chunk: Chunk) -> tuple[int, tuple[ast.Declaration, ...]]:
-        """The edition and declarations of ``chunk``, less what is broken in it."""
+        """The edition and the declarations of ``chunk``, without what is broken in it."""
         if chunk.too_deep is not None:
             self._errors.too_deep(chunk.too_deep)
             self._give_up(chunk.start, chunk.start + 1, chunk.end)
@@ -130,13 +134,13 @@ class _Parser:
         return _syntax_errors(self._source, self._outline, self._report)
 
     def _is_second_word(self, index: int) -> bool:
-        """Whether a header that can be read on otherwise has a name of two words."""
+        """Whether the only mistake in a header is a name of two words; then parsing goes on."""
         is_name = self._tokens[index].kind == "NAME" == self._tokens[index - 1].kind
         follows = index + 1 < len(self._tokens) and self._tokens[index + 1].kind in ("{", ":")
         return is_name and follows and "blend" in self._machine.expected()
 
     def _words_of_name(self, index: int) -> tuple[str, ...]:
-        """What a name of two words may be called elsewhere."""
+        """How the rest of the file may spell a name that was written as two words."""
         first, second = self._tokens[index - 1].text, self._tokens[index].text
         return second, first + second, f"{first}_{second}"
 
@@ -169,9 +173,9 @@ class _Parser:
         return bisect_left(self._tokens, start, key=attrgetter("start"))
 
     def _give_up(self, start: int, failed: int, end: int) -> None:
-        """Keep the names that the tokens from ``start`` to ``end`` may have been to declare.
+        """Remember the names that the tokens from ``start`` to ``end`` may declare.
 
-        Those in front of them on the line are of them, too.
+        Names before them on the same line count, too.
         """
         while (
             start > self._given_up
@@ -193,7 +197,7 @@ class _Parser:
         return not self._outline.begins_line(index)
 
     def _next_start(self, begin: int, chunk: Chunk) -> int:
-        """Drop what is broken; the next token from ``begin`` that can be read after that."""
+        """Drop what is broken, and return the next token from ``begin`` on that can be read."""
         if not self._machine.unwind(_BODY_PARTS):
             self._machine.unwind(_FILE_PARTS)
             return next(filter(self._follows_statement, range(begin, chunk.end)), chunk.end)
@@ -207,7 +211,7 @@ class _Parser:
         return chunk.end
 
     def _follows_statement(self, index: int) -> bool:
-        """Whether something begins here that other languages would have at this place."""
+        """Whether a line begins here, outside of all brackets, after a foreign `;` or a `}`."""
         if self._outline.depths[index] or not self._outline.begins_line(index):
             return False
         if self._tokens[index].kind != "NAME":

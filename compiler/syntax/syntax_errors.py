@@ -1,4 +1,8 @@
-"""Decides what to say about a token that the grammar has no place for."""
+"""Reports syntax errors.
+
+The parser calls ``SyntaxErrors.report`` when the grammar has no place for a token. It decides which
+rule is broken, which token is to blame, and where parsing can go on.
+"""
 
 from __future__ import annotations
 
@@ -32,16 +36,16 @@ class SyntaxErrors:
         self._advice = Advice(outline, source)
 
     def too_deep(self, index: int) -> None:
-        """Brackets beyond the limit."""
+        """Report brackets that are nested more deeply than the limit."""
         self._report.add(rules.TOO_NESTED, self._span(self._tokens[index]), limit=NESTING_LIMIT)
 
     def foreign(self, first: Token) -> None:
-        """A file of another kind, of which nothing can be read."""
+        """Report a file of another kind, such as JSON, of which nothing can be read."""
         hint = f"{FOREIGN_FILES[first.kind]}: a Burnish file consists of declarations, such as "
         self._unexpected(first, {"material"}, f"{hint}`material Name {{ … }}`")
 
     def report(self, index: int, chunk: Chunk, expected: set[str], start: int) -> int:
-        """Say what is wrong at ``index``; returns where the next member may begin.
+        """Report what is wrong at ``index``; returns where the next member may begin.
 
         ``start`` is the first token of what cannot be read.
         """
@@ -69,13 +73,13 @@ class SyntaxErrors:
         return self._end_of_line(index) if found.kind in ("@", "[") else index
 
     def _end_of_line(self, index: int) -> int:
-        """The last token of a line, which what would be an attribute elsewhere says all about."""
+        """The last token of a line: a foreign attribute is skipped together with its line."""
         while index + 1 < len(self._tokens) and not self._outline.begins_line(index + 1):
             index += 1
         return index
 
     def _interrupted(self, index: int, chunk: Chunk) -> None:
-        """What an equation begins in the middle of: a value, or a header without its brace."""
+        """Report an equation that begins in an unfinished value, or after a header without `{`."""
         name, before = self._tokens[index - 1], self._tokens[index - 2]
         if before.kind == ":" and chunk.start + 3 == index - 1 and self._is_record(chunk.start):
             header = " ".join(token.text for token in self._tokens[chunk.start : index - 2])
@@ -89,7 +93,7 @@ class SyntaxErrors:
         return self._tokens[index].text in (*RECORD_KINDS, "mixin")
 
     def _special(self, index: int, found: Token, expected: set[str]) -> bool:
-        """Mistakes that have a rule of their own."""
+        """Report a mistake that has a rule of its own; returns whether there was one."""
         span = self._span(found)
         if self._names_types(index) and "and" in expected:
             self._unexpected(found, expected, self._without_types(index))

@@ -1,11 +1,11 @@
-"""What the lexer makes of a text: tokens, and the doc comments between them."""
+"""The results of the lexer: tokens, and the doc comments between them."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 RESERVED = frozenset(("and", "else", "false", "if", "mod", "not", "or", "then", "true"))
-"""Words that are never names. The grammar's other words are names where it has no use for them."""
+"""Words that are never names. The grammar's other words are names wherever it does not use them."""
 
 
 class Token(NamedTuple):
@@ -22,9 +22,9 @@ class Token(NamedTuple):
 
 
 class Docs:
-    """Doc comments, found by the place of what they describe.
+    """Doc comments, which the builder asks for by the place of what they describe.
 
-    A comment is a ``DOC`` token whose text is the bare line.
+    A comment is a ``DOC`` token whose text is the line without ``///``.
     """
 
     def __init__(self) -> None:
@@ -48,7 +48,7 @@ class Docs:
         return "\n".join(line.text for line in lines)
 
     def unclaimed(self) -> list[Token]:
-        """The comments that nothing asked for, the first line of each."""
+        """The first line of each comment that describes nothing, because nobody asked for it."""
         groups = (*self._before.values(), *self._after.values())
         return [lines[0] for lines in groups if lines[0] not in self._claimed]
 

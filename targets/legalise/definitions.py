@@ -53,7 +53,7 @@ def _defined(stage: Stage, profile: Profile, made: dict[Use, Function]) -> Stage
         needed.pop(use, None)
         needed[use] = None
         if use not in made:
-            made[use] = _function(*use)
+            made[use] = _function(use, profile)
         pending += _lacking(native_uses(visible((made[use].value,))), profile)
     functions = tuple(made[use] for use in reversed(needed))
     return changed(stage, functions=functions + stage.functions)
@@ -80,16 +80,18 @@ def has(profile: Profile, use: Use) -> bool:
     return name not in profile.lacks and (domain is None or domain(tuple(known)))
 
 
-def _function(name: str, types: tuple[Type, ...]) -> Function:
-    """A builtin's definition for operands of these types."""
+def _function(use: Use, profile: Profile) -> Function:
+    """A builtin's definition, with the guards that it needs in the profile itself."""
+    name, types = use
     found = definition(name, types)
     graph, notes, ranges = Graph(), Notes(), Ranges(())
+    guarding = Guarding(graph, ranges, notes, PathConditions((), ranges), profile.agrees)
     formals = tuple(Formal(parameter) for parameter in found.parameters)
     leaves = tuple(
         graph.node("formal", type_, (), formal)
         for type_, formal in zip(types, formals, strict=True)
     )
-    body = Guarding(graph, ranges, notes, PathConditions((), ranges)).written_out(found, leaves)
+    body = guarding.written_out(found, leaves)
     region = Scheduler((body,), notes, Naming(notes)).schedule()
     parameters = tuple(zip(formals, types, strict=True))
     return Function(found.name, found.doc, parameters, body, region, body)

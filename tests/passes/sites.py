@@ -25,7 +25,7 @@ from burnish.compiler.ir.types import (
     width,
     with_width,
 )
-from burnish.compiler.passes.rules.rule import ANY, Pattern, Rule, Site
+from burnish.compiler.passes.rules.rule import ANY, CONSTANT, Pattern, Rule, Site
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, UNKNOWN, Fact
 
@@ -98,10 +98,10 @@ class Sites:
     def _new(self, type_: Type, pattern: Pattern) -> Node:
         if pattern.heads is None:
             if scalar_kind(type_) and not isinstance(type_, Matrix) and self._chance.random() < 0.2:
-                return self._new(type_, Pattern(frozenset({".constant"})))
+                return self._new(type_, CONSTANT)
             return self._leaf(type_)
         head = str(self._chance.choice(sorted(map(str, pattern.heads))))
-        if head == ".constant":
+        if head.startswith(".constant"):
             return self._constant(type_, pattern.lane)
         if head in BUILTINS:
             typed = [types for types, result in _typed(head) if result == type_]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from itertools import product
 from pathlib import Path
@@ -14,6 +13,7 @@ from burnish.commands.graph.why import written
 from burnish.compiler.ir.rulebook import RULES, rule_names
 from burnish.compiler.passes import guard
 from burnish.compiler.passes.pipeline import Options, stage
+from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from burnish.stdlib.builtins.row import Builtin
@@ -59,7 +59,7 @@ def test_every_rule_shows_in_a_material(rule: str) -> None:
 def test_every_domain_shows_in_a_material(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     plain = [usual(path) for path in MATERIALS]
     domain = BUILTINS[name].domain
-    row = replace(BUILTINS[name], domain=lambda facts: domain(unknown(*facts)))
+    row = changed(BUILTINS[name], domain=lambda facts: domain(unknown(*facts)))
     monkeypatch.setattr(guard, "BUILTINS", {**BUILTINS, name: row})
     assert [snapshot(path) for path in MATERIALS] != plain
 

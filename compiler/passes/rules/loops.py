@@ -175,7 +175,7 @@ LOOP_RULES = (
     Rule("fold of neutral terms", "Terms that change nothing leave what a fold starts with.",
          (".fold",), (ANY, ANY, ANY), lambda _b, at: at.operands[1], _adds_nothing),
     Rule("fold of constants", "A fold of constants is computed when compiling, if it is short.",
-         (".fold",), (ANY, CONSTANT, ANY), _evaluated, _is_fixed),
+         (".fold",), (CONSTANT, CONSTANT, ANY), _evaluated, _is_fixed),
     Rule("fold written out", "A fold of few turns, or of few operations, is written out.",
          (".fold",), (ANY, ANY, ANY), _fold_unrolled, _fold_is_short),
     Rule("loop of no turns", "A loop that never turns leaves its states as they are.",

@@ -15,7 +15,7 @@ from collections.abc import Callable, Hashable, Mapping
 from ....frozen import frozen
 from ...ir import build
 from ...ir.build import Number
-from ...ir.node import Formal, Graph, Node, Op
+from ...ir.node import HEADS, SPECIAL, Formal, Graph, Node, Op
 from ...ir.ranges import Ranges
 from ...ir.shader import Notes
 from ...ir.types import Matrix, Scalar, Type, Vector, scalar_kind, width
@@ -74,14 +74,14 @@ class Pattern:
     heads: frozenset[Hashable] | None = None
     """The ``Node.head``s that it may have; any, if ``None``."""
     lane: Number | None = None
-    """Of a constant, the number in each of its lanes."""
+    """Of a constant, the number in each of its lanes; the head says so."""
     parts: tuple[Pattern, ...] = ()
     """What its own operands look like, if that matters."""
 
     @property
     def is_told_by_head(self) -> bool:
         """Whether the head alone decides if a node matches."""
-        return self.lane is None and not self.parts
+        return not self.parts
 
     def admits(self, head: Hashable) -> bool:
         """Whether a node with this head can match."""
@@ -91,19 +91,17 @@ class Pattern:
         """Whether ``node`` looks like this."""
         if not self.admits(node.head):
             return False
-        if self.lane is not None:
-            return _is_lane(uniform_lane(node), self.lane)
         pairs = zip(self.parts, node.operands, strict=False)
         return all(part.matches(operand) for part, operand in pairs)
 
 
 ANY = Pattern()
-CONSTANT = Pattern(frozenset({".constant"}))
+CONSTANT = Pattern(frozenset({HEADS["constant"], *SPECIAL.values()}))
 
 
 def lanes(value: Number) -> Pattern:
-    """A constant with this number in every lane."""
-    return Pattern(frozenset({".constant"}), value)
+    """A constant with this number in every lane: one of those that nodes tell by their heads."""
+    return Pattern(frozenset({SPECIAL[isinstance(value, bool), value]}), value)
 
 
 def builtin(*names: str, parts: tuple[Pattern, ...] = ()) -> Pattern:
@@ -113,7 +111,8 @@ def builtin(*names: str, parts: tuple[Pattern, ...] = ()) -> Pattern:
 
 def made(*ops: Op) -> Pattern:
     """One of these operations, which are no builtins."""
-    return Pattern(frozenset(f".{op}" for op in ops))
+    heads = frozenset(HEADS[op] for op in ops)
+    return Pattern(heads | (CONSTANT.heads or heads) if "constant" in ops else heads)
 
 
 def always(_builder: Builder, _site: Site) -> bool:
@@ -191,11 +190,6 @@ def uniform_lane(node: Node) -> Number | None:
     values = constant_lanes(node.type, node.data)
     first: Number = values[0]
     return first if values.count(first) == len(values) else None
-
-
-def _is_lane(found: Number | None, wanted: Number) -> bool:
-    """Whether a number is the one that is wanted; a truth is none."""
-    return found == wanted and isinstance(found, bool) == isinstance(wanted, bool)
 
 
 def operand(position: int) -> Callable[[Builder, Site], Node]:
