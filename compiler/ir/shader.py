@@ -11,7 +11,7 @@ from .leaves import Attribute, HostPlace, Parameter, Resource
 from .node import Graph, Node
 from .stages import RASTERISED, Chain, StageRow
 
-Lanes = float | int | bool | tuple["Lanes", ...]
+ConstantValue = float | int | bool | tuple["ConstantValue", ...]
 """A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
 
 
@@ -23,7 +23,7 @@ class ParameterInfo:
     declared_type: str
     """As written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
     range: tuple[float, float] | None
-    default: Lanes | None
+    default: ConstantValue | None
     doc: str
     span: Span
     members: tuple[ParameterInfo, ...] = ()

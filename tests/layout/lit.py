@@ -18,7 +18,7 @@ from burnish.compiler.ir.program import (
 )
 from burnish.compiler.ir.shader import (
     AttributeInfo,
-    Lanes,
+    ConstantValue,
     Notes,
     ParameterInfo,
     RenderTarget,
@@ -75,7 +75,7 @@ def _info(
     declared: str,
     doc: str = "",
     *,
-    default: Lanes | None = None,
+    default: ConstantValue | None = None,
     range_: tuple[float, float] | None = None,
     members: tuple[ParameterInfo, ...] = (),
     light: str = "",

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+import burnish
+from burnish.compiler.diagnostics.render import render
 from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.ir.operations import CROSS
 from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
@@ -82,3 +84,21 @@ def test_booleans_and_integers_cross_without_interpolation() -> None:
     whole = shader(text.replace("vec3(n.y)", "vec3(float(n.y))"))
     modes = {CROSS.data(node).mode for node in crossings(whole.results_of(TARGET)[0].value)}
     assert modes == {"flat"}
+
+
+def test_a_read_is_underlined_where_it_is_wrong_and_not_where_it_is_legal() -> None:
+    text = """material M {
+    map albedo : texture2d
+    legal = albedo(uv)
+    wrong = @vertex (albedo(uv).r + 1.0)
+    color = legal.rgb * wrong
+}"""
+    (found,) = burnish.check(text)
+    assert render(found).splitlines()[:6] == [
+        "error[B0502]: a texture read without a level is not available at the vertex",
+        " --> <text>:4:13",
+        "  |",
+        "4 |     wrong = @vertex (albedo(uv).r + 1.0)",
+        "  |             ^^^^^^^^^^^^^^^^^^^^^^^^^^^^",
+        "  |                      ---------- read here",
+    ]

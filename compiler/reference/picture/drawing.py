@@ -15,7 +15,7 @@ from .faces import Faces, assemble
 from .quads import Barycentric, Quads, depth_of, quads_of
 from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
-from .stages import Stages, Vertices
+from .stage_evaluation import StageEvaluator, Vertices
 
 _LANES = 1 << 14
 """How many pixels are shaded at once: few enough for their values to stay in the CPU's cache."""
@@ -57,7 +57,7 @@ class _Drawing:
         clear: Sequence[Sequence[float]],
     ) -> None:
         self._rules = rules
-        self._stages = Stages(shader, values, textures, rules)
+        self._stages = StageEvaluator(shader, values, textures, rules)
         self._vertices: Vertices = self._stages.vertices(geometry)
         self._faces: Faces = assemble(self._vertices.positions, geometry.triangles, rules)
         written = [(r.state, r.value.type) for r in shader.results if r.state is not None]

@@ -14,7 +14,7 @@ from ...diagnostics.source import Span
 from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ANGLE, Meaning
 from ...ir.node import Node
-from ...ir.shader import AttributeInfo, Lanes, ParameterInfo, ResourceInfo
+from ...ir.shader import AttributeInfo, ConstantValue, ParameterInfo, ResourceInfo
 from ...ir.stages import INSTANCES, VERTICES
 from ...ir.types import FLOAT, INT, Array, Matrix, Scalar, Texture, Type, Vector, scalar_kind
 from ...layout import STANDARD_GROUPS
@@ -193,7 +193,7 @@ def _default(
     definition: Definition,
     declared: Declared,
     limits: tuple[float, float] | None,
-) -> Lanes | None:
+) -> ConstantValue | None:
     if member.default is None:
         return None
     scope = Scope(definition.owner.module)
@@ -220,14 +220,14 @@ def range_text(member: ast.Param, limits: tuple[float, float]) -> str:
     return f"{low}..{high}" if "…" not in low + high else f"{limits[0]:g}..{limits[1]:g}"
 
 
-def is_within(value: Lanes | None, lo: float, hi: float) -> bool:
+def is_within(value: ConstantValue | None, lo: float, hi: float) -> bool:
     """Whether all lanes of a value are in a range."""
     if isinstance(value, tuple):
         return all(is_within(lane, lo, hi) for lane in value)
     return value is not None and lo <= value <= hi
 
 
-def _unit(ctx: Context, value: Lanes, written: ast.Expression) -> Lanes | None:
+def _unit(ctx: Context, value: ConstantValue, written: ast.Expression) -> ConstantValue | None:
     """A direction is kept at length one whatever was written."""
     assert isinstance(value, tuple)
     lanes = [float(lane) for lane in value if not isinstance(lane, tuple)]

@@ -76,7 +76,7 @@ def _summed(ctx: Context, body: LightBody, span: Span, surface: Instance) -> Nod
             contribution = folded(
                 ctx.graph, "add", entry.bound, contribution, formal, ctx.notes.follow, count
             )
-        ctx.notes.spans.setdefault(contribution.id, span)
+        ctx.places.note(contribution, span)
         total = contribution if total is None else ctx.graph.node(
             "call", total.type, (total, contribution), "add"
         )  # fmt: skip
@@ -125,7 +125,7 @@ def _closed(ctx: Context, symbol: Symbol, light: LightVariable, body: Node) -> L
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
     for node in changing((body,), set(formals)):
         if node.op == "cross":
-            where = ctx.notes.spans.get(node.id, function.body.span)
+            where = ctx.places.within(node, function.body.span)
             ctx.report.add(rules.CROSSING_PER_LIGHT, where)
             return FAILURE
     closed = close(ctx.graph, body, formals, ctx.notes.follow)

@@ -412,14 +412,14 @@ def _allowed(
     inside = list(changing(bodies, formals))
     crossing = next((node for node in inside if node.op == "cross"), None)
     if crossing is not None and (states or not turns.known or turns.bound > CROSSING_TURNS):
-        ctx.report.add(rules.CROSSING_IN_LOOP, ctx.notes.spans.get(crossing.id, span))
+        ctx.report.add(rules.CROSSING_IN_LOOP, ctx.places.within(crossing, span))
         return False
     read = next((node for node in inside if compares_neighbours(node)), None)
     if read is None or not (waits or _varies(turns.count)):
         return True
     what = "a texture read" if read.data == "sample" else f"`{read.data}`"
     labels = [Label(span, "pixels leave this loop at different turns")]
-    ctx.report.add(rules.READ_IN_LOOP, ctx.notes.spans.get(read.id, span), what=what, labels=labels)
+    ctx.report.add(rules.READ_IN_LOOP, ctx.places.within(read, span), what=what, labels=labels)
     return False
 
 

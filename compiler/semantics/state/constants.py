@@ -10,7 +10,7 @@ from ...diagnostics.diagnostic import Report
 from ...diagnostics.source import Span
 from ...ir.build import parts_of
 from ...ir.node import Node, bare, reachable
-from ...ir.shader import Lanes as Value
+from ...ir.shader import ConstantValue as Value
 from ...ir.types import Scalar, Type
 from ...reference.evaluate import NotConstantError, TooLongError, evaluate
 from ...reference.namespace import Lanes

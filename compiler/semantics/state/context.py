@@ -24,6 +24,7 @@ from ..types.meanings import Meanings
 from ..types.typenames import Declared, TypeResolver
 from .constants import ConstantValues
 from .crossings import Crossings
+from .places import Places
 from .scope import Application, Failure, Inner, Instance, RigEntry, Scope, Value
 
 
@@ -85,7 +86,8 @@ class Context:
         self.rig: tuple[RigEntry, ...] = ()
         self.graph = Graph()
         self.notes = Notes()
-        self.crossings = Crossings(self.graph, report, self.notes)
+        self.places = Places(self.notes.spans)
+        self.crossings = Crossings(self.graph, report, self.notes, self.places)
         self.constants = ConstantValues(report)
         self.meanings = Meanings(self.graph)
         self.ranges = Ranges(())

@@ -27,6 +27,7 @@ from ...ir.stages import (
     inputs_of,
 )
 from ...ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
+from .places import Places
 from .scope import FAILURE, Failure
 
 INPUTS = inputs_of(RASTERISED)
@@ -36,10 +37,11 @@ INPUTS = inputs_of(RASTERISED)
 class Crossings:
     """Makes and removes crossings in one graph."""
 
-    def __init__(self, graph: Graph, report: Report, notes: Notes) -> None:
+    def __init__(self, graph: Graph, report: Report, notes: Notes, places: Places) -> None:
         self._graph = graph
         self._report = report
         self._notes = notes
+        self._places = places
         self._vertex: dict[int, Node] = {}
         self._domains = Domains()
 
@@ -76,7 +78,7 @@ class Crossings:
             return inner
         read = found.op == "call" and BUILTINS[str(found.data)].sampler is not None
         what = "a texture read without a level" if read else f"`{found.data}`"
-        labels = [Label(self._notes.spans.get(found.id, span), "read here")]
+        labels = [Label(self._places.within(found, span), "read here")]
         hint = "say which level is read: `name.level(coordinate, 0)`" if read else ""
         self._report.add(rules.NOT_AT_VERTEX, span, what=what, labels=labels, hint=hint)
         return FAILURE
@@ -95,6 +97,7 @@ class Crossings:
                 new = self._graph.node(node.op, node.type, operands, node.data)
                 self._vertex[node.id] = new
                 self._notes.follow(node, new)
+                self._places.follow(node, new)
         return self._vertex[root.id]
 
     def _crossing(self, inner: Node) -> Node:

@@ -108,7 +108,7 @@ def _begun(ctx: Context, demand: Demand) -> list[_Work]:
 
 def _run(ctx: Context, work: list[_Work]) -> Value:
     """Do all work; the value is that of the last expression."""
-    table, spans = ctx.rules, ctx.notes.spans
+    table, note = ctx.rules, ctx.places.note
     values: list[Value] = []
     while True:
         top = work.pop()
@@ -146,6 +146,6 @@ def _run(ctx: Context, work: list[_Work]) -> Value:
         del values[start:]
         values.append(found)
         if isinstance(found, Node):
-            spans.setdefault(found.id, written.span)
+            note(found, written.span)
         if not work:
             return found

@@ -21,7 +21,7 @@ VertexFormat = Literal[
 ]  # fmt: skip
 """WebGPU's names: the type of a lane and the number of lanes, tightly packed."""
 
-Step = Literal["vertex", "instance"]
+StepMode = Literal["vertex", "instance"]
 """When an attribute advances to its next value."""
 
 TextureFormat = Literal[
@@ -97,7 +97,7 @@ class VertexInput:
     """Its name in the text."""
     location: int
     format: VertexFormat
-    step: Step = "vertex"
+    step: StepMode = "vertex"
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from burnish.targets.emit.precedence import Binding, Text
 from .planting import (
     QUICKEST,
     Planted,
+    agreeing,
     form,
     framebuffer,
     replaced,
@@ -201,6 +202,8 @@ FORMS = [
 ]  # fmt: skip
 
 PIPELINE = [
+    Planted("first_leading_bit of an int as DXC has it", "bits: Counted", HLSL,
+            agreeing("hlsl", "sm6")),
     Planted("frag_coord from below", "pipeline: Crossing", OPENGL,
             framebuffer("glsl", "gl330", inputs={})),
     Planted("frag_coord from below", "pipeline: Crossing", BROWSER,

@@ -108,13 +108,20 @@ def supplied(language: str, name: str, read: str) -> Plant:
 def framebuffer(language: str, name: str, **changes: Any) -> Plant:
     """Make a profile wrong about clip space or the order of rows."""
 
+    def wrong(right: Profile) -> Profile:
+        return changed(right, framebuffer=changed(right.framebuffer, **changes))
+
+    return _profile(language, name, wrong)
+
+
+def agreeing(language: str, name: str) -> Plant:
+    """Make a profile trust all operations of the language itself."""
+    return _profile(language, name, lambda right: changed(right, agrees={}))
+
+
+def _profile(language: str, name: str, wrong: Callable[[Profile], Profile]) -> Plant:
     def change(whole: Target) -> Target:
-        profiles: tuple[Profile, ...] = tuple(
-            changed(each, framebuffer=changed(each.framebuffer, **changes))
-            if each.name == name
-            else each
-            for each in whole.profiles
-        )
+        profiles = tuple(wrong(each) if each.name == name else each for each in whole.profiles)
         return changed(whole, profiles=profiles)
 
     return target(language, change)

@@ -7,13 +7,13 @@ from contextlib import ExitStack
 
 import moderngl
 
-from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, Step
+from ..draw import Device, Draw, DriverError, Job, Picture, Pipeline, StepMode
 from .context import GL_FRAMEBUFFER_SRGB, Functions, create_context
 from .program import attribute_layout, link
 from .screen import Screen
 from .texture_units import bound_texture
 
-RATES: Mapping[Step, str] = {"vertex": "/v", "instance": "/i"}
+RATES: Mapping[StepMode, str] = {"vertex": "/v", "instance": "/i"}
 """The suffix of moderngl's layouts for each rate."""
 
 

@@ -9,7 +9,7 @@ from typing import Any, Literal
 import vulkan as vk
 
 from ..checks import lane_count
-from ..draw import Blend, Code, Cull, Pipeline, Step, VertexInput
+from ..draw import Blend, Code, Cull, Pipeline, StepMode, VertexInput
 from .device import Gpu
 from .formats import VERTICES
 
@@ -45,7 +45,7 @@ STAGES: dict[str, int] = {
     "fragment": vk.VK_SHADER_STAGE_FRAGMENT_BIT,
 }
 
-RATES: dict[Step, int] = {
+RATES: dict[StepMode, int] = {
     "vertex": vk.VK_VERTEX_INPUT_RATE_VERTEX,
     "instance": vk.VK_VERTEX_INPUT_RATE_INSTANCE,
 }

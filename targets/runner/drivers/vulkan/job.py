@@ -10,8 +10,8 @@ import vulkan as vk
 
 from ..checks import check
 from ..draw import Draw, Image, Job, Picture
-from .bindings import make_bindings
 from .canvas import Canvas, make_canvas, make_render_pass
+from .descriptor_sets import make_descriptor_sets
 from .device import Gpu, recording
 from .graphics_pipeline import make_layout, make_pipeline, viewport
 from .limits import check_limits
@@ -41,7 +41,7 @@ class _Painter:
         self._gpu = gpu
         self._description = job.pipeline
         self._render_pass = make_render_pass(owned, gpu, job.pipeline.targets)
-        self._bindings = make_bindings(owned, gpu, job.pipeline)
+        self._bindings = make_descriptor_sets(owned, gpu, job.pipeline)
         self._layout = make_layout(owned, gpu, self._bindings.layouts)
         self._pipeline = make_pipeline(owned, gpu, job.pipeline, self._layout, self._render_pass)
         self._canvases: dict[tuple[int, int], Canvas] = {}

@@ -61,7 +61,7 @@ class Shaded:
     """(quads, side, side)."""
 
 
-class Stages:
+class StageEvaluator:
     """A shader with the values of its parameters and its textures."""
 
     def __init__(

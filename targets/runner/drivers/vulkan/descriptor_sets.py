@@ -23,7 +23,7 @@ COMBINED = vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
 
 
 @dataclass(frozen=True, slots=True)
-class Bindings:
+class DescriptorSets:
     """The descriptor sets of a pipeline, whose contents change from draw to draw."""
 
     slots: Pipeline
@@ -66,12 +66,12 @@ class Bindings:
         vk.vkUpdateDescriptorSets(gpu.device, 1, [write], 0, None)
 
 
-def make_bindings(owned: ExitStack, gpu: Gpu, pipeline: Pipeline) -> Bindings:
+def make_descriptor_sets(owned: ExitStack, gpu: Gpu, pipeline: Pipeline) -> DescriptorSets:
     """Descriptor sets with a buffer for each block and a sampler for each texture."""
     kinds = list(_descriptors(pipeline))
     layouts = _layouts(owned, gpu, kinds)
     block = vk.VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT
-    bindings = Bindings(
+    bindings = DescriptorSets(
         pipeline,
         layouts,
         _sets(owned, gpu, layouts, [kind for _, kind in kinds]),

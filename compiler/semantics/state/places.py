@@ -1,0 +1,36 @@
+"""Where values are written. Equal expressions are one node, but each stands in its own place."""
+
+from __future__ import annotations
+
+from ...diagnostics.source import Span
+from ...ir.node import Node
+
+
+class Places:
+    """All places of each node; ``spans`` has the first, which is what the other phases show."""
+
+    def __init__(self, spans: dict[int, Span]) -> None:
+        self._first = spans
+        self._further: dict[int, list[Span]] = {}
+
+    def note(self, node: Node, span: Span) -> None:
+        """A node is the value of what is written at ``span``."""
+        if self._first.setdefault(node.id, span) is not span:
+            self._further.setdefault(node.id, []).append(span)
+
+    def follow(self, old: Node, new: Node) -> None:
+        """A node that replaces another one stands where that does."""
+        self._further.setdefault(new.id, []).extend(self._further.get(old.id, ()))
+
+    def within(self, node: Node, around: Span) -> Span:
+        """Where a node is written inside of ``around``; the first place if it is not, as the value
+        of a slot or of a function's body that is read there; ``around`` if none is known."""
+        first = self._first.get(node.id)
+        if first is None:
+            return around
+        known = (first, *self._further.get(node.id, ()))
+        return next((span for span in known if _contains(around, span)), first)
+
+
+def _contains(around: Span, span: Span) -> bool:
+    return around.source is span.source and around.start <= span.start and span.end <= around.end
