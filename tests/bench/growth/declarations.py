@@ -27,8 +27,8 @@ def default_chain(size: int) -> str:
 
 @shape(16, 512)
 def chain_of_array_counts(size: int) -> str:
-    """Counts of arrays that each are one more than the count before."""
-    constants = lines(f"c{i + 1} = c{i} + 1" for i in range(size))
+    """Counts of arrays that each need the count before."""
+    constants = lines(f"c{i + 1} = c{i} mod 4 + 1" for i in range(size))
     declared = lines(f"param p{i} : float[c{i}]" for i in range(size))
     return f"c0 = 1\n{constants}\n" + material(f"{declared}\nalpha = p{size - 1}[0]")
 
