@@ -29,6 +29,7 @@ from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
 from .frozen import frozen
+from .garbage import seldom_collected
 from .targets import registry
 from .targets.emit.description import Profile, Target
 from .targets.emit.directives import Directed, directed
@@ -192,6 +193,7 @@ class CompileResult:
         raise KeyError(name)
 
 
+@seldom_collected
 def compile(
     source: str | Path,
     targets: str | Iterable[str] = DEFAULT,
@@ -247,6 +249,7 @@ def compile(
     return CompileResult(tuple(compiled), report.diagnostics, frontend.inputs)
 
 
+@seldom_collected
 def check(
     source: str | Path,
     *,

@@ -25,7 +25,9 @@ def main() -> None:
         sys.exit(INTERRUPTED)
     # A command makes far more objects than it drops: looking for circles of dropped ones often
     # takes a twentieth of a short compile.
-    gc.set_threshold(100_000, 50, 100)
+    from .garbage import SELDOM
+
+    gc.set_threshold(*SELDOM)
     from .commands.group import burnish
 
     burnish.main(arguments, obj=question)

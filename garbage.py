@@ -1,0 +1,78 @@
+"""How often Python looks for garbage while Burnish works.
+
+Python counts how many objects are made, and looks through them for circles of dropped ones after
+every 700. A compile makes many objects, keeps most of them until it ends, and hardly ever drops a
+circle: a quarter of the time of a long compile would go into looking in vain. So the command line
+sets ``SELDOM`` for the whole process, and ``api.py`` marks the functions that users call with
+``seldom_collected``.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable
+from functools import wraps
+from threading import Lock
+from typing import ParamSpec, TypeVar
+
+SELDOM = (100_000, 50, 100)
+"""How many new objects there are when Python looks through these, and after how many such looks it
+goes through older ones too. What has been dropped in the meantime takes some 10 MB at most."""
+
+Arguments = ParamSpec("Arguments")
+Result = TypeVar("Result")
+
+
+def seldom_collected(work: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
+    """``work``, during which Python looks for garbage seldom.
+
+    The first call that begins raises the thresholds, and the last one that ends restores them.
+    Collection is never turned off, so memory stays bounded however long a compile is; and if the
+    host has turned it off, or has set thresholds that are higher still, these stay. Other threads
+    only notice that their circles are freed a little later.
+    """
+
+    @wraps(work)
+    def wrapped(*arguments: Arguments.args, **named: Arguments.kwargs) -> Result:
+        _CALLS.begin()
+        try:
+            return work(*arguments, **named)
+        finally:
+            _CALLS.end()
+
+    return wrapped
+
+
+class _Calls:
+    """The calls that are running, in all threads: the thresholds belong to the process."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._running = 0
+        self._before = SELDOM
+        """The host's thresholds, while any call is running."""
+
+    def begin(self) -> None:
+        with self._lock:
+            if self._running == 0:
+                self._before = gc.get_threshold()
+                gc.set_threshold(*_raised(self._before))
+            self._running += 1
+
+    def end(self) -> None:
+        with self._lock:
+            self._running -= 1
+            # What the host has set in the meantime is what it wants.
+            if self._running == 0 and gc.get_threshold() == _raised(self._before):
+                gc.set_threshold(*self._before)
+
+
+def _raised(thresholds: tuple[int, int, int]) -> tuple[int, int, int]:
+    """Thresholds that are at least ``SELDOM``; a first one of 0 turns collection off."""
+    if thresholds[0] == 0:
+        return thresholds
+    first, second, third = map(max, thresholds, SELDOM)
+    return first, second, third
+
+
+_CALLS = _Calls()
