@@ -203,6 +203,9 @@ def _textures() -> Iterator[Expectation]:
         yield Expectation(f"wrapped, texel {at}", "textures", pixel, lanes, 1, 1e-6)
 
 
+pytestmark = pytest.mark.xdist_group("conventions")
+"""One process compiles the drawings, for all tests."""
+
 IN_SPACE = [
     *_world(), *_depth(), *_coordinates(), *_interpolation(), *_faces(), *_derivatives(),
     *_textures(),

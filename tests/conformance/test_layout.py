@@ -23,6 +23,8 @@ from .declarations import Unit
 from .kit import REFERENCE, Floats, Studio, compiled
 from .layouts import PASS, Layout, every_element, every_neighbour, every_type, random_layout
 
+pytestmark = pytest.mark.xdist_group("layout")  # One process makes the programs, for all tests.
+
 SEEDS = range(24)
 FRESH = secrets.randbelow(2**32)
 """A seed that no run had before; a failure tells it."""

@@ -2,25 +2,51 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
+
 import pytest
 
 import burnish
 from burnish.stdlib.builtins import BUILTINS
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.rows import Row
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
 from .kit import Studio
-from .subjects import DEFECTS, LACKING, NAMES, called, compiled, row
+from .subjects import DEFECTS, LACKING, NAMES, called, compiled
+
+CASES = [
+    # One process draws a material by all routes, so that the reference draws it once.
+    pytest.param(route, name, id=f"{route}-{name}", marks=pytest.mark.xdist_group(name))
+    for name in NAMES
+    for route in ROUTES
+]
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("route", ROUTES)
-def test_it_agrees(studio: Studio, route: str, name: str) -> None:
+@pytest.fixture(scope="session")
+def rows(studio: Studio) -> Callable[[str], dict[str, Row]]:
+    """What a run over one of ``NAMES`` finds, by route."""
+
+    @cache
+    def found(name: str) -> dict[str, Row]:
+        lacking = LACKING.get(name, ())
+        routes = {key: route for key, route in ROUTES.items() if route.profile not in lacking}
+        material = compiled(name, *sorted({route.profile for route in routes.values()}))
+        rows = conform([(name, material)], list(routes.values()), studio.runner, studio.toolchain)
+        return dict(zip(routes, rows, strict=True))
+
+    return found
+
+
+@pytest.mark.parametrize(("route", "name"), CASES)
+def test_it_agrees(rows: Callable[[str], dict[str, Row]], route: str, name: str) -> None:
     if ROUTES[route].profile in LACKING.get(name, ()):
         with pytest.raises(burnish.CompileError, match=f"{ROUTES[route].profile} has no"):
             compiled(name, ROUTES[route].profile)
         return
-    found = row(studio, name, route)
+    found = rows(name)[route]
     if DEFECTS.get(name) == ROUTES[route].driver:
         assert found.status == "differs", "the defect is gone: take it off the list"
         return
