@@ -18,6 +18,7 @@ BACKENDS = registry.names()
 FLOORS: dict[str, str] = {
     "frozen": "",
     "arguments": "",
+    "garbage": "",
     "stdlib": "frozen",
     # From text to a staged program.
     "compiler.cache": "",
@@ -76,14 +77,14 @@ FLOORS: dict[str, str] = {
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "api": (
-        "frozen arguments inputs diagnostics ir passes source_map names reflection frontend "
+        "frozen arguments garbage inputs diagnostics ir passes source_map names reflection frontend "
         "emit legalise registry runner"
     ),
     "commands": (
         "frozen cache inputs diagnostics ir passes frontend formula emit registry runner "
         "conformance toolchain api"
     ),
-    "cli": "commands",
+    "cli": "garbage commands",
     "__main__": "cli",
 }
 """What each folder or module may import of the others here, by their last names; lowest first.
