@@ -77,8 +77,8 @@ FLOORS: dict[str, str] = {
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "api": (
-        "frozen arguments garbage inputs diagnostics ir passes source_map names reflection frontend "
-        "emit legalise registry runner"
+        "frozen arguments garbage inputs diagnostics ir passes source_map names reflection "
+        "frontend emit legalise registry runner"
     ),
     "commands": (
         "frozen cache inputs diagnostics ir passes frontend formula emit registry runner "
