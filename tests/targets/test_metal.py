@@ -148,4 +148,7 @@ def test_it_is_labelled_wherever_it_is_named(tmp_path: Path) -> None:
     file.write_text("material M { color = #808080 }")
     unknown = invoke("compile", file, "-t", "spirv", "-o", tmp_path)
     assert f"msl ({LABEL}" in unknown.stderr
+    written = invoke("compile", file, "-t", "msl,wgsl", "-o", tmp_path)
+    (remark,) = [line for line in written.output.splitlines() if LABEL in line]
+    assert remark.startswith("texts in Metal Shading Language: ")
     assert "clang-msl" in CHECKERS
