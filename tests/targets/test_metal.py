@@ -64,7 +64,7 @@ WRONG = [
     ("[[buffer(0)]]", "[[bufer(0)]]", "there is no attribute 'bufer(0)'"),
     ("[[buffer(0)]]", "[[buffer]]", "there is no attribute 'buffer'"),
     ("[[stage_in]]", "[[stage_in(0)]]", "there is no attribute 'stage_in(0)'"),
-    ("fragment float4 shade", "float4 shade", "there is no fragment entry point named 'shade'"),
+    ("fragment float4 shade", "float4 shade", "there is no frag entry point named 'shade'"),
     ("return float4(", "uint whole = uint(1) * -1; return float4(", "signedness"),
 ]
 """What is changed in a good text, and what is said of it then."""
