@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -156,7 +156,18 @@ def _output(request: Request, result: CompileResult) -> Output:
         texts[reflection] = _reflection_text(material)
         shaders = f"{len(material.files)} shaders and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
+    lines += _remarks_on_languages(result)
     return Output(request.output, texts, "".join(lines), warnings)
+
+
+def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
+    """A line for each language of the texts that is marked as unproven."""
+    from ..targets import registry
+
+    names = (file.target for material in result.materials for file in material.files)
+    for target in map(registry.load, dict.fromkeys(names)):
+        if target.unproven:
+            yield f"texts in {target.title}: {target.unproven}\n"
 
 
 def _deliver(output: Output) -> None:

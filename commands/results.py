@@ -1,4 +1,4 @@
-"""What ``burnish compile`` has written, kept so that the same again takes a start of Python.
+"""What ``burnish compile`` has written, kept, so that repeating it takes hardly longer than Python.
 
 ``cli.main`` asks before it loads anything else. The answer is kept by its command line, word for
 word, and holds for as long as everything is the same that the compile depended on: the current
@@ -91,6 +91,8 @@ def answer(question: Question) -> bool:
         if kept["circumstances"] != question.circumstances or not _unchanged(kept):
             return False
         output = Output(kept["folder"], kept["texts"], kept["printed"], kept["warnings"])
+        if any(os.path.basename(name) != name for name in output.texts):  # noqa: PTH119
+            return False
         if output.folder != STDOUT:
             put_in_place(output.folder, output.texts)
         show_everything()
@@ -167,15 +169,18 @@ def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
 
 
 def _holds(path: str, content: str | None) -> bool:
-    """Whether a file holds this, or with ``None``, whether there is no file. Raises ``OSError``."""
-    if content is None:
-        try:
-            mode = os.stat(path).st_mode  # noqa: PTH116
-        except (FileNotFoundError, NotADirectoryError):
-            return True
-        from stat import S_ISREG
+    """Whether a file holds this, or with ``None``, whether there is no file. Raises ``OSError``.
 
-        return not S_ISREG(mode)
+    What is no regular file, such as a pipe, can be read only once, which is left to the compile.
+    """
+    from stat import S_ISREG
+
+    try:
+        is_file = S_ISREG(os.stat(path).st_mode)  # noqa: PTH116
+    except (FileNotFoundError, NotADirectoryError):
+        return content is None
+    if content is None or not is_file:
+        return content is None and not is_file
     with open(path, "rb") as file:  # noqa: PTH123
         return file.read() == content.encode()
 

@@ -41,4 +41,8 @@ class Inputs:
         self.folders.append(str(folder))
 
     def _real(self, path: Path) -> str:
-        return self.links.setdefault(str(path), os.path.realpath(path))
+        asked = str(path)
+        known = self.links.get(asked)
+        if known is None:
+            known = self.links[asked] = os.path.realpath(path)
+        return known

@@ -1,9 +1,11 @@
-"""Recursion without the call stack.
+"""Recursion without the call stack, for what follows the structure of a graph or a program.
 
-Graphs are as deep as programs are long, so some functions that follow their structure are
-generators: ``yield sub()`` stands for a recursive call. ``run`` keeps the pending ones on a list,
-whose length nothing limits. What can be answered without a further call need not be a generator:
-``yield answer`` is as good, and cheaper.
+Programs nest as deep as their authors like: branches within branches (``passes/schedule.py``),
+arrays of structures of arrays (``passes/replace_aggregates.py``), bodies that apply bodies
+(``reference/evaluate.py``, and the runtime's ``derived.py``). There ``yield sub()`` stands for a
+recursive call, and ``run`` keeps the pending ones on a list, whose length nothing limits. What can
+be answered without a further call need not be a generator: ``yield answer`` is as good, and
+cheaper. Semantics does without: its values ask for each other by name (``state/evaluation.py``).
 """
 
 from __future__ import annotations

@@ -18,6 +18,8 @@ from types import NoneType
 from typing import Any, Generic, Literal, TypeVar, get_args
 
 from ...frozen import frozen
+from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.row import nowhere
 from . import result_types
 from .leaves import Attribute, Parameter, Resource
 from .meaning import Meaning
@@ -28,7 +30,8 @@ from .types import Type
 Form = Literal["semantics", "opened", "flat", "guarded", "stored"]
 """What a graph is like after which pass, in order: as semantics leaves it; its binders opened
 (``open_binders``); without structures that were put together (``replace_aggregates``); with
-hardware operations only (``guard``); reading parameters as blocks store them (``lower_reads``)."""
+hardware operations, and such calls as each profile decides about (``guard``); reading parameters as
+blocks store them (``lower_reads``)."""
 
 FORMS: tuple[Form, ...] = get_args(Form)
 
@@ -71,6 +74,8 @@ class Operation(Generic[Data]):
     """How many operands it has; ``None``: as many as it needs, at least one."""
     until: Form | None = "stored"
     """The last form in which it may stand; ``None``: only while semantics is still at work."""
+    stays: Callable[[Node], bool] = lambda _: False
+    """Which nodes may stand in all later forms, too."""
     rate: Rate = "operands"
     is_global: bool = False
     """Whether every function of a program can read it where it is."""
@@ -138,8 +143,18 @@ FORMAL = Operation("formal", "variable", Formal, result_types.own, rate="varying
 
 # --- builtins ------------------------------------------------------------------------------------
 
-CALL = Operation("call", "builtin", str, result_types.builtin, arity=None, until="flat")
-"""A builtin with Burnish's meaning, which is defined for all operands; the data is its name."""
+
+def _is_by_profile(call: Node) -> bool:
+    """Whether a call is one about which profiles decide, after the passes."""
+    row = BUILTINS.get(str(call.data))
+    return row is not None and row.by_profile is not nowhere
+
+
+CALL = Operation(
+    "call", "builtin", str, result_types.builtin, arity=None, until="flat", stays=_is_by_profile
+)  # fmt: skip
+"""A builtin with Burnish's meaning, which is defined for all operands; the data is its name. Calls
+that some language can make without a guard stay to the end: ``targets/legalise`` decides."""
 
 NATIVE = Operation("native", "builtin", str, result_types.native, arity=None)
 """A builtin as the hardware does it. Where backends agree on it, that is its meaning; elsewhere the

@@ -11,8 +11,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from ...stdlib.builtins import BUILTINS
-from ...stdlib.builtins.row import nowhere
 from .domains import Domains, MixedDomainsError, exists
 from .node import Binder, Formal, Node, Op, binders, bodies_of, reachable
 from .operations import BOUND, CROSS, FORMAL, OPERATIONS, PARAMETER, Form, Operation
@@ -79,16 +77,10 @@ def _check_order(node: Node) -> None:
 
 
 def _check_form(node: Node, row: Operation[Any], form: Form) -> None:
-    if form not in row.forms and not _is_by_profile(node):
+    if form not in row.forms and not row.stays(node):
         raise InvalidGraphError(node, _TOO_LATE.get(node.op, f"a {node.op} in a graph {form}"))
     if form != "semantics" and binders(node):
         raise InvalidGraphError(node, _TOO_LATE["bound"])
-
-
-def _is_by_profile(node: Node) -> bool:
-    """Whether a node is a call about which profiles decide, after the passes."""
-    row = BUILTINS.get(str(node.data)) if node.op == "call" else None
-    return row is not None and row.by_profile is not nowhere
 
 
 _TOO_LATE: Mapping[Op, str] = {

@@ -33,7 +33,8 @@ class Options:
     hoist: bool = True
     """Compute what depends on parameters only on the host side."""
     without: frozenset[str] = frozenset()
-    """Rules of range analysis to do without (``rulebook.py``), to see what they are good for."""
+    """Names of rules of range analysis (``rulebook.py``) and of simplification (``rules``) to do
+    without, to see what they are good for."""
 
 
 @frozen

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from ...frozen import fresh, record
-from ..ir.node import Formal, Node, binders, bodies_of, formals_of
+from ..ir.node import Formal, Node, bare, binders, bodies_of, formals_of
 from ..ir.operations import BOUND, FOLD, FORMAL, ITERATE, OUTSIDE
 from ..ir.types import scalar_kind
 from ..trampoline import Step, run
@@ -52,8 +52,9 @@ def evaluate(
     Raises ``NotConstantError`` if a leaf has no value, and ``TooLongError`` beyond
     ``most_operations``.
     """
-    if root.op == "constant":
-        return constant_lanes(root.type, root.data)
+    plain = bare(root)
+    if plain.op == "constant":
+        return constant_lanes(plain.type, plain.data)
     return Evaluator(leaves, xp, most_operations=most_operations).value(root)
 
 

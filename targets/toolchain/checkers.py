@@ -27,6 +27,8 @@ VULKAN_ATTRIBUTES_ARE_FINE = "-Wno-ignored-attributes"
 DXC_PROFILES = {"vert": "vs_6_0", "frag": "ps_6_0"}
 MSL_DECLARATIONS = Path(__file__).parents[1] / "msl"
 """Apple's own compiler is not available here; its language has only ever been checked by clang."""
+MSL_ENTRIES = {"vert": r"vertex \w+ {name}\(", "frag": r"fragment \w+ {name}\("}
+"""How entry points are defined there."""
 NAGA_NO_ENTRY = "Unable to find the entry point"
 
 
@@ -116,7 +118,7 @@ CHECKERS: dict[str, Checker] = {
         Checker("dxc-dxil", ("dxc",), _each(_dxc_dxil)),
         Checker("naga", ("naga", "spirv-tools"), _each(_naga)),
         Checker("tint", ("tint", "node"), _each(_tint)),
-        Checker("clang-msl", ("clang",), _each(check_against(MSL_DECLARATIONS))),
+        Checker("clang-msl", ("clang",), _each(check_against(MSL_DECLARATIONS, MSL_ENTRIES))),
     )
 }
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from .job import Job, Message, Verdict
@@ -24,14 +24,19 @@ _OPTIONS = (
     # What a text converts it has to say.
     "-Werror=float-conversion", "-Werror=implicit-int-float-conversion", "-Werror=sign-conversion",
 )  # fmt: skip
-_STAGES = {"vert": "vertex", "frag": "fragment"}
 _ATTRIBUTES = re.compile(r"\[\[(.*?)\]\]")
 _ATTRIBUTE = re.compile(r"(\w+)(\(\w+\))?")
 _COMMENT = re.compile("//.*")
 
 
-def check_against(declarations: Path) -> Callable[[Job, Toolbox], Verdict]:
-    """A checker of texts against what the folder ``declarations`` holds."""
+def check_against(
+    declarations: Path, entries: Mapping[str, str]
+) -> Callable[[Job, Toolbox], Verdict]:
+    """A checker of texts against what the folder ``declarations`` holds.
+
+    ``entries`` has, by stage, what a line begins with in which an entry point is defined: a regular
+    expression, in which ``{name}`` is what the entry point is called.
+    """
 
     def check(job: Job, toolbox: Toolbox) -> Verdict:
         with tempfile.TemporaryDirectory() as name:
@@ -46,7 +51,7 @@ def check_against(declarations: Path) -> Callable[[Job, Toolbox], Verdict]:
         messages = (
             *read_clang(outcome.log),
             *_wrong_attributes(job.text, _known(declarations)),
-            *_lack_of_entry(job),
+            *_lack_of_entry(job, entries[job.stage]),
         )
         return accepted_unless_error(job, messages, outcome.log)
 
@@ -71,9 +76,8 @@ def _wrong_attributes(text: str, known: dict[str, bool]) -> Iterator[Message]:
                     yield Message("error", number, found.start() + 1, said)
 
 
-def _lack_of_entry(job: Job) -> Iterator[Message]:
-    """Words such as ``vertex`` before an entry point are nothing to clang."""
-    stage = _STAGES[job.stage]
-    if not re.search(rf"^{stage} \w+ {job.entry}\(", job.text, re.MULTILINE):
-        said = f"there is no {stage} entry point named '{job.entry}'"
+def _lack_of_entry(job: Job, form: str) -> Iterator[Message]:
+    """The words that make a function an entry point are nothing to clang."""
+    if not re.search(f"^{form.format(name=job.entry)}", job.text, re.MULTILINE):
+        said = f"there is no {job.stage} entry point named '{job.entry}'"
         yield Message("error", None, None, said)

@@ -305,6 +305,28 @@ def test_another_compiler(place: Place, tmp_path: Path) -> None:
         assert place.process().how == "COMPILED", changed
 
 
+def test_a_pipe_is_read_by_the_compile_alone(place: Place) -> None:
+    pipe = place.folder / "main.burnish"
+    os.mkfifo(pipe)
+    for color in ("vec3(1)", "vec3(0)"):
+        text = f"material Main {{ color = {color} }}\n"
+        with ThreadPoolExecutor(1) as pool:
+            writing = pool.submit(pipe.write_text, text, "utf-8")
+            assert place.run().how == "COMPILED"
+            writing.result(timeout=10)
+
+
+def test_an_answer_names_no_files_elsewhere(place: Place) -> None:
+    place.write(main="material Main { color = vec3(1) }\n")
+    place.run()
+    (kept,) = place.cache.glob("result-*")
+    entry = json.loads(cache.load("result", kept.stem.removeprefix("result-")) or b"")
+    entry["texts"] = {"../elsewhere": "x"}
+    cache.store("result", kept.stem.removeprefix("result-"), json.dumps(entry).encode())
+    assert place.run().how == "COMPILED"
+    assert not (place.folder / "elsewhere").exists()
+
+
 def test_switched_off(place: Place) -> None:
     place.write(main="material Main { }")
     assert [place.run("--no-cache")[0] for _ in range(2)] == ["COMPILED"] * 2

@@ -23,8 +23,7 @@ OUTSIDE = {
     "targets/runner/drivers/opengl/program.py": "a call that takes both stages",
     "targets/runner/drivers/opengl/renderer.py": "the library's words for steps",
     "targets/runner/drivers/vulkan/graphics_pipeline.py": "Vulkan's bits for stages and steps",
-    "targets/toolchain/checkers.py": "DXC's profiles",
-    "targets/toolchain/clang.py": "qualifiers of Metal's entry points",
+    "targets/toolchain/checkers.py": "DXC's profiles, and how Metal's entry points look",
     "targets/toolchain/spirv.py": "SPIR-V's execution models",
 }
 """The files that name a stage, besides the table and the languages' folders, and what for."""

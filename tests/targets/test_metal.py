@@ -64,7 +64,7 @@ WRONG = [
     ("[[buffer(0)]]", "[[bufer(0)]]", "there is no attribute 'bufer(0)'"),
     ("[[buffer(0)]]", "[[buffer]]", "there is no attribute 'buffer'"),
     ("[[stage_in]]", "[[stage_in(0)]]", "there is no attribute 'stage_in(0)'"),
-    ("fragment float4 shade", "float4 shade", "there is no fragment entry point named 'shade'"),
+    ("fragment float4 shade", "float4 shade", "there is no frag entry point named 'shade'"),
     ("return float4(", "uint whole = uint(1) * -1; return float4(", "signedness"),
 ]
 """What is changed in a good text, and what is said of it then."""
@@ -148,4 +148,7 @@ def test_it_is_labelled_wherever_it_is_named(tmp_path: Path) -> None:
     file.write_text("material M { color = #808080 }")
     unknown = invoke("compile", file, "-t", "spirv", "-o", tmp_path)
     assert f"msl ({LABEL}" in unknown.stderr
+    written = invoke("compile", file, "-t", "msl,wgsl", "-o", tmp_path)
+    (remark,) = [line for line in written.output.splitlines() if LABEL in line]
+    assert remark.startswith("texts in Metal Shading Language: ")
     assert "clang-msl" in CHECKERS

@@ -146,6 +146,9 @@ class Loader:
         self._loading: list[tuple[Path, Span]] = []
         self._prelude: Module | None = None
         self._offers: dict[str, str] | None = None
+        self._real: dict[Path, Path] = {}
+        """Folders without links, as far as anybody has asked: the system goes through all of a path
+        each time."""
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -309,7 +312,7 @@ class Loader:
         for root, inside in self._roots(module, wanted, relative):
             found = root / inside
             path = found.resolve()
-            if not path.is_relative_to(root.resolve()):
+            if not path.is_relative_to(self._resolved(root)):
                 self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
                 return None
             is_file = path.is_file()
@@ -320,6 +323,12 @@ class Loader:
             rules.MISSING_IMPORT, wanted.span, path=relative, hint=self._suggest(wanted)
         )
         return None
+
+    def _resolved(self, folder: Path) -> Path:
+        """A folder that files are looked for in, without links."""
+        if folder not in self._real:
+            self._real[folder] = folder.resolve()
+        return self._real[folder]
 
     def _roots(
         self, module: Module, wanted: ast.Import, relative: str
@@ -380,7 +389,7 @@ class Loader:
                 rules.IMPORT_CYCLE, wanted.span, cycle=" → ".join(step.name for step in cycle)
             )
             return None
-        library = path.is_relative_to(self._library.resolve())
+        library = path.is_relative_to(self._resolved(self._library))
         shown = _library_name(path) if library else str(found)
         source = self._read(path, self._report, shown)
         if source is None:
