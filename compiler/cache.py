@@ -116,8 +116,8 @@ def _path(name: str, key: str) -> str:
 def _prune(place: str, name: str) -> None:
     """Delete the values of a name that were written first, where there are too many of them.
 
-    So go halves of values that a killed process has left. A value that is still in use is computed
-    again, and so is new then.
+    Partly written files of killed processes are deleted in the same way. A value that is still in
+    use is computed again, and so is new then.
     """
     import re
 

@@ -27,7 +27,7 @@ from .syntax import ast
 
 
 @frozen
-class Step:
+class TemplateStep:
     """One node of a template; operands are numbers of earlier steps."""
 
     op: Op
@@ -45,14 +45,14 @@ class Template:
     name: str
     doc: str
     parameters: tuple[str, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[TemplateStep, ...]
     result: int
     """The step that is the value."""
     lanewise: bool = False
     """Declared on scalars: applies to each lane of vector operands."""
 
     @property
-    def operations(self) -> tuple[Step, ...]:
+    def operations(self) -> tuple[TemplateStep, ...]:
         """The steps that compute something."""
         return self.steps[len(self.parameters) :]
 
@@ -100,13 +100,13 @@ def _template(
 ) -> Template:
     assert isinstance(function, ast.Function)
     number = {argument.id: i for i, argument in enumerate(arguments)}
-    steps = [Step(node.op, node.type, (), None) for node in arguments]
+    steps = [TemplateStep(node.op, node.type, (), None) for node in arguments]
     for node in reachable((value,)):
         if node.id in number:
             continue
         number[node.id] = len(steps)
         operands = tuple(number[operand.id] for operand in node.operands)
         role = "" if node is value else roles.get(node.id, "")
-        steps.append(Step(node.op, node.type, operands, node.data, role))
+        steps.append(TemplateStep(node.op, node.type, operands, node.data, role))
     names = tuple(argument.name.text for argument in function.arguments)
     return Template(function.name.text, function.doc, names, tuple(steps), number[value.id])

@@ -18,7 +18,7 @@ from .semantics.inheritance.flattening import Records, records_of
 from .semantics.names.modules import Loader, Module, Symbol
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
-from .semantics.shading.unused import Surroundings, UnusedDeclarations
+from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import load_source
 from .syntax.parser import parse
@@ -122,7 +122,7 @@ class Frontend:
         materials = [m for abstract in (False, True) for m in _materials_of(module, abstract)]
         rigs = [*(rig for rig, _ in drawn), *self._rigs_of(module)]
         lights = [*rigs, *records_of(module, "light", abstract=False), *_rigs(prelude)]
-        around = Surroundings(
+        around = CandidateContexts(
             materials=tuple(materials or _materials_of(prelude, True)),
             lights=tuple(dict.fromkeys(filter(_shines, lights))),
             rigs=tuple(dict.fromkeys(rigs)),

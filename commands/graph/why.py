@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.ir.rulebook import RULES
-from ...compiler.passes.proofs import Proof, Step
+from ...compiler.passes.proofs import Proof, ProofStep
 from ...compiler.passes.remarks import Outcome
 
 _HEADINGS: dict[Outcome, str] = {
@@ -58,7 +58,7 @@ def _proof(proof: Proof) -> Iterator[str]:
         yield f"    instead: {proof.otherwise}"
 
 
-def _step(step: Step, around: Span | None) -> str:
+def _step(step: ProofStep, around: Span | None) -> str:
     indent = "  " * (step.depth + 1)
     where = f" where {step.where}" if step.where else ""
     rule = f"  [{step.rule}]" if step.rule else ""

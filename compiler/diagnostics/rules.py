@@ -379,7 +379,7 @@ NO_CONVERSION = _error(
     "the record, its surface or the pass. Points need transforms. Only points can be converted "
     "into clip space, and nothing can be converted out of it.",
 )
-UNTOLD_PARAMETER = _error(
+UNINFERABLE_PARAMETER = _error(
     "B0328",
     "no argument of `{function}` determines `{name}`",
     "The compiler finds out from the arguments what a type parameter stands for, so the type of "
@@ -524,9 +524,9 @@ UNGUARDED = _error(
 TOO_MUCH_WORK = _error(
     "B0413",
     "this has to be known at compile time, and takes more than {most} operations",
-    "Array lengths, ranges and defaults are computed by the compiler, loops in them turn by turn. "
-    "Use fewer turns, or let the shader compute the value: an equation is not computed when "
-    "compiling.",
+    "Array lengths, ranges and defaults are computed by the compiler, loops in them iteration by "
+    "iteration. Use fewer iterations, or let the shader compute the value: an equation is not "
+    "computed when compiling.",
 )
 
 # Mixins

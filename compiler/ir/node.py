@@ -159,7 +159,7 @@ HEADS: Mapping[Op, str] = {op: f".{op}" for op in get_args(Op) if op not in ("ca
 SPECIAL: Mapping[tuple[bool, Hashable], str] = {
     (isinstance(value, bool), value): f".constant {value}" for value in (0, 1, -1, False, True)
 }
-"""The heads of constants with one of these in each lane: by whether it is a truth, and by value."""
+"""The heads of constants with one of these in each lane: by whether it is a bool, and by value."""
 
 
 def constant_head(data: Hashable) -> str:

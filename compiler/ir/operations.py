@@ -109,7 +109,7 @@ CONSTANT = Operation[Constant](
     "constant", "constant", (float, int, tuple), result_types.constant,
     rate="constant", is_global=True,
 )  # fmt: skip
-"""A number, a truth, or a vector of them, that is known when compiling.
+"""A number, a bool, or a vector of them, that is known when compiling.
 
 Constants are interned by how they are written: 1, 1.0 and true are different values, and so are 0.0
 and -0.0.

@@ -8,9 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...stdlib.builtins import BUILTINS
-from ...stdlib.builtins.row import anything
-
 CONSTANT = "constant"
 DECLARED = "declared range"
 UNIT = "unit direction"
@@ -70,8 +67,3 @@ RULES: Mapping[str, str] = {
     NEGATION: "a negated condition tells the opposite",
     AROUND: "an `if` around the value",
 }
-
-
-def rule_names() -> tuple[str, ...]:
-    """Every rule that there is, builtins' last."""
-    return (*RULES, *(name for name, row in BUILTINS.items() if row.range is not anything))

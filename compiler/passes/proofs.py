@@ -29,7 +29,7 @@ WIDEST = 400
 
 
 @frozen
-class Step:
+class ProofStep:
     """One link of the chain: what is known of a value, and by which rule."""
 
     depth: int
@@ -53,7 +53,7 @@ class Proof:
     span: Span | None
     needs: str
     """What has to hold of the operands, in words."""
-    steps: tuple[Step, ...]
+    steps: tuple[ProofStep, ...]
     omitted: int = 0
     """Further steps that there are."""
     missing: tuple[str, ...] = ()
@@ -115,7 +115,7 @@ class Proofs:
             if not domain(tuple(_without(facts, i)))
         ]
 
-    def _chain(self, root: Node, shallow: bool) -> Iterator[Step]:
+    def _chain(self, root: Node, shallow: bool) -> Iterator[ProofStep]:
         """What is known of a value and, unless ``shallow``, what that rests on."""
         seen: set[int] = set()
         pending = [(root, 1)]
@@ -126,7 +126,7 @@ class Proofs:
                 continue
             seen.add(node.id)
             rule = self._ranges.reason(node) if _tells(fact) else None
-            yield Step(
+            yield ProofStep(
                 depth, self._formulas.text(node), described(fact), rule or "",
                 self._notes.spans.get(node.id),
             )  # fmt: skip
@@ -145,10 +145,10 @@ class Proofs:
             and self._ranges.derived(node, _without(known, i)) != fact
         ]
 
-    def _conditions(self, conditions: Sequence[PathRefinement]) -> Iterator[Step]:
+    def _conditions(self, conditions: Sequence[PathRefinement]) -> Iterator[ProofStep]:
         for one in dict.fromkeys(one.refinement for one in conditions):
             holds = "holds" if one.holds else "does not hold"
-            yield Step(
+            yield ProofStep(
                 depth=1,
                 text=self._formulas.text(one.about),
                 fact=described(one.fact),

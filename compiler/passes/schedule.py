@@ -59,7 +59,7 @@ class Scheduler:
         self._home: dict[int, _Block] = {}
         self._uses: dict[int, int] = {}
         self._loops: dict[int, tuple[_Block, _Block]] = {}
-        """What comes before the decision to go on, and what behind; of a fold, both are one."""
+        """The loop's header and body blocks; a fold has one block for both."""
         self._sides: dict[int, tuple[_Block, _Block]] = {}
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()

@@ -45,16 +45,17 @@ def evaluate(
     root: Node,
     leaves: Leaves | None = None,
     xp: Namespace = scalars,
-    most_steps: int | None = None,
+    most_operations: int | None = None,
 ) -> Lanes:
     """The lanes of ``root`` in float64; of a matrix, its columns.
 
-    Raises ``NotConstantError`` if a leaf has no value, and ``TooLongError`` beyond ``most_steps``.
+    Raises ``NotConstantError`` if a leaf has no value, and ``TooLongError`` beyond
+    ``most_operations``.
     """
     plain = bare(root)
     if plain.op == "constant":
         return constant_lanes(plain.type, plain.data)
-    return Evaluator(leaves, xp, most_steps=most_steps).value(root)
+    return Evaluator(leaves, xp, most_operations=most_operations).value(root)
 
 
 @record
@@ -77,10 +78,10 @@ class Evaluator:
         leaves: Leaves | None = None,
         xp: Namespace = scalars,
         observer: Observer | None = None,
-        most_steps: int | None = None,
+        most_operations: int | None = None,
     ) -> None:
-        """``most_steps`` limits how many operations and turns of loops are computed."""
-        self._left = most_steps
+        """``most_operations`` limits how many operations are computed; a turn is one, too."""
+        self._left = most_operations
         self._leaves = leaves
         self._xp = xp
         self._observer = observer
@@ -130,7 +131,7 @@ class Evaluator:
         return frame.formals.get(FORMAL.data(node)) if node.op == "formal" else None
 
     def _spend(self) -> None:
-        """Count one operation or one turn of a loop."""
+        """Count one operation, which a turn of a loop is, too."""
         if self._left is not None:
             self._left -= 1
             if self._left < 0:

@@ -7,11 +7,6 @@ from . import ast
 
 LONGEST = 60
 
-_TIGHT = (
-    ast.Reference, ast.Call, ast.Field, ast.Index, ast.Number, ast.Color, ast.Ascription,
-)  # fmt: skip
-"""What needs no parentheses before a word."""
-
 
 def quoted(expression: ast.Expression) -> str:
     """The expression as it is written, where that is short; otherwise ``…``."""
@@ -49,12 +44,6 @@ def _is_closed(text: str) -> bool:
         elif not depth and not (character.isalnum() or character in "_.#…"):
             return False
     return not opened or not text.startswith("(")
-
-
-def tight(expression: ast.Expression) -> str:
-    """The same where a word follows: in parentheses, if need be."""
-    text = quoted(expression)
-    return text if isinstance(expression, _TIGHT) or text == "…" else f"({text})"
 
 
 def counted(count: int | str, thing: str) -> str:

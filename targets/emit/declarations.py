@@ -12,7 +12,7 @@ from functools import cached_property
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Stage, StoredMember
 from ...compiler.ir.types import Struct
-from ..legalise.bindings import Bindings, Slot
+from ..legalise.bindings import Bindings, BindingSlot
 from ..legalise.resource_arguments import Passed
 from .comments import comment_line
 from .context import Context
@@ -125,5 +125,5 @@ class Declarations:
                 self._register("sampler", slot),
             )
 
-    def _register(self, kind: BindingKind, slot: Slot) -> str:
+    def _register(self, kind: BindingKind, slot: BindingSlot) -> str:
         return self._context.target.register(kind, slot.binding)

@@ -1,8 +1,8 @@
 """Forms: the small templates in a language's rows, and the rows of statements and expressions.
 
 A *form* is a text with fields in braces, filled in by ``str.format``: ``if ({condition}) {{``. A
-brace that is meant as such is doubled. Every row says which fields its form can have, and a test
-compares that with the forms of all languages. Besides plain fields there are these:
+brace that is meant as such is doubled. A test knows which fields each form can have, and compares
+that with the forms of all languages. Besides plain fields there are these:
 
 ``{0}``, ``{1}`` …
     the operands of a native, as they stand between commas
@@ -25,7 +25,6 @@ Forms are for pieces of a line. What a whole file looks like is said by skeleton
 from __future__ import annotations
 
 from collections.abc import Mapping
-from string import Formatter
 from types import MappingProxyType
 
 from ...frozen import frozen
@@ -39,8 +38,9 @@ ACCUMULATED: Mapping[str, str] = MappingProxyType(
 class Forms:
     """Expressions and statements that are not calls of builtins. The defaults are C-like.
 
-    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it. What no field of
-    ``FIELDS`` belongs to is a plain text, in which no brace is doubled.
+    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it. Which fields each
+    form can have is listed in ``tests/targets/form_fields.py``; what is not listed there is a plain
+    text, in which no brace is doubled.
     """
 
     # Statements.
@@ -105,43 +105,3 @@ class Forms:
     """The letters of the lanes."""
     lane_words: tuple[str, ...] = ()
     """What ``{lane}`` stands for, for each of the four lanes."""
-
-
-FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
-    {
-        form: frozenset(fields.split())
-        for form, fields in {
-            "let": "typed name value",
-            "constant_array": "typed name value",
-            "variable": "typed name",
-            "variable_set": "typed name value",
-            "assign": "name value",
-            "accumulate": "name value",
-            "if_": "condition",
-            "loop": "index index_typed zero count",
-            "loop_while": "index index_typed zero count going",
-            "leave": "going",
-            "return_": "value",
-            "function": "type name parameters",
-            "parameter": "typed name type",
-            "select": "condition then otherwise",
-            "at_most": "value bound",
-            "splat": "type value lanes",
-            "matrix": "type columns",
-            "product_of_columns": "type columns vector",
-            "column": "matrix position",
-            "array": "type elements",
-            "member": "block name",
-            "block_argument": "type name",
-            "stored": "value type",
-            "texture": "texture sampler type",
-            "input": "name",
-        }.items()
-    }
-)
-"""The fields that each form can have, or each form of a table."""
-
-
-def fields_of(form: str) -> frozenset[str]:
-    """The names of the fields in a form; those of operands are numbers."""
-    return frozenset(name for _text, name, _spec, _conversion in Formatter().parse(form) if name)

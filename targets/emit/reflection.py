@@ -12,7 +12,7 @@ from ...compiler.reflection.tables import (
     EmittedFile,
     VertexInputName,
 )
-from ..legalise.bindings import Slot
+from ..legalise.bindings import BindingSlot
 from .description import BindingKind, Profile, Target
 from .emitter import Emission
 
@@ -83,7 +83,7 @@ def _point(
     target: Target,
     profile: Profile,
     identifier: str,
-    slot: Slot,
+    slot: BindingSlot,
     kind: BindingKind,
     members: Mapping[str, str] | None = None,
 ) -> BindingPoint:

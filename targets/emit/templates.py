@@ -97,10 +97,10 @@ def _flat(environment: Environment, sources: tuple[str, ...]) -> Tree:
     """One template: the last source, in which blocks of the sources before it replace its own."""
     from jinja2.nodes import Block
 
-    *heirs, base = map(environment.parse, sources)
+    *derived, base = map(environment.parse, sources)
     overriding: dict[str, Block] = {}
-    for heir in heirs:
-        for block in heir.find_all(Block):
+    for template in derived:
+        for block in template.find_all(Block):
             overriding.setdefault(block.name, block)
     base.body = list(_without_blocks(base.body, overriding))
     return base

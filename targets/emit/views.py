@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ...compiler.ir.program import StageName
-from ..legalise.bindings import Slot
+from ..legalise.bindings import BindingSlot
 
 
 class MemberView(NamedTuple):
@@ -32,7 +32,7 @@ class BlockView(NamedTuple):
     name: str
     variable: str
     """The variable that it is, in languages where members are reached through one."""
-    slot: Slot
+    slot: BindingSlot
     register: str
     """The slot in the language's own words, where it has such."""
     argument: str
@@ -45,7 +45,7 @@ class TextureView(NamedTuple):
 
     name: str
     type: str
-    slot: Slot
+    slot: BindingSlot
     register: str
 
 

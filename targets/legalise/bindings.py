@@ -20,7 +20,7 @@ from ..emit.description import BindingKind, Profile
 
 
 @frozen
-class Slot:
+class BindingSlot:
     """A place in the binding model."""
 
     set: int
@@ -31,23 +31,23 @@ class Slot:
 class Bindings:
     """The slots of a program; keys are the program's own names."""
 
-    blocks: Mapping[str, Slot]
-    textures: Mapping[str, Slot]
-    samplers: Mapping[str, Slot]
+    blocks: Mapping[str, BindingSlot]
+    textures: Mapping[str, BindingSlot]
+    samplers: Mapping[str, BindingSlot]
     """Of textures that are read by one; the texture's own slot where the profile combines them."""
 
 
 def assign_bindings(program: Program, profile: Profile) -> Bindings:
     """Number the blocks of each group, then its textures and samplers, group by group."""
-    blocks: dict[str, Slot] = {}
-    textures: dict[str, Slot] = {}
-    samplers: dict[str, Slot] = {}
+    blocks: dict[str, BindingSlot] = {}
+    textures: dict[str, BindingSlot] = {}
+    samplers: dict[str, BindingSlot] = {}
     hosts = {block.name: block.host for block in program.blocks if block.host is not None}
     if profile.numbering == "kind":
         slots: _Slots = _SlotsByKind()
         blocks = {name: slots.free("block", place.group) for name, place in hosts.items()}
     else:
-        blocks = {name: Slot(place.group, place.binding) for name, place in hosts.items()}
+        blocks = {name: BindingSlot(place.group, place.binding) for name, place in hosts.items()}
         slots = _SlotsBySet(frozenset(blocks.values()))
     for group in _groups(program):
         set_ = profile.sets.get(group, profile.default_set)
@@ -66,19 +66,19 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
 class _Slots(Protocol):
     """Hands out places that nothing has yet."""
 
-    def free(self, kind: BindingKind, set_: int) -> Slot:
+    def free(self, kind: BindingKind, set_: int) -> BindingSlot:
         """The next place for something of ``kind`` in a set."""
 
 
 class _SlotsBySet:
     """A number is used once in a set, and not where the host has bound a block of its own."""
 
-    def __init__(self, taken: frozenset[Slot]) -> None:
+    def __init__(self, taken: frozenset[BindingSlot]) -> None:
         self._taken = taken
         self._numbers: defaultdict[int, Iterator[int]] = defaultdict(count)
 
-    def free(self, _kind: BindingKind, set_: int) -> Slot:
-        slots = (Slot(set_, number) for number in self._numbers[set_])
+    def free(self, _kind: BindingKind, set_: int) -> BindingSlot:
+        slots = (BindingSlot(set_, number) for number in self._numbers[set_])
         return next(slot for slot in slots if slot not in self._taken)
 
 
@@ -89,8 +89,8 @@ class _SlotsByKind:
     def __init__(self) -> None:
         self._numbers: defaultdict[BindingKind, Iterator[int]] = defaultdict(count)
 
-    def free(self, kind: BindingKind, _set: int) -> Slot:
-        return Slot(0, next(self._numbers[kind]))
+    def free(self, kind: BindingKind, _set: int) -> BindingSlot:
+        return BindingSlot(0, next(self._numbers[kind]))
 
 
 def _groups(program: Program) -> list[str]:

@@ -64,11 +64,11 @@ def _lacking(natives: Iterable[NativeUse], profile: Profile) -> Iterable[Use]:
     for native in natives:
         if native.builtin in profile.lacks or native.builtin in profile.agrees:
             use = native.builtin, native.types
-            if not has(profile, use):
+            if not has_meaning(profile, use):
                 yield use
 
 
-def has(profile: Profile, use: Use) -> bool:
+def has_meaning(profile: Profile, use: Use) -> bool:
     """Whether the profile's own operation means what the builtin does, for operands of some types.
 
     Types decide about builtins that have a definition. Those of which values decide have been

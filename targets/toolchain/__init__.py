@@ -1,4 +1,4 @@
-"""Checks shader texts with the real downstream compilers: DXC, glslang, naga, Tint.
+"""Checks shader texts with the real downstream compilers: DXC, glslang, naga, Tint, clang.
 
 ``compile --validate``, ``conform``, ``doctor`` and the tests use it. Plain compiling never loads
 it.

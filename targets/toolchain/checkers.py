@@ -26,7 +26,7 @@ VULKAN_ATTRIBUTES_ARE_FINE = "-Wno-ignored-attributes"
 """The same text is compiled to SPIR-V and to DXIL, and DXIL has no use for ``[[vk::location]]``."""
 DXC_PROFILES = {"vert": "vs_6_0", "frag": "ps_6_0"}
 MSL_DECLARATIONS = Path(__file__).parents[1] / "msl"
-"""Apple's own compiler is not to be had; its language has only ever been checked by clang."""
+"""Apple's own compiler is not available here; its language has only ever been checked by clang."""
 MSL_ENTRIES = {"vert": r"vertex \w+ {name}\(", "frag": r"fragment \w+ {name}\("}
 """How entry points are defined there."""
 NAGA_NO_ENTRY = "Unable to find the entry point"

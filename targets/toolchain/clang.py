@@ -1,6 +1,6 @@
 """Has clang check the texts of a dialect of C++ against declarations of its types and functions.
 
-That is the next best thing where the language's own compiler is not to be had: clang sees every
+That is the next best thing where the language's own compiler is not available: clang sees every
 name, type and argument, but knows of the language only what the declarations say. A row of
 ``CHECKERS`` names the folder where they stand: headers, which a text includes without their ending,
 and ``attributes.txt``, the list of what may stand in double brackets.

@@ -151,7 +151,7 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         name="clang",
-        purpose="type-checks MSL, which Apple's compiler has never seen from here",
+        purpose="type-checks MSL, never compiled by Apple's compiler",
         place=Programs(("clang",)),
         version=says("--version", r"clang version (\d+\.\d+\.\d+)"),
         source=Debian(("clang",)),

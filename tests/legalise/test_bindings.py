@@ -9,7 +9,7 @@ import pytest
 
 import burnish
 from burnish.frozen import changed
-from burnish.targets.legalise.bindings import Slot, assign_bindings
+from burnish.targets.legalise.bindings import BindingSlot, assign_bindings
 from tests.targets.kit import PROFILES, Selected
 from tests.targets.programs import plastic
 
@@ -24,33 +24,33 @@ COMBINED = [selected for selected in BY_SET if selected.profile.samplers.combine
 def test_blocks(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
     assert bindings.blocks == {
-        "View": Slot(0, 0),
-        "Rig": Slot(1, 0),
-        "RigDerived": Slot(1, 1),
-        "Material": Slot(2, 0),
-        "Draw": Slot(3, 0),
+        "View": BindingSlot(0, 0),
+        "Rig": BindingSlot(1, 0),
+        "RigDerived": BindingSlot(1, 1),
+        "Material": BindingSlot(2, 0),
+        "Draw": BindingSlot(3, 0),
     }
 
 
 @pytest.mark.parametrize("selected", SEPARATE, ids=str)
 def test_separate_samplers(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
-    assert bindings.textures == {"albedo": Slot(2, 1)}
-    assert bindings.samplers == {"albedo": Slot(2, 2)}
+    assert bindings.textures == {"albedo": BindingSlot(2, 1)}
+    assert bindings.samplers == {"albedo": BindingSlot(2, 2)}
 
 
 @pytest.mark.parametrize("selected", COMBINED, ids=str)
 def test_combined_samplers(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
-    assert bindings.textures == bindings.samplers == {"albedo": Slot(2, 1)}
+    assert bindings.textures == bindings.samplers == {"albedo": BindingSlot(2, 1)}
 
 
 def test_each_kind_is_numbered_on_its_own_where_there_are_no_sets() -> None:
     profile = changed(SEPARATE[0].profile, numbering="kind")
     bindings = assign_bindings(plastic(), profile)
     names = ("View", "Rig", "RigDerived", "Material", "Draw")
-    assert bindings.blocks == {name: Slot(0, number) for number, name in enumerate(names)}
-    assert bindings.textures == bindings.samplers == {"albedo": Slot(0, 0)}
+    assert bindings.blocks == {name: BindingSlot(0, number) for number, name in enumerate(names)}
+    assert bindings.textures == bindings.samplers == {"albedo": BindingSlot(0, 0)}
 
 
 def test_blocks_of_the_host_have_numbers_of_their_own_where_there_are_no_sets() -> None:
@@ -64,7 +64,10 @@ def test_blocks_of_the_host_have_numbers_of_their_own_where_there_are_no_sets() 
     """
     program = staged(text).program
     bindings = assign_bindings(program, changed(SEPARATE[0].profile, numbering="kind"))
-    assert [bindings.blocks[name] for name in ("Sky", "Sea")] == [Slot(0, 0), Slot(0, 1)]
+    assert [bindings.blocks[name] for name in ("Sky", "Sea")] == [
+        BindingSlot(0, 0),
+        BindingSlot(0, 1),
+    ]
     assert {slot.set for slot in bindings.blocks.values()} == {0}
     assert len(set(bindings.blocks.values())) == len(bindings.blocks) > 2
 

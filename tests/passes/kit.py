@@ -15,6 +15,7 @@ from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.ir.operations import builtin_of
+from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.storage import elements_in_row, place, stored_type
 from burnish.compiler.ir.types import (
@@ -35,10 +36,17 @@ from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
+from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
+from burnish.stdlib.builtins.row import anything
 
 TRAPS = (0.0, -0.0, 1.0, -1.0, 1e-40, -1e-30, 2.0, 0.5)
 INT_TRAPS = (0, 1, -1, 2, 31, -(2**31), 2**31 - 1)
+
+
+def range_rules() -> tuple[str, ...]:
+    """The names of all rules of range analysis, builtins' last."""
+    return (*RULES, *(name for name, row in BUILTINS.items() if row.range is not anything))
 
 
 def shaders(source: str | Path, rig: str | None = None) -> list[Shader]:

@@ -58,12 +58,12 @@ EQUATIONS: Mapping[str, str] = {
     "le fails": "color = vec3(if far <= near then x else y)",
     "gt holds": "color = vec3(if far > near then x else y)",
     "gt fails": "color = vec3(if near > far then x else y)",
-    "eq a truth": "color = vec3(if flag == true then x else y)",
-    "eq the other truth": "color = vec3(if flag == false then x else y)",
+    "eq a bool": "color = vec3(if flag == true then x else y)",
+    "eq the other bool": "color = vec3(if flag == false then x else y)",
     "eq itself": "color = vec3(if n == n then x else y)",
     "eq apart": "color = vec3(if low == high then x else y)",
-    "ne a truth": "color = vec3(if flag != false then x else y)",
-    "ne the other truth": "color = vec3(if flag != true then x else y)",
+    "ne a bool": "color = vec3(if flag != false then x else y)",
+    "ne the other bool": "color = vec3(if flag != true then x else y)",
     "ne itself": "color = vec3(if n != n then x else y)",
     "ne apart": "color = vec3(if low != high then x else y)",
     "not twice": "b = not not flag\ncolor = vec3(if b or other then x else y)",
@@ -107,7 +107,7 @@ EQUATIONS: Mapping[str, str] = {
     "equal sides": "color = vec3(if flag then x else x)",
     "chosen by an opposite": "color = vec3(if not flag then x else y)",
     "computing side first": "color = vec3(if x > 0.5 then 0 else sin(y))",
-    "truth chosen": "both = if flag then true else false\n"
+    "bool chosen": "both = if flag then true else false\n"
     "color = vec3(if both or other then x else y)",
     "constant crossing": "c = @vertex (sin(x) - sin(x))\ncolor = vec3(x + c)",
     "fold of nothing": "nested = sum i in 0..low * 0 : sum j in 0..9 : sin(x * float(i * j))\n"

@@ -10,7 +10,6 @@ import pytest
 
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.ranges import Ranges
-from burnish.compiler.ir.rulebook import rule_names
 from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes.pipeline import Options, stage
@@ -35,7 +34,7 @@ from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise
 
-from .kit import World, shader
+from .kit import World, range_rules, shader
 from .rule_programs import EQUATIONS, program
 from .sites import Sites, UnsuitableError
 
@@ -189,7 +188,7 @@ def test_a_rule_shows_in_the_text_of_its_program(name: str) -> None:
 def test_each_rule_has_a_program_and_a_name_of_its_own() -> None:
     assert len(BY_NAME) == len(RULES)
     assert EQUATIONS.keys() == BY_NAME.keys()
-    assert BY_NAME.keys().isdisjoint(rule_names())
+    assert BY_NAME.keys().isdisjoint(range_rules())
 
 
 def test_each_rule_is_for_operations_that_exist_and_says_why_it_holds() -> None:

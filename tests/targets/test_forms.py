@@ -8,8 +8,9 @@ import pytest
 
 from burnish.stdlib.builtins import BUILTINS
 from burnish.targets.emit.description import Read, Spelling, Spellings
-from burnish.targets.emit.forms import FIELDS, Forms, fields_of
+from burnish.targets.emit.forms import Forms
 
+from .form_fields import FIELDS, fields_of
 from .kit import PROFILES, Selected
 
 OF_NATIVES = {"type", "lanes", "lane", "sampler", *map(str, range(6))}

@@ -1,4 +1,4 @@
-"""Rules of truths and of bits."""
+"""Rules of bools and of bits."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def _connective(name: str, absorbing: bool) -> tuple[Rule, ...]:
              (name,), (lanes(absorbing), ANY), constant(absorbing), either=True),
         Rule(f"{name} undecided", "One side is known not to matter, so the other decides.",
              (name,), (lanes(not absorbing), ANY), operand(1), either=True),
-        Rule(f"{name} itself", "A truth joined with itself is that truth.",
+        Rule(f"{name} itself", "A bool joined with itself is that bool.",
              (name,), (ANY, ANY), operand(0), are_same),
     )  # fmt: skip
 

@@ -16,6 +16,7 @@ from .rule import (
     constant,
     inner,
     is_float,
+    is_whole_bool,
     lanes,
     operand,
 )
@@ -68,21 +69,17 @@ def _comparison(name: str, holds: Decision, fails: Decision, words: str) -> tupl
 def _equality(name: str, equal: bool) -> tuple[Rule, ...]:
     """``==`` (``equal``) and ``!=``."""
     return (
-        Rule(f"{name} a truth", "A truth compared with true or false is the truth itself.",
-             (name,), (lanes(equal), ANY), operand(1), _is_whole_truth, either=True, drops=True),
-        Rule(f"{name} the other truth", "A truth compared with true or false is its opposite.",
+        Rule(f"{name} a bool", "A bool compared with true or false is the bool itself.",
+             (name,), (lanes(equal), ANY), operand(1), is_whole_bool(1), either=True, drops=True),
+        Rule(f"{name} the other bool", "A bool compared with true or false is its opposite.",
              (name,), (lanes(not equal), ANY),
              lambda b, at: b.make(at.op, at.type, at.operands[1:], "not"),
-             _is_whole_truth, either=True, drops=True),
+             is_whole_bool(1), either=True, drops=True),
         Rule(f"{name} itself", "A value equals itself.",
              (name,), (ANY, ANY), constant(equal), are_same, drops=True),
         Rule(f"{name} apart", "Ranges without a common value show that two values differ.",
              (name,), (ANY, ANY), constant(not equal), _decided(_apart), drops=True),
     )  # fmt: skip
-
-
-def _is_whole_truth(_b: Builder, at: Site) -> bool:
-    return at.operands[1].type == at.type
 
 
 def _opposite(b: Builder, at: Site) -> Node:
@@ -119,7 +116,7 @@ BOUNDS = (
     *_comparison("gt", _always_above, _never_above, "above"),
     *_equality("eq", True),
     *_equality("ne", False),
-    Rule("not twice", "The opposite of the opposite is the truth itself.",
+    Rule("not twice", "The opposite of the opposite is the bool itself.",
          ("not",), (builtin("not"),), inner),
     Rule("comparison negated", "The opposite of a comparison is the opposite comparison.",
          ("not",), (builtin(*OPPOSITES),), _opposite,

@@ -222,3 +222,8 @@ def is_numeric(_builder: Builder, at: Site) -> bool:
 def is_float(_builder: Builder, at: Site) -> bool:
     """Whether the result is a float, or a vector of floats."""
     return not isinstance(at.type, Matrix) and scalar_kind(at.type) == "float"
+
+
+def is_whole_bool(position: int) -> Callable[[Builder, Site], bool]:
+    """Whether the result has the type of an operand that is a bool, or a vector of bools."""
+    return lambda _b, at: at.operands[position].type == at.type

@@ -13,7 +13,20 @@ from ...ir.refinements import OPPOSITES
 from ...ir.types import Scalar, Type, Vector, width
 from ...reference.namespace import Lanes
 from ...reference.operations import apply, constant_lanes
-from .rule import ANY, CONSTANT, Builder, Rule, Site, are_same, builtin, inner, lanes, made, operand
+from .rule import (
+    ANY,
+    CONSTANT,
+    Builder,
+    Rule,
+    Site,
+    are_same,
+    builtin,
+    inner,
+    is_whole_bool,
+    lanes,
+    made,
+    operand,
+)
 
 LARGEST_FLOAT = 3.4028234663852886e38
 
@@ -137,10 +150,6 @@ def _given_member(b: Builder, at: Site) -> Node:
 # --- choices -------------------------------------------------------------------------------------
 
 
-def _is_whole_truth(_b: Builder, at: Site) -> bool:
-    return at.type == at.operands[0].type
-
-
 def _swapped(b: Builder, at: Site) -> Node:
     condition, then, otherwise = at.operands
     return b.make("select", at.type, (condition.operands[0], otherwise, then), at.data)
@@ -204,15 +213,15 @@ STRUCTURE = (
          _CHOICES, (lanes(False), ANY, ANY), operand(2)),
     Rule("equal sides", "A choice between a value and itself is that value.",
          _CHOICES, (ANY, ANY, ANY), operand(1), _sides_are_same),
-    Rule("chosen by an opposite", "A choice by the opposite of a truth is that by the truth, "
+    Rule("chosen by an opposite", "A choice by the opposite of a bool is that by the bool, "
          "the other way round.",
          (".select",), (builtin("not"), ANY, ANY), _swapped),
     Rule("computing side first", "The side that computes something comes first: it is the one "
          "that a branch may skip.",
          (".select",), (builtin(*OPPOSITES), CONSTANT, ANY), _computing_side_first,
          _only_otherwise_computes),
-    Rule("truth chosen", "A choice between true and false is the condition.",
-         (".select",), (ANY, lanes(True), lanes(False)), operand(0), _is_whole_truth),
+    Rule("bool chosen", "A choice between true and false is the condition.",
+         (".select",), (ANY, lanes(True), lanes(False)), operand(0), is_whole_bool(0)),
     Rule("constant crossing", "A constant is the same in every stage.",
          (".cross",), (CONSTANT,), operand(0)),
 )  # fmt: skip

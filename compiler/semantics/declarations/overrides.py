@@ -14,7 +14,7 @@ from .written_types import declared_type
 
 
 def check_overrides(ctx: Context, instance: Instance) -> None:
-    """An heir may write a slot's type again but not change it; what does has no value."""
+    """A derived record may write a slot's type again but not change it; what does has no value."""
     for name, definitions in instance.record.definitions.items():
         if len(definitions) > 1 and not _keeps_type(ctx, definitions):
             instance.values[name, OUTERMOST] = FAILURE
@@ -27,9 +27,9 @@ def check_overrides(ctx: Context, instance: Instance) -> None:
 
 def _keeps_type(ctx: Context, definitions: tuple[Definition, ...]) -> bool:
     typed = [d for d in definitions if d.member.type is not None]
-    for heir, base in pairwise(typed):
+    for derived, base in pairwise(typed):
         types = []
-        for definition in (heir, base):
+        for definition in (derived, base):
             assert definition.member.type is not None
             types.append(declared_type(ctx, definition.member.type, definition.owner.module))
         own, inherited = types
@@ -38,8 +38,8 @@ def _keeps_type(ctx: Context, definitions: tuple[Definition, ...]) -> bool:
         if own.type == inherited.type and fits(own.meaning, inherited.meaning):
             continue
         ctx.report.add(
-            rules.OVERRIDE_CHANGES_TYPE, heir.member.name.span,
-            name=heir.member.name.text, base=base.owner.name,
+            rules.OVERRIDE_CHANGES_TYPE, derived.member.name.span,
+            name=derived.member.name.text, base=base.owner.name,
             expected=inherited.text, found=own.text,
             labels=[Label(base.member.name.span, "declared here")],
         )  # fmt: skip

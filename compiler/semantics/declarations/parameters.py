@@ -52,8 +52,8 @@ def leaves_of(
 ) -> Leaves:
     """The parameters, textures and vertex inputs that instances of ``record`` read.
 
-    One that an heir, or a rig entry (``given``), has set by an equation is none any more, unless an
-    equation builds on it.
+    One that a derived record, or a rig entry (``given``), has set by an equation is none any more,
+    unless an equation builds on it.
     """
     found = [
         _LEAVES_OF[type(definition.member)](ctx, definition, prefix + name)

@@ -1,8 +1,8 @@
 """Flattens inheritance: for each name of a material, light or pass, its definitions in order.
 
 A record's ancestors form one chain, most derived first. ``material A : B + C + D`` is the chain
-``A, D, C, B, …``: mixins stand between the heir and its base, the last one written nearest to the
-heir. ``inherited.x`` is what the rest of the chain says.
+``A, D, C, B, …``: mixins stand between the derived record and its base, the last one written
+nearest to the derived record. ``inherited.x`` is what the rest of the chain says.
 """
 
 from __future__ import annotations
@@ -158,7 +158,8 @@ class Records:
     def _mixins(self, symbol: Symbol, used: dict[Symbol, ast.Name]) -> list[Symbol]:
         """The mixins in a record's header, the last one first.
 
-        ``used`` are those of its heirs, to which they are added, each with where it is written.
+        ``used`` are those of the records derived from it, to which they are added, each with where
+        it is written.
         """
         declaration = symbol.declaration
         assert isinstance(declaration, ast.Record)
@@ -175,7 +176,7 @@ class Records:
         return found[::-1]
 
     def _report_twice(self, one: ast.Name, other: ast.Name) -> None:
-        """Once for each place, however many heirs share it."""
+        """Once for each place, however many derived records share it."""
         first, again = one, other
         if one.span.source is other.span.source:
             first, again = sorted((one, other), key=lambda name: name.span.start)

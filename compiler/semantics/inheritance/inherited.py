@@ -46,7 +46,7 @@ def leaf_definitions(
     """The parameters, textures and vertex inputs that instances of a record read, in order.
 
     ``given`` are definitions from outside, in front of the record's own. A name is one parameter
-    however often the chain declares it, and the declaration nearest to the heir describes it.
+    however often the chain declares it, and the most derived declaration describes it.
     """
     in_force = _in_force(record, given)
     for name, definitions in record.definitions.items():

@@ -18,7 +18,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import FAILURE, Application, Failure, Instance, Scope, Value
 from ..types.coercion import coerce
-from ..types.generics import shown, unfounded, untold
+from ..types.generics import of_unknown_family, shown, uninferable
 from . import lights
 from .bodies import settle_body
 from .call_marks import marked
@@ -116,8 +116,8 @@ def _fit_arguments(
         )  # fmt: skip
         return None
     variables = bound(ctx, function, arguments)
-    if variables is None and (untold(function) or unfounded(function)):  # Which is reported.
-        return None
+    if variables is None and (uninferable(function) or of_unknown_family(function)):
+        return None  # The declaration's mistake has been reported.
     if variables is None:
         ctx.report.add(
             rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments),

@@ -168,7 +168,7 @@ _TEXTURE_NAMES = frozenset(map(str, TEXTURES))
 
 
 def _is_map(definitions: tuple[Definition, ...] | None) -> bool:
-    """Whether a name is declared as a texture: as a map, or by its type, for an heir to set."""
+    """Whether a name is declared as a texture: as a map, or by its type, to be set later."""
     return any(
         isinstance(d.member, ast.Map)
         or (d.member.type is not None and d.member.type.name.text in _TEXTURE_NAMES)

@@ -75,10 +75,9 @@ class _Turns:
 
     count: Node
     bound: int
-    first: Node
     formal: Formal
     index: Node
-    """``first`` and the turn's number together."""
+    """The value of the loop's variable: the start of its range and the turn's number together."""
 
     @property
     def known(self) -> bool:
@@ -120,7 +119,7 @@ def _turns(
     index = turn
     if ctx.constants.known_integer(first) != 0:
         index = ctx.graph.node("call", INT, (turn, first), "add")
-    return _Turns(count, bound, first, formal, index)
+    return _Turns(count, bound, formal, index)
 
 
 def _count(
@@ -250,7 +249,7 @@ def _from_first(ctx: Context, operator: FoldOperator, turns: _Turns, body: Node)
 def _written_out(
     ctx: Context, operator: FoldOperator, turns: _Turns, body: Node, initial: Node | None
 ) -> Node:
-    """A fold turn by turn."""
+    """A fold without a loop: the terms of all turns, joined by the operator."""
     terms = [_at(ctx, body, turns.formal, turn) for turn in range(turns.bound)]
     if operator not in ("min", "max") or initial is not None:
         terms.insert(0, initial or _of_nothing(ctx.graph, operator, body.type))

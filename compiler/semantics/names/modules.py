@@ -21,7 +21,7 @@ from ...diagnostics.nearest import nearest, respelling
 from ...diagnostics.source import Source, Span
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
-from ..types.generics import FAMILIES, unfounded, untold
+from ..types.generics import FAMILIES, of_unknown_family, uninferable
 from ..types.typenames import described
 from .duplicates import check_once
 
@@ -241,7 +241,7 @@ class Loader:
                 rules.UNKNOWN_NAME, function.per.span, kind="summation", name=function.per.text,
                 hint=fix_it("terms are summed `per light`", (function.per.span, "light")),
             )  # fmt: skip
-        for parameter in unfounded(function):
+        for parameter in of_unknown_family(function):
             listed = ", ".join(f"`{family}`" for family in FAMILIES)
             self._report.add(
                 rules.UNKNOWN_NAME, parameter.family.span, kind="family of types",
@@ -249,9 +249,9 @@ class Loader:
                 hint=respelling(parameter.family.text, parameter.family.span, FAMILIES)
                 or f"one of {listed}",
             )  # fmt: skip
-        for parameter in untold(function):
+        for parameter in uninferable(function):
             self._report.add(
-                rules.UNTOLD_PARAMETER, parameter.span, name=parameter.name.text,
+                rules.UNINFERABLE_PARAMETER, parameter.span, name=parameter.name.text,
                 function=function.name.text,
             )  # fmt: skip
         for other in others:

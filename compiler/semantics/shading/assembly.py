@@ -84,7 +84,7 @@ def _put_together(
 
 
 def is_declared_abstract(record: Record) -> bool:
-    """Whether a record is there for its heirs only."""
+    """Whether a record is there only for others to be derived from it."""
     declaration = record.symbol.declaration
     return isinstance(declaration, ast.Record) and declaration.abstract
 

@@ -26,7 +26,7 @@ def some(
 
 
 def stand_in(ctx: Context, instance: Instance) -> None:
-    """Give the slots without a value one of their type, as if a base or an heir had set them."""
+    """Give the slots without a value one of their type, as if a base or a derived record had."""
     for name, definitions in instance.record.definitions.items():
         if is_abstract(definitions[-1].member):
             _stand_in(ctx, instance, name, definitions)

@@ -1,8 +1,8 @@
 """Checks of what a file declares and its shaders do not use, so that a library is checked, too.
 
 What reads slots of a surface or of a light can be told right or wrong only together with one. It is
-right if it is right with any of those that the file declares; otherwise what is told is what is
-wrong with it in the setting where the least is.
+right if it is right with any of those that the file declares; otherwise the errors of the setting
+with the fewest errors are reported.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from ..lowering.lights import light_instance, per_light
 from ..names.modules import Module, Symbol
 from ..state.evaluation import node_of
 from ..state.scope import Scope
-from ..types.generics import examples, unfounded, untold
+from ..types.generics import examples, of_unknown_family, uninferable
 from ..types.typenames import Variables
 from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
 from .elaborate import places_vertices, results_of
@@ -59,7 +59,7 @@ class Attempt:
 
 
 @frozen
-class Surroundings:
+class CandidateContexts:
     """What a file's declarations can be checked with, the likeliest first; none is empty."""
 
     materials: tuple[Symbol, ...]
@@ -77,7 +77,7 @@ class UnusedDeclarations:
     def __init__(
         self,
         module: Module,
-        around: Surroundings,
+        around: CandidateContexts,
         settings: Iterable[Setting],
         reached: set[Symbol],
         report: Report,
@@ -145,7 +145,9 @@ class UnusedDeclarations:
                     yield trial.attempt(_check_rig, whole=True)
             case ast.Mixin() as mixin if not self._is_in_a_chain(symbol):
                 yield from self._tried(partial(_check_mixin, symbol, mixin))
-            case ast.Function() as function if not (unfounded(function) or untold(function)):
+            case ast.Function() as function if not (
+                of_unknown_family(function) or uninferable(function)
+            ):
                 yield from self._of_function(symbol, function)
             case ast.Constant():
                 yield from islice(self._tried(partial(_check_constant, symbol)), 1)

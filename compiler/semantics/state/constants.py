@@ -16,8 +16,8 @@ from ...reference.evaluate import NotConstantError, TooLongError, evaluate
 from ...reference.namespace import Lanes
 from .scope import Failure
 
-MOST_STEPS = 500_000
-"""Operations and turns of loops that are computed for one value: about two seconds."""
+MOST_OPERATIONS = 500_000
+"""Operations that are computed for one value, and each turn of a loop is one: about two seconds."""
 
 _OPERATIONS = frozenset(
     {
@@ -47,11 +47,11 @@ class ConstantValues:
     def lanes(self, node: Node, span: Span) -> Lanes | None:
         """The lanes of a node, or ``None`` after reporting why they cannot be known here."""
         try:
-            return evaluate(node, most_steps=MOST_STEPS)
+            return evaluate(node, most_operations=MOST_OPERATIONS)
         except NotConstantError:
             self._report.add(rules.NOT_CONSTANT, span)
         except TooLongError:
-            self._report.add(rules.TOO_MUCH_WORK, span, most=MOST_STEPS)
+            self._report.add(rules.TOO_MUCH_WORK, span, most=MOST_OPERATIONS)
         return None
 
     def integer(self, node: Node | Failure, span: Span) -> int | None:

@@ -115,7 +115,10 @@ class Context:
         self.shaded_from: dict[Instance, tuple[Instance, Mapping[str, Node | Failure]]] = {}
         """For each of these the surface without replacements, and the new values."""
         self.bodies: dict[Signature, SharedBody | Failure | None] = {}
-        """Bodies that serve all calls with a signature; ``None`` where calls have a say in it."""
+        """Bodies that serve all calls with a signature.
+
+        ``None`` where the body depends on the arguments' values.
+        """
         self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
         """What is wrong with a function's body as long as nothing is known of its arguments."""
 

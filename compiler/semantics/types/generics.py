@@ -78,14 +78,14 @@ def _members(family: str) -> Sequence[Variable]:
     return [Declared(type_, str(type_)) for type_ in types]
 
 
-def untold(function: ast.Function) -> list[ast.TypeParameter]:
-    """Type parameters of which no argument can tell what they are."""
-    told = {name for argument in function.arguments for name in _names(argument.type)}
-    return [each for each in function.type_parameters if each.name.text not in told]
+def uninferable(function: ast.Function) -> list[ast.TypeParameter]:
+    """Type parameters that no argument mentions, so that no call can infer them."""
+    inferable = {name for argument in function.arguments for name in _names(argument.type)}
+    return [each for each in function.type_parameters if each.name.text not in inferable]
 
 
-def unfounded(function: ast.Function) -> list[ast.TypeParameter]:
-    """Type parameters of which nothing is said, since there is no such family."""
+def of_unknown_family(function: ast.Function) -> list[ast.TypeParameter]:
+    """Type parameters whose family of types does not exist."""
     return [each for each in function.type_parameters if each.family.text not in FAMILIES]
 
 
