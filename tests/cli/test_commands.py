@@ -193,15 +193,17 @@ def test_terminals_with_few_letters(encoding: str, name: bytes, tmp_path: Path) 
 WATCH = ["compile", "m.burnish", "-t", "wgsl", "-o", "out", "--watch"]
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_watching(tmp_path: Path) -> None:
     """Follows the file and its imports through errors, until it is interrupted."""
     (tmp_path / "tones.burnish").write_text("tone = 0.5")
     main_file = tmp_path / "m.burnish"
     main_file.write_text('import "tones.burnish"\nmaterial M { color = vec3(tone) }')
-    with subprocess.Popen(
+    process = subprocess.Popen(
         [sys.executable, "-m", "burnish", *WATCH],
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-    ) as process:  # fmt: skip
+    )  # fmt: skip
+    try:
         shader = tmp_path / "out" / "M.frag.wgsl"
         await_text(shader, "0.5")
         (tmp_path / "tones.burnish").write_text("tone = tnt")
@@ -213,6 +215,8 @@ def test_watching(tmp_path: Path) -> None:
         await_text(shader, "0.25")
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=30)
+    finally:
+        process.kill()  # Otherwise it would go on watching after a failure.
     assert process.returncode == 130
     assert errors.decode().startswith("error[B0201]: unknown name `tnt`")
     assert b"Traceback" not in errors

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from io import StringIO
 from pathlib import Path
@@ -78,14 +78,6 @@ def marked(mark: str) -> Mapping[int, str]:
                 files = (folder / "cmdline", folder / "maps")
                 found[int(folder.name)] = "\n".join(file.read_text() for file in files)
     return found
-
-
-@pytest.fixture
-def interruptible() -> Iterator[None]:
-    """Who runs the tests in the background may have them ignore it, which programs inherit."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
 
 
 @pytest.mark.parametrize(
