@@ -47,8 +47,8 @@ class Expressions:
         """Names of the parameters, loop indices and states in scope."""
         self.states: dict[tuple[int, str], str] = {}
         """Names of the final states of loops with several, by the loop's id and the member."""
-        self._forms = context.target.forms
-        self._literals = context.target.literals
+        self._forms = context.language.forms
+        self._literals = context.language.literals
         self._types = context.types
         self._names = context.names
         self._leaves = leaves

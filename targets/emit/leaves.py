@@ -22,11 +22,11 @@ class Leaves:
         context: Context,
         stage: Stage,
     ) -> None:
-        self._forms = context.target.forms
-        self._texture = context.profile.samplers.joined or context.target.forms.texture
+        self._forms = context.language.forms
+        self._texture = context.profile.samplers.joined or context.language.forms.texture
         self._textures = context.textures
         self._types = context.types
-        self._stored = context.target.types.stored
+        self._stored = context.language.types.stored
         self._names = context.names
         self._inputs = context.inputs
         self._members = context.members
