@@ -153,5 +153,5 @@ class _Emitter:
         return [title, *comment_lines(program.doc, "//")]
 
     def _host_uniforms(self, stage: Stage) -> list[str]:
-        rows = (self._context.inputs[name] for name in stage.builtin_inputs)
+        rows = (self._context.dialect.inputs[name] for name in stage.builtin_inputs)
         return [row.host_uniform for row in rows if row.host_uniform]
