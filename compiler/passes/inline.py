@@ -24,6 +24,9 @@ TRIVIAL = 4
 WORTHWHILE = 0.5
 """A call that computes no more than this share of its body for its own arguments is written out."""
 
+DEAR = 1024
+"""Bodies that cost more are alike: such a call is what a body around it mainly costs."""
+
 
 def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
     """The roots with applies of bodies that are used once, or hardly used, as the bodies."""
@@ -92,7 +95,7 @@ class _Prices:
 
     def _cost(self, body: Node) -> int:
         if body not in self._costs:
-            self._costs[body] = cost(body)
+            self._costs[body] = cost(body, DEAR)
         return self._costs[body]
 
     def _varying_cost(self, root: Node, outside: Container[int]) -> int:
