@@ -59,6 +59,7 @@ class _Prices:
     def __init__(self, simplifier: Simplifier) -> None:
         self._simplifier = simplifier
         self._constant = DrawConstants()
+        self._trivial: dict[Node, bool] = {}
         self._costs: dict[Node, int] = {}
         """Of bodies, with all that they need."""
         self._outside: dict[Node, frozenset[int]] = {}
@@ -69,7 +70,7 @@ class _Prices:
     def is_worth_calling(self, call: Node) -> bool:
         """Whether a call is better than its body written out."""
         body, *arguments = call.operands
-        if self._cost(body) <= TRIVIAL:
+        if self._is_trivial(body):
             return False
         fixed = tuple(a if a in self._constant else None for a in arguments)
         if not any(fixed):
@@ -92,6 +93,11 @@ class _Prices:
             nodes = visible((body,))
             self._outside[body] = frozenset(node.id for node in nodes if not node.variables)
         return self._outside[body]
+
+    def _is_trivial(self, body: Node) -> bool:
+        if body not in self._trivial:
+            self._trivial[body] = cost(body, TRIVIAL) <= TRIVIAL
+        return self._trivial[body]
 
     def _cost(self, body: Node) -> int:
         if body not in self._costs:
