@@ -31,7 +31,8 @@ from .compiler.source_map import located
 from .frozen import frozen
 from .garbage import seldom_collected
 from .targets import registry
-from .targets.emit.description import Profile, Target
+from .targets.description.profile import Profile
+from .targets.description.shading_language import Language
 from .targets.emit.directives import Directed, directed
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
 from .targets.emit.reflection import backend_table
@@ -106,7 +107,7 @@ class CompiledMaterial:
     shader: Shader = field(repr=False)
     """The shader before any pass, which the reference draws."""
     _staged: Staged = field(repr=False)
-    _emissions: tuple[tuple[Target, Profile, Emission], ...] = field(repr=False)
+    _emissions: tuple[tuple[Language, Profile, Emission], ...] = field(repr=False)
     _flip_y: bool = field(repr=False)
 
     def text(self, target: str, stage: StageName) -> str:
@@ -153,14 +154,14 @@ class CompiledMaterial:
 
         return Instance(self.reflection)
 
-    def _source_maps(self, target: Target, profile: Profile) -> dict[str, Mapping[int, Span]]:
+    def _source_maps(self, target: Language, profile: Profile) -> dict[str, Mapping[int, Span]]:
         return {
             file.name: file.spans
             for file in self.files
             if (file.target, file.profile) == (target.name, profile.name)
         }
 
-    def _files(self, target: Target, profile: Profile) -> dict[str, str]:
+    def _files(self, target: Language, profile: Profile) -> dict[str, str]:
         return {
             file.stage: file.name
             for file in self.files
@@ -286,9 +287,9 @@ def variants(
 
 def select_targets(
     wanted: Iterable[str], report: Report, *, single_file: bool = False
-) -> list[tuple[Target, Profile]]:
+) -> list[tuple[Language, Profile]]:
     """The targets and profiles that ``wanted`` names; unknown names are reported."""
-    chosen: dict[tuple[str, str], tuple[Target, Profile]] = {}
+    chosen: dict[tuple[str, str], tuple[Language, Profile]] = {}
     known = registry.names()
     for text in chain.from_iterable(_meant(text.strip(), known) for text in wanted):
         name, _, profile_name = text.partition(":")
@@ -358,7 +359,7 @@ def _compiled(
     shader: Shader,
     staged: Staged,
     lacking: Mapping[str, Sequence[Diagnostic]],
-    chosen: list[tuple[Target, Profile]],
+    chosen: list[tuple[Language, Profile]],
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
     emissions = tuple(
@@ -384,7 +385,7 @@ def _compiled(
 
 
 def _lacking(
-    shader: Shader, staged: Staged, chosen: list[tuple[Target, Profile]]
+    shader: Shader, staged: Staged, chosen: list[tuple[Language, Profile]]
 ) -> dict[str, tuple[Diagnostic, ...]]:
     """For each profile, the features that it lacks and a shader needs."""
     found = {}
@@ -406,18 +407,18 @@ def _lacking(
     return found
 
 
-def _name(target: Target, profile: Profile) -> str:
+def _name(target: Language, profile: Profile) -> str:
     return f"{target.name}:{profile.name}"
 
 
-def _warn_of_targets_without_lines(chosen: list[tuple[Target, Profile]], report: Report) -> None:
+def _warn_of_targets_without_lines(chosen: list[tuple[Language, Profile]], report: Report) -> None:
     for name in dict.fromkeys(target.name for target, _ in chosen if not target.line_directive):
         report.add(rules.NO_LINE_DIRECTIVES, None, target=name)
 
 
 def _output(
     shader: Shader,
-    target: Target,
+    target: Language,
     profile: Profile,
     emission: Emission,
     file: EmittedFile,

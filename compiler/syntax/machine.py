@@ -6,10 +6,10 @@ nested text can exhaust the stack of Python.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from ..diagnostics.source import Source, Span
-from .builder import Builder
+from .builder import Builder, Method
 from .lalr_tables import END, Production, Tables
 from .tokens import Token
 
@@ -20,13 +20,14 @@ class Machine:
     def __init__(self, tables: Tables, builder: Builder, source: Source) -> None:
         self._tables = tables
         self._actions = tables.actions
-        names = {production.method for production in tables.productions}
-        self._methods = {name: builder.method(name) for name in names}
+        self._builder = builder
+        self._makers: dict[int, Method | None] = {}
+        """By production, as far as they were needed: what makes its node."""
         self._source = source
-        self._states = [tables.start]
+        self._stack = [0, 0, tables.start]
+        """For each part that was read, where it starts, where it ends, and the state after it."""
         self._values: list[object] = []
-        self._starts: list[int] = []
-        self._ends: list[int] = []
+        """What was made of these parts; the first entry of the stack stands before all of them."""
 
     @property
     def result(self) -> object:
@@ -35,34 +36,49 @@ class Machine:
 
     def reset(self) -> None:
         """Forget everything fed so far."""
-        del self._states[1:]
+        del self._stack[3:]
         self._values.clear()
-        self._starts.clear()
-        self._ends.clear()
 
     def knows(self, symbol: str) -> bool:
         """Whether the present state has an action for ``symbol``."""
-        return symbol in self._actions[self._states[-1]]
+        return symbol in self._actions[self._stack[-1]]
+
+    def run(
+        self, tokens: Sequence[Token], index: int, end: int, symbols: Callable[[int], str]
+    ) -> int:
+        """Feed the tokens from ``index`` on; the first that has no place, or ``end``.
+
+        ``symbols`` decides what a word counts as that is a name in other places.
+        """
+        words = self._tables.literals
+        while index < end:
+            token = tokens[index]
+            kind = token[0]
+            if kind == "NAME" and token[1] in words:
+                kind = symbols(index)
+            if not self.feed(kind, token):
+                return index
+            index += 1
+        return end
 
     def feed(self, symbol: str, token: Token) -> bool:
         """Shift ``token`` as ``symbol``; False where the grammar has no place for it."""
-        states, actions = self._states, self._actions
+        stack, actions = self._stack, self._actions
         while True:
-            action = actions[states[-1]].get(symbol)
+            state = stack[-1]
+            action = actions[state].get(symbol)
             if action is None:
                 return False
             if action >= 0:
-                states.append(action)
+                stack += (token[2], token[3], action)
                 self._values.append(token)
-                self._starts.append(token.start)
-                self._ends.append(token.end)
                 return True
             production = self._tables.productions[~action]
-            if production.collapses and production.length == 1:
-                states[-1] = self._collapsed(states[-2], states[-1], symbol)
+            if production.renames:
+                stack[-1] = self._collapsed(stack[-4], state, symbol)
                 continue
-            self._reduce(production)
-            if symbol == END and states[-1] == self._tables.accept:
+            self._reduce(~action, production)
+            if symbol == END and stack[-1] == self._tables.accept:
                 return True
 
     def _collapsed(self, below: int, state: int, symbol: str) -> int:
@@ -76,7 +92,7 @@ class Machine:
         if key not in known:
             while (action := self._actions[state].get(symbol, 0)) < 0:
                 production = self._tables.productions[~action]
-                if production.length != 1 or not production.collapses:
+                if not production.renames:
                     break
                 state = self._tables.gotos[below][production.origin]
             known[key] = state
@@ -87,31 +103,32 @@ class Machine:
         depth = self._depth(origins)
         if depth is None:
             return False
-        del self._states[depth + 1 :]
+        del self._stack[3 * depth + 3 :]
         del self._values[depth:]
-        del self._starts[depth:]
-        del self._ends[depth:]
         return True
 
     def begun(self, origins: Sequence[str]) -> int | None:
         """The place in the text where what ``unwind`` would drop begins, if it drops anything."""
         depth = self._depth(origins)
-        return None if depth is None or depth == len(self._starts) else self._starts[depth]
+        if depth is None or depth == len(self._values):
+            return None
+        return self._stack[3 * depth + 3]
 
     def _depth(self, origins: Sequence[str]) -> int | None:
+        """How many parts stand before the last place where one of ``origins`` may begin."""
         gotos = self._tables.gotos
-        for depth in range(len(self._states) - 1, -1, -1):
-            if any(origin in gotos[self._states[depth]] for origin in origins):
+        for depth in range(len(self._values), -1, -1):
+            if any(origin in gotos[self._stack[3 * depth + 2]] for origin in origins):
                 return depth
         return None
 
     def expected(self) -> set[str]:
         """The symbols that the grammar has a place for, now."""
-        return {symbol for symbol in self._actions[self._states[-1]] if self.accepts(symbol)}
+        return {symbol for symbol in self._actions[self._stack[-1]] if self.accepts(symbol)}
 
     def accepts(self, symbol: str) -> bool:
         """Whether ``symbol`` would be shifted: reductions are tried on a copy of the states."""
-        states = list(self._states)
+        states = self._stack[2::3]
         while True:
             action = self._actions[states[-1]].get(symbol)
             if action is None:
@@ -125,27 +142,36 @@ class Machine:
             if states[-1] == self._tables.accept:
                 return True
 
-    def _reduce(self, production: Production) -> None:
+    def _reduce(self, number: int, production: Production) -> None:
         """Replace the newest parts by what they make together."""
-        origin, length, method, plan, collapses = production
-        states, values = self._states, self._values
-        parts: list[object] = []
-        end = start = self._ends[-1] if self._ends else 0
+        origin, length, _, plan, _, _, as_read = production
+        stack, values = self._stack, self._values
         if length:
+            start, end = stack[-3 * length], stack[-2]
             parts = values[-length:]
-            start = self._starts[-length]
-            del states[-length:], values[-length:], self._starts[-length:], self._ends[-length:]
-        arguments = _arranged(parts, plan)
-        make = self._methods[method]
-        if collapses and len(arguments) == 1:
-            values.append(arguments[0])
-        elif make is None:
-            values.append(arguments)
+            del stack[-3 * length :], values[-length:]
         else:
-            values.append(make(Span(self._source, start, end), *arguments))
-        self._starts.append(start)
-        self._ends.append(end)
-        states.append(self._tables.gotos[states[-1]][origin])
+            start = end = stack[-2]
+            parts = []
+        if not as_read:
+            parts = _arranged(parts, plan)
+        try:
+            make = self._makers[number]
+        except KeyError:
+            make = self._makers[number] = self._maker(production)
+        values.append(parts if make is None else make(Span(self._source, start, end), *parts))
+        stack += (start, end, self._tables.gotos[stack[-1]][origin])
+
+    def _maker(self, production: Production) -> Method | None:
+        """What makes the node of a production; None where its parts are handed on as a list."""
+        if production.collapses and len(production.plan) == 1:
+            return _the_part
+        return self._builder.method(production.method)
+
+
+def _the_part(_: Span, part: object) -> object:
+    """What an expression in parentheses is."""
+    return part
 
 
 def _arranged(parts: list[object], plan: tuple[tuple[int, bool], ...]) -> list[object]:

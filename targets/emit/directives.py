@@ -1,6 +1,6 @@
 """``#line`` directives, which make a downstream compiler name lines of the material.
 
-They are put into a finished text. Where a target numbers its files, 0 is the text itself, and a
+They are put into a finished text. Where a language numbers its files, 0 is the text itself, and a
 comment at its end lists the others.
 """
 

@@ -1,7 +1,7 @@
 """Prints a program in one language: ``emit`` is what ``api.py`` calls after ``legalise``.
 
-Everything about the language is in the rows of its ``Target`` and in its skeleton. What is computed
-where has been decided before.
+What is particular to the language stands in the rows of its ``Language`` and in its skeleton. The
+passes and ``legalise`` have decided what is computed where.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
     """Print a program; ``ValueError`` for one file where the profile cannot have that."""
     options = options or EmitOptions()
     if options.single_file and not legal.profile.single_file:
-        raise ValueError(f"{legal.target.name}:{legal.profile.name} has no single-file form")
+        raise ValueError(f"{legal.language.name}:{legal.profile.name} has no single-file form")
     return _Emitter(legal, options).emission()
 
 
@@ -79,10 +79,10 @@ class _Emitter:
 
     def __init__(self, legal: Legal, options: EmitOptions) -> None:
         self._program = legal.program
-        self._target = legal.target
+        self._language = legal.language
         self._profile = legal.profile
         self._options = options
-        self._names = name_program(legal.program, legal.target)
+        self._names = name_program(legal.program, legal.language)
         self._bindings = legal.bindings
         self._notes = legal.notes
         self._context = Context(legal, self._names, options.flip_y)
@@ -103,16 +103,16 @@ class _Emitter:
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
         names = {stage.name: self._entry_point(stage, single) for stage in stages}
-        marks = Marks(self._target.forms)
+        marks = Marks(self._language.forms)
         entries = [
             StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
             for stage in stages
         ]
         text, origins = marks.read(self._text(stages, entries))
-        if not (self._options.line_directives and self._target.line_directive):
+        if not (self._options.line_directives and self._language.line_directive):
             # Behind a directive a statement stays in its one line, as compilers count on from it.
             text, origins = wrapped(text, origins)
-        extension = self._target.extension
+        extension = self._language.extension
         first = stages[0].row
         return EmittedFile(
             suffix=extension if single else f"{first.suffix}.{extension}",
@@ -124,12 +124,12 @@ class _Emitter:
 
     def _entry_point(self, stage: Stage, single: bool) -> str:
         entry = stage.row.entry
-        return entry if single else self._target.entry_point.format(entry=entry)
+        return entry if single else self._language.entry_point.format(entry=entry)
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
         view = self._view(stages, entries)
-        fill_in = renderer(self._target.folder / self._target.template)
-        return fill_in(view, self._target.forms, self._profile, self._options.flip_y)
+        fill_in = renderer(self._language.folder / self._language.template)
+        return fill_in(view, self._language.forms, self._profile, self._options.flip_y)
 
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))
@@ -140,7 +140,7 @@ class _Emitter:
             structs=self._declarations.structs(stages),
             blocks=self._declarations.blocks(stages),
             textures=self._declarations.textures(stages),
-            helpers=helpers(self._target, self._context.textures, reads),
+            helpers=helpers(self._language, self._context.textures, reads),
             host_uniforms=list(dict.fromkeys(uniforms)),
             entries=entries,
         )

@@ -16,6 +16,7 @@ from ...compiler.ir.types import (
     Scalar,
     Struct,
     TallMatrix,
+    Type,
     Vector,
     scalar_kind,
 )
@@ -46,8 +47,8 @@ class Expressions:
         """Names of the parameters, loop indices and states in scope."""
         self.states: dict[tuple[int, str], str] = {}
         """Names of the final states of loops with several, by the loop's id and the member."""
-        self._forms = context.target.forms
-        self._literals = context.target.literals
+        self._forms = context.language.forms
+        self._literals = context.language.literals
         self._types = context.types
         self._names = context.names
         self._leaves = leaves
@@ -101,7 +102,7 @@ class Expressions:
         kind = scalar_kind(node.type)
         assert kind is not None
         if isinstance(node.data, tuple):
-            return Text(f"{self._types.type(node.type)}({', '.join(self._lanes(node))})")
+            return self._constructed(node.type, ", ".join(self._lanes(node)))
         assert isinstance(node.data, int | float)
         return _number(literal(node.data, kind, self._literals))
 
@@ -134,7 +135,11 @@ class Expressions:
         return Text(form.format(vector=self.text(vector), type=type_, columns=columns))
 
     def _vector(self, node: Node) -> Text:
-        return Text(f"{self._types.type(node.type)}({self._arguments(node.operands)})")
+        return self._constructed(node.type, self._arguments(node.operands))
+
+    def _constructed(self, type_: Type, parts: str) -> Text:
+        form = self._forms.constructor
+        return Text(form.format(type=self._types.type(type_), parts=parts))
 
     def _splat(self, node: Node) -> Text:
         return self._natives.splatted(self.operand(node.operands[0]), node.type)
@@ -153,16 +158,14 @@ class Expressions:
         (source,) = node.operands
         if source.op == "cross" and source.id not in self.bound:
             return self._leaves.interpolated(source, lanes)
-        operand = self.operand(source).within(Binding.POSTFIX)
-        return Text(f"{operand}.{''.join(self._forms.lanes[lane] for lane in lanes)}")
+        return self._leaves.swizzle(self.operand(source), lanes, node.type)
 
     def _index(self, node: Node) -> Text:
         aggregate, position = node.operands
-        form = "{matrix}[{position}]"
+        operand, place = self.operand(aggregate), self.text(position)
         if isinstance(aggregate.type, Matrix | TallMatrix):
-            form = self._forms.column
-        operand = self.operand(aggregate).within(Binding.POSTFIX)
-        return Text(form.format(matrix=operand, position=self.text(position)))
+            return Text(self._forms.column.format(matrix=operand, position=place))
+        return Text(self._forms.element.format(aggregate=operand, position=place))
 
     def _member(self, node: Node) -> Text:
         (owner,) = node.operands

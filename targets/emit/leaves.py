@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 
 from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import ATTRIBUTE, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
-from ...compiler.ir.types import Type, width
+from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width
 from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .precedence import Binding, Text
@@ -22,11 +22,11 @@ class Leaves:
         context: Context,
         stage: Stage,
     ) -> None:
-        self._forms = context.target.forms
-        self._texture = context.profile.samplers.joined or context.target.forms.texture
+        self._forms = context.language.forms
+        self._texture = context.profile.samplers.joined or context.language.forms.texture
         self._textures = context.textures
         self._types = context.types
-        self._stored = context.target.types.stored
+        self._stored = context.language.types.stored
         self._names = context.names
         self._inputs = context.inputs
         self._members = context.members
@@ -93,7 +93,17 @@ class Leaves:
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:
             return text
-        return Text(f"{text.text}.{''.join(self._forms.lanes[first + lane] for lane in lanes)}")
+        kind = scalar_kind(node.type)
+        assert kind is not None
+        type_ = Vector(kind, len(lanes)) if len(lanes) > 1 else Scalar(kind)
+        return self.swizzle(text, [first + lane for lane in lanes], type_)
+
+    def swizzle(self, vector: Text, lanes: Sequence[int], type_: Type) -> Text:
+        """Lanes of a vector, which have this type."""
+        forms = self._forms
+        form = forms.lane if len(lanes) == 1 else forms.swizzle
+        letters = "".join([forms.lanes[lane] for lane in lanes])
+        return Text(form.format(vector=vector, lanes=letters, type=self._types.type(type_)))
 
     def _read(self, name: str) -> Text:
         return Text(self._forms.input.format(name=name), Binding.NAME)

@@ -7,7 +7,7 @@ import struct
 from functools import lru_cache
 
 from ...compiler.ir.types import ScalarKind
-from .description import Literals
+from ..description.spellings import Literals
 
 _LOWEST = -(2**31)
 

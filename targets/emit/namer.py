@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from functools import lru_cache
 
-from .reserved import Reserved
+from ..description.reserved import Reserved
 
 _UNUSUAL = re.compile(r"[^A-Za-z0-9_]")
 _UNDERSCORES = re.compile(r"_{2,}")

@@ -14,9 +14,9 @@ from ...compiler.ir.node import Node
 from ...compiler.ir.program import Block, Field, Function, Program, Stage, StageName
 from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
-from .description import Target
+from ..description.reserved import Reserved
+from ..description.shading_language import Language
 from .namer import Namer
-from .reserved import Reserved
 
 
 @frozen
@@ -54,20 +54,20 @@ class Names:
         return Namer(self.reserved, self.common.union(own))
 
 
-def name_program(program: Program, target: Target) -> Names:
-    """Decide the names of ``program`` in the language of ``target``."""
-    return _Naming(program, target).names()
+def name_program(program: Program, language: Language) -> Names:
+    """Decide the names of ``program`` in a language."""
+    return _Naming(program, language).names()
 
 
 class _Naming:
     """Declares names in the order of the file."""
 
-    def __init__(self, program: Program, target: Target) -> None:
+    def __init__(self, program: Program, language: Language) -> None:
         self._program = program
-        self._target = target
-        self._reserved = target.reserved()
-        self._module = Namer(self._reserved, target.fixed_names)
-        self._common = set(target.fixed_names)
+        self._language = language
+        self._reserved = language.reserved()
+        self._module = Namer(self._reserved, language.fixed_names)
+        self._common = set(language.fixed_names)
 
     def names(self) -> Names:
         """All names. Those that hosts see are declared first."""
@@ -104,14 +104,14 @@ class _Naming:
         return name
 
     def _variables(self, blocks: Mapping[str, str]) -> dict[str, str]:
-        if self._target.global_members:
+        if self._language.global_members:
             return {}
         return {name: self._declare(_snake(final)) for name, final in blocks.items()}
 
     def _members(self) -> Iterator[tuple[tuple[str, str], str]]:
         for block in self._program.blocks:
             scope = Namer(self._reserved)
-            declare = self._declare if self._target.global_members else scope.declare
+            declare = self._declare if self._language.global_members else scope.declare
             for member in block.members:
                 yield (block.name, member.name), declare(member.name)
             yield from self._struct_members(block)
@@ -129,13 +129,13 @@ class _Naming:
 
     def _fields(self) -> _Fields:
         """Names of inputs and outputs, which are global variables or members of structs."""
-        target, program = self._target, self._program
-        shared = self._module.inner() if target.global_fields else None
+        language, program = self._language, self._program
+        shared = self._module.inner() if language.global_fields else None
         supplied = [name for stage in program.stages for name in stage.builtin_inputs]
         taken = () if shared else supplied
 
         def declare(fields: Iterable[Field], prefix: str = "") -> dict[str, str]:
-            namer = shared or Namer(self._reserved, (*taken, *target.fixed_names))
+            namer = shared or Namer(self._reserved, (*taken, *language.fixed_names))
             names = dict.fromkeys(field.name for field in fields)
             return {name: namer.declare(prefix + name) for name in names}
 
@@ -144,8 +144,8 @@ class _Naming:
         handed_on = [out.field for out in outputs if out.field and out.kind != TARGET]
         return _Fields(
             attributes=declare(program.vertex_inputs),
-            varyings=declare(handed_on, target.varying_prefix),
-            render_targets=declare(written, target.output_prefix),
+            varyings=declare(handed_on, language.varying_prefix),
+            render_targets=declare(written, language.output_prefix),
         )
 
     def _functions(self, fields: _Fields) -> dict[tuple[StageName, Node], str]:

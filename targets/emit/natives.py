@@ -1,4 +1,4 @@
-"""Builtins as a target spells them."""
+"""Builtins as a language spells them."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from ...compiler.ir.types import (
     width,
 )
 from ...stdlib.builtins import BUILTINS
+from ..description.spellings import Read, Spelling, Spellings
 from .context import Context
-from .description import Read, Spelling, Spellings
 from .leaves import Leaves
 from .precedence import INFIX, PREFIX, Text, infix, prefix
 
@@ -74,8 +74,8 @@ class Natives:
         self._functions = functions
         self._table = context.natives
         self._fixed: dict[str, str] = {}
-        self._forms = context.target.forms
-        self._splats = context.target.splats
+        self._forms = context.language.forms
+        self._splats = context.language.splats
         self._spell_type = context.types.type
         self._leaves = leaves
 

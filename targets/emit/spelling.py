@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
-from .description import TypeNames
+from ..description.spellings import TypeNames
 
 _NAME = "\0"
 """Stands for the name in declarations that are kept; no text contains it."""

@@ -33,8 +33,8 @@ class Statements:
     def __init__(
         self, context: Context, expressions: Expressions, namer: Namer, marks: Marks
     ) -> None:
-        self._forms = context.target.forms
-        self._literals = context.target.literals
+        self._forms = context.language.forms
+        self._literals = context.language.literals
         self._types = context.types
         self._expressions = expressions
         self._namer = namer

@@ -16,7 +16,8 @@ from typing import Protocol
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Program
 from ...frozen import frozen
-from ..emit.description import BindingKind, Profile
+from ..description.profile import Profile
+from ..description.shading_language import BindingKind
 
 
 @frozen

@@ -25,7 +25,7 @@ from ...compiler.passes.walks import visible
 from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN
-from ..emit.description import Profile
+from ..description.profile import Profile
 
 Use = tuple[str, tuple[Type, ...]]
 """A builtin, and the types of its operands."""

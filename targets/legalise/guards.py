@@ -26,7 +26,7 @@ from ...compiler.passes.split_stages import split_stages
 from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import Domain
-from ..emit.description import Profile
+from ..description.profile import Profile
 
 
 def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]:

@@ -72,7 +72,7 @@ def test_deep_branches(selected: Selected) -> None:
         statements = (Branch("chosen", value, Region(statements), Region(())),)
     color = build.splat(make.graph, value, 4)
     text = emitted(tiny(color, make, (material,), region=Region(statements)), selected)
-    opening = selected.target.forms.if_.partition("{condition}")[0]
+    opening = selected.language.forms.if_.partition("{condition}")[0]
     assert text["fragment"].count(opening) == FAR_TOO_DEEP
 
 

@@ -9,8 +9,8 @@ from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.operations import SWIZZLE
 from burnish.compiler.ir.program import Varying
 from burnish.frozen import changed
+from burnish.targets.description.spellings import Spelling
 from burnish.targets.emit import leaves
-from burnish.targets.emit.description import Spelling
 from burnish.targets.emit.expressions import Expressions
 from burnish.targets.emit.precedence import Binding, Text
 
