@@ -3,15 +3,17 @@
 Almost every record of the compiler is declared with it. ``dataclasses`` writes and compiles eight
 methods for each class while the module is imported. This takes most of a millisecond for each
 class; for a hundred classes, it would be the larger part of the time to start Burnish. Here only
-the initialiser is generated, when the first record is made, and all other methods are shared.
-Records are also made and unpickled faster, because nothing goes through ``__setattr__``.
+the initialiser is made for each class, when its first record is made, and of code that is compiled
+once for all classes with as many fields. All other methods are shared. Records are also made and
+unpickled faster, because nothing goes through ``__setattr__``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from operator import attrgetter
-from types import MappingProxyType
+from types import CodeType, FunctionType, MappingProxyType
 from typing import Any, TypeVar, cast, dataclass_transform, overload
 
 T = TypeVar("T")
@@ -47,7 +49,8 @@ def frozen(
     Its annotations are the fields, in the order of the initialiser's parameters. They must be texts
     (``from __future__ import annotations``). With ``eq=False`` a record is equal only to itself;
     with ``kw_only=True`` fields are initialised by name. ``key=True`` is for records that are part
-    of keys much more often than they are made: the hash is computed when the record is made.
+    of keys much more often than they are made: the hash is computed when the record is made. Such a
+    record has no ``fresh`` fields.
     """
     shared = _ANY | _UNCHANGEABLE | (_KEPT_HASH if key else {})
     if cls is None:
@@ -87,7 +90,7 @@ def _slotted(cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool) -> t
 
 
 def _on_first_use(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., None]:
-    """An initialiser that generates the real one when it is first called."""
+    """An initialiser that makes the real one when it is first called."""
 
     def first(self: object, *arguments: object, **named: object) -> None:
         cls.__init__ = _initialiser(cls, defaults, kw_only)
@@ -97,22 +100,49 @@ def _on_first_use(cls: Any, defaults: dict[str, object], kw_only: bool) -> Calla
 
 
 def _initialiser(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., None]:
-    """Generate an initialiser that stores each argument in its slot, without ``__setattr__``."""
-    names = cls.__match_args__
-    known: dict[str, Any] = {f"default_{name}": value for name, value in defaults.items()}
-    known |= {f"set_{name}": getattr(cls, name).__set__ for name in names}
-    parameters = [f"{name}=default_{name}" if name in defaults else name for name in names]
-    head = ["self", *(["*"] if kw_only else []), *parameters]
-    made_anew = {name: d.factory for name, d in defaults.items() if isinstance(d, _Fresh)}
-    known |= {f"make_{name}": factory for name, factory in made_anew.items()}
-    body = [f"if {name} is default_{name}: {name} = make_{name}()" for name in made_anew]
-    body += [f"set_{name}(self, {name})" for name in names] or ["pass"]
-    if hasattr(cls, "_hash"):
-        known["keep_hash"] = cls._hash.__set__
-        body.append(f"keep_hash(self, hash(({', '.join(names)},)))")
-    exec(f"def __init__({', '.join(head)}):\n    " + "\n    ".join(body), known)
-    written: Callable[..., None] = known["__init__"]
-    return written
+    """Make an initialiser that stores each argument in its slot, without ``__setattr__``."""
+    names: tuple[str, ...] = cls.__match_args__
+    keeps_hash = hasattr(cls, "_hash")
+    used: dict[str, object] = {"keep_hash": cls._hash.__set__} if keeps_hash else {}
+    for number, name in enumerate(names):
+        used[f"set_{number}"] = _setter(getattr(cls, name).__set__, defaults.get(name))
+    code = _storing(len(names), keeps_hash).replace(co_varnames=("self", *names))
+    if kw_only:
+        code = code.replace(co_argcount=1, co_kwonlyargcount=len(names))
+    initialiser = FunctionType(code, used)
+    if kw_only:
+        initialiser.__kwdefaults__ = defaults
+    else:
+        initialiser.__defaults__ = tuple(defaults[name] for name in names if name in defaults)
+    return initialiser
+
+
+@cache
+def _storing(count: int, keeps_hash: bool) -> CodeType:
+    """The code of an initialiser that stores ``count`` arguments, with names that mean nothing.
+
+    It is compiled once for all classes that have as many fields, since to compile takes ten times
+    as long as to give the code of another class the names of its own fields.
+    """
+    fields = [f"field_{number}" for number in range(count)]
+    body = [f"set_{number}(self, {field})" for number, field in enumerate(fields)] or ["pass"]
+    if keeps_hash:
+        body.append(f"keep_hash(self, hash(({', '.join(fields)},)))")
+    known: dict[str, Any] = {}
+    exec(f"def __init__({', '.join(['self', *fields])}):\n    " + "\n    ".join(body), known)
+    code: CodeType = known["__init__"].__code__
+    return code
+
+
+def _setter(store: Callable[[Any, object], None], default: object) -> Callable[[Any, object], None]:
+    """What stores an argument in its slot, or where that is a fresh default, a value made anew."""
+    if not isinstance(default, _Fresh):
+        return store
+
+    def store_anew(record: object, value: object) -> None:
+        store(record, default.factory() if value is default else value)
+
+    return store_anew
 
 
 def _by_value(names: tuple[str, ...]) -> dict[str, Any]:

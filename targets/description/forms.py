@@ -80,6 +80,8 @@ class Forms:
     """``select({otherwise}, {then}, {condition})``; empty for ``?:``."""
     at_most: str = "min({value}, {bound})"
     """The smaller of two integers."""
+    constructor: str = "{type}({parts})"
+    """A vector from its lanes and from shorter vectors, or a constant from its lanes."""
     splat: str = "{type}({value})"
     """A scalar in every lane; ``{value:p}.{lanes}`` where that is a swizzle."""
     splat_constant: bool = True
@@ -90,7 +92,13 @@ class Forms:
     product_of_columns: str = ""
     """A matrix from its ``{columns}`` times a ``{vector}``, where that is shorter than as
     ``matrix`` has it."""
-    column: str = "{matrix}[{position}]"
+    lane: str = "{vector:p}.{lanes}"
+    """One lane of a vector."""
+    swizzle: str = "{vector:p}.{lanes}"
+    """Several lanes of a vector, as a vector of the plain ``{type}``."""
+    element: str = "{aggregate:p}[{position}]"
+    """An element of an array, or a computed lane of a vector."""
+    column: str = "{matrix:p}[{position}]"
     array: str = "{type}({elements})"
     """An array from its elements."""
     member: str = "{name}"

@@ -16,6 +16,7 @@ from ...compiler.ir.types import (
     Scalar,
     Struct,
     TallMatrix,
+    Type,
     Vector,
     scalar_kind,
 )
@@ -23,7 +24,7 @@ from .context import Context
 from .leaves import LeafPrinter
 from .literals import literal
 from .natives import Callee, Natives
-from .precedence import NAME, POSTFIX, Binding, Printed, choice, within
+from .precedence import NAME, POSTFIX, Binding, Field, Printed, choice, within
 
 DEEPEST = 200
 """The printer calls itself for operands in place. The scheduler names deeper ones long before this;
@@ -105,7 +106,7 @@ class Expressions:
         kind = scalar_kind(node.type)
         assert kind is not None
         if isinstance(node.data, tuple):
-            return f"{self._types.type(node.type)}({', '.join(self._lanes(node))})", POSTFIX
+            return self._constructed(node.type, ", ".join(self._lanes(node)))
         assert isinstance(node.data, int | float)
         return _number(literal(node.data, kind, self._literals))
 
@@ -138,7 +139,11 @@ class Expressions:
         return form.format(vector=self.text(vector), type=type_, columns=columns), POSTFIX
 
     def _vector(self, node: Node) -> Printed:
-        return f"{self._types.type(node.type)}({self._arguments(node.operands)})", POSTFIX
+        return self._constructed(node.type, self._arguments(node.operands))
+
+    def _constructed(self, type_: Type, parts: str) -> Printed:
+        form = self._forms.constructor
+        return form.format(type=self._types.type(type_), parts=parts), POSTFIX
 
     def _splat(self, node: Node) -> Printed:
         return self._natives.splatted(self.operand(node.operands[0]), node.type)
@@ -157,16 +162,16 @@ class Expressions:
         (source,) = node.operands
         if source.op == "cross" and source not in self.bound:
             return self._leaves.interpolated(source, lanes)
-        letters = "".join([self._forms.lanes[lane] for lane in lanes])
-        return f"{within(self.operand(source), POSTFIX)}.{letters}", POSTFIX
+        return self._leaves.swizzle(self.operand(source), lanes, node.type)
 
     def _index(self, node: Node) -> Printed:
         aggregate, position = node.operands
-        form = "{matrix}[{position}]"
+        operand, place = self.operand(aggregate), self.text(position)
         if isinstance(aggregate.type, Matrix | TallMatrix):
             form = self._forms.column
-        operand = within(self.operand(aggregate), POSTFIX)
-        return form.format(matrix=operand, position=self.text(position)), POSTFIX
+            return form.format(matrix=Field(*operand), position=place), POSTFIX
+        form = self._forms.element
+        return form.format(aggregate=Field(*operand), position=place), POSTFIX
 
     def _member(self, node: Node) -> Printed:
         (owner,) = node.operands

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import ATTRIBUTE, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
-from ...compiler.ir.types import Type, width
+from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width
 from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .precedence import NAME, POSTFIX, Field, Printed
@@ -93,8 +93,18 @@ class LeafPrinter:
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:
             return printed
-        letters = "".join([self._forms.lanes[first + lane] for lane in lanes])
-        return f"{printed[0]}.{letters}", POSTFIX
+        kind = scalar_kind(node.type)
+        assert kind is not None
+        type_ = Vector(kind, len(lanes)) if len(lanes) > 1 else Scalar(kind)
+        return self.swizzle(printed, [first + lane for lane in lanes], type_)
+
+    def swizzle(self, vector: Printed, lanes: Sequence[int], type_: Type) -> Printed:
+        """Lanes of a vector, which have this type."""
+        forms = self._forms
+        form = forms.lane if len(lanes) == 1 else forms.swizzle
+        letters = "".join([forms.lanes[lane] for lane in lanes])
+        type_text = self._types.type(type_)
+        return form.format(vector=Field(*vector), lanes=letters, type=type_text), POSTFIX
 
     def _read(self, name: str) -> Printed:
         return self._forms.input.format(name=name), NAME

@@ -85,7 +85,8 @@ class Field(NamedTuple):
 
     def __format__(self, spec: str) -> str:
         """The expression with the parentheses that the form asks for; see ``forms.py``."""
-        return within((self.text, self.binding), _SPECS[spec])
+        text, binding = self
+        return text if binding >= _SPECS[spec] else f"({text})"
 
 
 def within(printed: Printed, least: Binding) -> str:

@@ -43,7 +43,7 @@ FORMS = Forms(
     product_of_columns="mul({vector}, {type}({columns}))",
     array="{{{elements}}}",
     constant_array="static const {typed} = {value};",
-    column="transpose({matrix})[{position}]",
+    column="transpose({matrix:p})[{position}]",
     input="input.{name}",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )

@@ -32,7 +32,7 @@ FLOORS: dict[str, str] = {
     "compiler.packing": "frozen ir",
     "compiler.formula": "stdlib ir",
     "compiler.source_map": "diagnostics ir",
-    "compiler.reference": "frozen stdlib ir trampoline",
+    "compiler.reference": "frozen stdlib ir",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
     "compiler.library": "stdlib cache diagnostics syntax names",
@@ -67,9 +67,7 @@ FLOORS: dict[str, str] = {
     "targets.emit": ("frozen stdlib cache diagnostics ir reflection description legalise"),
     **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
-    "targets.runner": (
-        "arguments cache diagnostics srgb ir reference trampoline closing toolchain"
-    ),
+    "targets.runner": ("frozen arguments cache diagnostics srgb ir reference closing toolchain"),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "api": (

@@ -78,6 +78,9 @@ LANGUAGE = Language(
         struct_end="done",
         select="either({then}, {otherwise}, {condition})",
         at_most="least({value}, {bound})",
+        constructor="{type} of ({parts})",
+        swizzle="pick {lanes} of ({vector})",
+        element="nth({aggregate}, {position})",
         array="list({elements})",
         member="{block}.{name}",
         stored="loose({value})",
@@ -195,15 +198,15 @@ work the_fs_main(
 ...
     material is paper Material (paper 3), albedo is flat_picture (picture 0)
 )
-    let tint is num3 be loose(material.base) * albedo.at(given.uv).abc
+    let tint is num3 be loose(material.base) * pick abc of (albedo.at(given.uv))
 ...
-    keep color_total is num3 at num3(0.0)
+    keep color_total is num3 at num3 of (0.0)
     for each i from 0 below least(rig.lamps_count, 8) do
 ...
         ) + color_total
     done
 ...
-    taken.color := num4(color, 1.0)
+    taken.color := num4 of (color, 1.0)
 done
 """
 """Parts of a text, each of whole lines."""
