@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from ...frozen import fresh, record
-from ..ir.node import Formal, Node, bodies_of, formals_of, reachable
+from ..ir.node import Formal, Node, bodies_of, formals_of
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.shader import Notes
@@ -20,7 +20,7 @@ from ..trampoline import Reply, Step, run
 from .cost import cost_of
 from .naming import Naming
 from .path_conditions import DEEPEST
-from .uniformity import compares, needing_uniform_flow
+from .uniformity import compares
 from .walks import in_order_of_use, operands_of
 
 BRANCH_COST = 32
@@ -51,7 +51,10 @@ class _Block:
 class Scheduler:
     """Schedules one body: a stage's entry point or a function."""
 
-    def __init__(self, roots: Sequence[Node], notes: Notes, naming: Naming) -> None:
+    def __init__(
+        self, roots: Sequence[Node], notes: Notes, naming: Naming, together: frozenset[int]
+    ) -> None:
+        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``)."""
         self._roots = list(roots)
         self._notes = notes
         self._naming = naming
@@ -70,8 +73,7 @@ class Scheduler:
         wrong without: the ``?:`` parts the read from what joins texture and sampler for it.)"""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
-        self._together = needing_uniform_flow(reachable(self._roots))
-        """What all pixels have to reach, branches or not."""
+        self._together = together
         nodes = in_order_of_use(self._roots)
         self._naming.learn(reversed(nodes))
         self._order = [node for node in nodes if node.op not in LEAVES]

@@ -32,7 +32,7 @@ FLOORS: dict[str, str] = {
     "compiler.packing": "frozen ir",
     "compiler.formula": "stdlib ir",
     "compiler.source_map": "diagnostics ir",
-    "compiler.reference": "frozen stdlib ir trampoline",
+    "compiler.reference": "frozen stdlib ir",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
     "compiler.library": "stdlib cache diagnostics syntax names",
@@ -68,9 +68,7 @@ FLOORS: dict[str, str] = {
     **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
     "targets.selection": "diagnostics description registry",
-    "targets.runner": (
-        "arguments cache diagnostics srgb ir reference trampoline closing toolchain"
-    ),
+    "targets.runner": ("frozen arguments cache diagnostics srgb ir reference closing toolchain"),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "compiled": "frozen inputs diagnostics ir passes reflection description emit selection runner",
