@@ -1,9 +1,13 @@
-"""Rough prices, for choosing between a branch and a select, a function and its body."""
+"""Rough costs of nodes, in ALU operations.
+
+``schedule`` compares them to choose between a branch and a select, ``inline`` to choose between a
+function and its body, ``hoist`` and the rules for loops to see whether their work pays.
+"""
 
 from __future__ import annotations
 
 from ...stdlib.builtins import BUILTINS
-from ..ir.node import Node, reachable
+from ..ir.node import Node
 from ..ir.operations import OPERATIONS, builtin_of
 from ..ir.types import Scalar, Vector, width
 
@@ -20,6 +24,21 @@ def cost_of(node: Node) -> int:
     return BUILTINS[builtin].cost * lanes
 
 
-def cost(root: Node) -> int:
-    """ALU operations of everything that ``root`` needs."""
-    return sum(map(cost_of, reachable((root,))))
+def cost(root: Node, limit: int) -> int:
+    """ALU operations of everything that ``root`` needs; above ``limit``, only that it is more.
+
+    Bodies contain the bodies of the functions that they call, so that counting to the end would
+    take the square of the program's size.
+    """
+    total = 0
+    seen = {root}
+    pending = [root]
+    for node in pending:  # It grows on the way.
+        total += cost_of(node)
+        if total > limit:
+            return limit + 1
+        for operand in node.operands:
+            if operand not in seen:
+                seen.add(operand)
+                pending.append(operand)
+    return total

@@ -1,7 +1,7 @@
-"""Writes a body out where it is used once, or where calling it would cost more than it does.
+"""Inlines a function's body if it is used once, or if calling it would cost more than executing it.
 
-That is decided call by call: constant arguments may leave little of a body, and what depends on
-parameters alone can only leave the shader if it is written out.
+The pass decides this call by call, because constant arguments may leave little of a body. A body
+that depends on parameters only is inlined too: only then can ``hoist`` move it to the host.
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ TRIVIAL = 4
 
 WORTHWHILE = 0.5
 """A call that computes no more than this share of its body for its own arguments is written out."""
+
+DEAR = 1024
+"""Bodies that cost more are alike: such a call is what a body around it mainly costs."""
 
 
 def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
@@ -56,6 +59,7 @@ class _Prices:
     def __init__(self, simplifier: Simplifier) -> None:
         self._simplifier = simplifier
         self._constant = DrawConstants()
+        self._trivial: dict[Node, bool] = {}
         self._costs: dict[Node, int] = {}
         """Of bodies, with all that they need."""
         self._outside: dict[Node, frozenset[int]] = {}
@@ -66,7 +70,7 @@ class _Prices:
     def is_worth_calling(self, call: Node) -> bool:
         """Whether a call is better than its body written out."""
         body, *arguments = call.operands
-        if self._cost(body) <= TRIVIAL:
+        if self._is_trivial(body):
             return False
         fixed = tuple(a if a in self._constant else None for a in arguments)
         if not any(fixed):
@@ -90,9 +94,14 @@ class _Prices:
             self._outside[body] = frozenset(node.id for node in nodes if not node.variables)
         return self._outside[body]
 
+    def _is_trivial(self, body: Node) -> bool:
+        if body not in self._trivial:
+            self._trivial[body] = cost(body, TRIVIAL) <= TRIVIAL
+        return self._trivial[body]
+
     def _cost(self, body: Node) -> int:
         if body not in self._costs:
-            self._costs[body] = cost(body)
+            self._costs[body] = cost(body, DEAR)
         return self._costs[body]
 
     def _varying_cost(self, root: Node, outside: Container[int]) -> int:

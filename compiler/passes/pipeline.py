@@ -1,4 +1,7 @@
-"""The middle end: every pass, in order."""
+"""Runs every pass in order, from the shader that semantics made to a program.
+
+``api.py`` calls ``stage`` once for each shader. The architecture page has a table of the passes.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,6 @@ from ...frozen import changed, frozen
 from ..ir.node import Graph, Node
 from ..ir.program import Program
 from ..ir.ranges import Ranges
-from ..ir.rewrite import rewrite
 from ..ir.shader import Notes, Result, Shader
 from .checkpoint import chained, passed
 from .expand_builtins import expand_builtins
@@ -105,7 +107,7 @@ def _simplified(
     graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier
 ) -> list[Node]:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    roots = passed("simplify", "flat", rewrite(graph, roots, simplifier.rule, notes.follow))
+    roots = passed("simplify", "flat", simplifier.simplified(roots))
     roots = passed("fuse", "flat", fuse(graph, roots, notes, simplifier))
     return passed("inline", "flat", inline(graph, roots, notes, simplifier))
 
@@ -115,6 +117,6 @@ def _guarded(
 ) -> tuple[list[Node], Guarding]:
     roots = passed("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
     guarding = Guarding(graph, ranges, notes, PathConditions(roots, ranges))
-    roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
+    roots = passed("guard", "guarded", guarding.simplified(roots))
     roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))
     return roots, guarding

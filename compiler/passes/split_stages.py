@@ -1,8 +1,8 @@
-"""Splits one graph into the stages of a program.
+"""Splits the graph of a shader into the stages of a program; this is the last pass.
 
-This is the last pass. It walks the chain of stages backwards from what the shader delivers. The
-results of a stage, and what the stage after it reads, are all that the stage has to compute; the
-crossings under these say what the stage before has to hand on.
+It walks the chain of stages backwards from what the shader delivers. A stage has to compute its
+results and the values that the next stage reads. The crossings among the operands of these are
+values that the stage before has to deliver.
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ from .hoist import Derived
 from .naming import Naming
 from .pack_varyings import pack_varyings
 from .schedule import Scheduler
+from .uniformity import needing_uniform_flow
 from .walks import called_functions, visible
 
 
@@ -120,7 +121,10 @@ def _stage(
     roots = [output.value for output in outputs]
     naming = Naming(shader.notes)
     nodes = visible(roots, into_bodies=True)
-    functions = tuple(_function(call, shader.notes, naming) for call in called_functions(nodes))
+    together = needing_uniform_flow(nodes)
+    functions = tuple(
+        _function(call, shader.notes, naming, together) for call in called_functions(nodes)
+    )
     leaves = [leaf for node in nodes if (leaf := node.data) is not None]
     parameters = {leaf for leaf in leaves if isinstance(leaf, Parameter)}
     resources = {leaf for leaf in leaves if isinstance(leaf, Resource)}
@@ -130,7 +134,7 @@ def _stage(
         blocks=tuple(b for b in blocks if any(m.parameter in parameters for m in b.members)),
         resources=tuple(i.resource for i in shader.resources if i.resource in resources),
         functions=functions,
-        region=Scheduler(roots, shader.notes, naming).schedule(),
+        region=Scheduler(roots, shader.notes, naming, together).schedule(),
         results=outputs,
         builtin_inputs=tuple(
             sorted({INPUT.data(n).name for n in visible(roots) if n.op == "input"})
@@ -140,7 +144,7 @@ def _stage(
     )
 
 
-def _function(call: Node, notes: Notes, naming: Naming) -> Function:
+def _function(call: Node, notes: Notes, naming: Naming, together: frozenset[int]) -> Function:
     body = call.operands[0]
     types = [argument.type for argument in call.operands[1:]]
     return Function(
@@ -148,6 +152,6 @@ def _function(call: Node, notes: Notes, naming: Naming) -> Function:
         doc=notes.docs.get(body.id, ""),
         parameters=tuple(zip(formals_of(call), types, strict=True)),
         body=body,
-        region=Scheduler((body,), notes, naming).schedule(),
+        region=Scheduler((body,), notes, naming, together).schedule(),
         value=body,
     )

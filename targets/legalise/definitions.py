@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from ...compiler.expansion_templates import definition
-from ...compiler.ir.node import Formal, Graph
+from ...compiler.ir.node import Formal, Graph, reachable
 from ...compiler.ir.program import Function, NativeUse, Program, Stage, native_uses
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.shader import Notes
@@ -20,6 +20,7 @@ from ...compiler.passes.guard import Guarding
 from ...compiler.passes.naming import Naming
 from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.schedule import Scheduler
+from ...compiler.passes.uniformity import needing_uniform_flow
 from ...compiler.passes.walks import visible
 from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
@@ -92,6 +93,7 @@ def _function(use: Use, profile: Profile) -> Function:
         for type_, formal in zip(types, formals, strict=True)
     )
     body = guarding.written_out(found, leaves)
-    region = Scheduler((body,), notes, Naming(notes)).schedule()
+    together = needing_uniform_flow(reachable((body,)))
+    region = Scheduler((body,), notes, Naming(notes), together).schedule()
     parameters = tuple(zip(formals, types, strict=True))
     return Function(found.name, found.doc, parameters, body, region, body)
