@@ -15,7 +15,7 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ..ir.leaves import Parameter
-from ..ir.node import Graph, Node, reachable
+from ..ir.node import Graph, Node, Roots
 from ..ir.operations import BINDING, PARAMETER
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
@@ -98,18 +98,17 @@ def _saves(root: Node, least: int) -> bool:
 
 
 def hoist(
-    graph: Graph, roots: Iterable[Node], notes: Notes, ranges: Ranges, taken: Iterable[str]
-) -> tuple[list[Node], tuple[Derived, ...]]:
+    graph: Graph, roots: Roots, notes: Notes, ranges: Ranges, taken: Iterable[str]
+) -> tuple[Roots, tuple[Derived, ...]]:
     """The roots with the largest hoistable values replaced by derived parameters.
 
     ``taken`` are the names of declared parameters.
     """
-    wanted = list(roots)
     hoisting = _Hoisting(graph, notes, ranges, taken)
-    nodes = reachable(wanted)
-    hoisting.choose(wanted, nodes)
-    rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow, nodes=nodes)
-    read = {node.data for node in reachable(rewritten) if node.op == "parameter"}
+    if not hoisting.choose(roots):
+        return roots, ()
+    rewritten = rewrite(graph, roots, hoisting.rule, notes.follow)
+    read = {node.data for node in rewritten.nodes if node.op == "parameter"}
     return rewritten, tuple(d for d in hoisting.derived() if d.parameter in read)
 
 
@@ -133,8 +132,9 @@ class _Hoisting:
         self._filled: Counter[str] = Counter()
         """How many bytes the tables of each group have at most."""
 
-    def choose(self, roots: list[Node], nodes: list[Node]) -> None:
-        """Find the hoistable nodes that some user which is not hoistable needs."""
+    def choose(self, roots: Roots) -> bool:
+        """Find the hoistable nodes that some user which is not hoistable needs, if any."""
+        nodes = roots.nodes
         self._naming.learn(reversed(nodes))
         for node in nodes:
             self._reads[node.id] = self._reads_of(node)
@@ -147,6 +147,7 @@ class _Hoisting:
         for node in nodes:
             if node.id in needed and self._hoistable(node) and _saves(node, 1):
                 self._place(node)
+        return bool(self._single or self._members)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Replace a chosen node; inside hoisted values nothing changes."""

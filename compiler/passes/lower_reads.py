@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, Roots
 from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
 from ..ir.storage import elements_in_row, stored_type
@@ -37,7 +37,7 @@ _MADE = frozenset({"array", "struct", "iterate"})
 """What is put together in the shader, out of plain values; all other aggregates are stored."""
 
 
-def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:
+def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:
     """The roots, with every ``parameter`` node of its stored type. Lowering twice changes nothing.
 
     Indices are expected within bounds: whoever made them has clamped them.
