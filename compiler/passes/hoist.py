@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from functools import lru_cache
 
 from ...frozen import frozen
 from ..ir.leaves import Parameter
@@ -53,7 +54,7 @@ class Derived:
     whose number is the one free variable, ``bound`` 0."""
 
 
-@frozen
+@frozen(eq=False)
 class _Reads:
     """What a value is computed from: parameters, and elements of arrays at one position."""
 
@@ -64,6 +65,10 @@ class _Reads:
 
     def joined(self, other: _Reads) -> _Reads | None:
         """What a value reads that is computed from two; ``None`` at two positions."""
+        if other is self or not other.groups:
+            return self
+        if not self.groups:
+            return other
         if self.position and other.position and self.position is not other.position:
             return None
         arrays = [array for array in (self.array, other.array) if array is not None]
@@ -73,10 +78,18 @@ class _Reads:
     @property
     def owner(self) -> str | None:
         """The finest group, if there is one."""
-        narrow = self.groups - {COMMON_GROUP}
-        if not self.groups or len(narrow) > 1:
-            return None
-        return next(iter(narrow)) if narrow else COMMON_GROUP
+        return _owner(self.groups)
+
+
+@lru_cache(maxsize=256)
+def _owner(groups: frozenset[str]) -> str | None:
+    narrow = groups - {COMMON_GROUP}
+    if not groups or len(narrow) > 1:
+        return None
+    return next(iter(narrow)) if narrow else COMMON_GROUP
+
+
+_NOTHING = _Reads(frozenset())
 
 
 def _length(array: Node) -> int:
@@ -117,6 +130,8 @@ class _Hoisting:
         self._graph = graph
         self._ranges = ranges
         self._reads: dict[int, _Reads | None] = {}
+        self._groups: dict[str, _Reads] = {}
+        """What a parameter alone reads, by its group."""
         self._positions: set[int] = set()
         """Indices: a shader clamps them itself, whatever a host has put into its memory."""
         self._taken = set(taken)
@@ -141,11 +156,14 @@ class _Hoisting:
             if node.op == "index":
                 self._positions.add(node.operands[1].id)
         needed = {root.id for root in roots}
+        hoistable: list[Node] = []
         for node in nodes:
-            if not self._hoistable(node):
-                needed.update(operand.id for operand in node.operands)
-        for node in nodes:
-            if node.id in needed and self._hoistable(node) and _saves(node, 1):
+            if self._hoistable(node):
+                hoistable.append(node)
+            else:
+                needed.update([operand.id for operand in node.operands])
+        for node in hoistable:
+            if node.id in needed and _saves(node, 1):
                 self._place(node)
         return bool(self._single or self._members)
 
@@ -174,20 +192,32 @@ class _Hoisting:
     def _reads_of(self, node: Node) -> _Reads | None:
         """What a value is computed from; ``None`` if it reads anything else."""
         if node.op == "parameter":
-            return _Reads(frozenset({PARAMETER.data(node).group}))
+            return self._of_group(PARAMETER.data(node).group)
         if node.op == "constant":
-            return _Reads(frozenset())
+            return _NOTHING
         if not node.operands or node.op in _NOT_HOISTED:
             return None
-        found: _Reads | None = _Reads(frozenset())
-        for operand in node.operands:
-            theirs = self._reads[operand.id]
-            found = None if found is None or theirs is None else found.joined(theirs)
+        found = self._joined(node.operands)
         if found is None and is_element(node):
             array, position = node.operands
             whole = self._reads[array.id]
             return None if whole is None else _Reads(whole.groups, position, array)
         return found
+
+    def _joined(self, operands: Iterable[Node]) -> _Reads | None:
+        found = _NOTHING
+        for operand in operands:
+            theirs = self._reads[operand.id]
+            joined = None if theirs is None else found.joined(theirs)
+            if joined is None:
+                return None
+            found = joined
+        return found
+
+    def _of_group(self, group: str) -> _Reads:
+        if group not in self._groups:
+            self._groups[group] = _Reads(frozenset({group}))
+        return self._groups[group]
 
     def _hoistable(self, node: Node) -> bool:
         reads = self._reads[node.id]

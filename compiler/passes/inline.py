@@ -33,9 +33,13 @@ def inline(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> 
     if "apply" not in roots.ops:
         return roots
     applies = [node for node in roots.nodes if node.op == "apply"]
+    bodies = Counter(node.operands[0].id for node in applies)
     prices = _Prices(simplifier)
-    calls = [node for node in applies if prices.is_worth_calling(node)]
-    bodies = {node.operands[0].id for node in applies}
+    calls = [
+        node
+        for node in applies
+        if bodies[node.operands[0].id] > 1 and prices.is_worth_calling(node)
+    ]
     uses = Counter(node.operands[0].id for node in calls)
     kept = {node.id for node in calls if uses[node.operands[0].id] > 1}
     if len(kept) == len(applies):
