@@ -34,7 +34,7 @@ from ..ir.types import (
 )
 
 _READS = frozenset({"parameter", "member", "index"})
-"""All other operations change only where an operand has changed."""
+"""Apart from these and from variables, operations change only where an operand has changed."""
 
 _MADE = frozenset({"array", "struct", "iterate"})
 """What is put together in the shader, out of plain values; all other aggregates are stored."""
@@ -49,7 +49,7 @@ def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None)
 
 
 def _lower(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
-    if operands is node.operands and node.op not in _READS:
+    if operands and operands is node.operands and node.op not in _READS:
         return None
     if node.op == "parameter":
         stored = graph.node("parameter", stored_type(node.type), (), node.data)
