@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import time
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -40,7 +41,22 @@ def _is_nowhere(_: Path) -> Mapping[str, str]:
     return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "", "HOME": "~"}
 
 
-@pytest.mark.parametrize("odd", [_is_file, _is_device, _is_too_long, _is_circular, _is_nowhere])
+def _is_empty(_: Path) -> Mapping[str, str]:
+    """``~/.cache`` would be a folder at the root of the disk."""
+    return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "", "HOME": ""}
+
+
+def _is_relative(_: Path) -> Mapping[str, str]:
+    """Where the commands run is not where a user's caches are."""
+    return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "caches", "HOME": "home"}
+
+
+@pytest.mark.parametrize(
+    "odd",
+    [
+        _is_file, _is_device, _is_too_long, _is_circular, _is_nowhere, _is_empty, _is_relative
+    ],
+)  # fmt: skip
 def test_an_odd_cache_folder(
     place: Place, odd: Callable[[Path], Mapping[str, str]], tmp_path: Path
 ) -> None:
@@ -106,6 +122,28 @@ def test_many_answers(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     assert len(place.results()) == 2
     assert other.exists()
     assert place.run(output="out3").how == "KNOWN"
+
+
+def test_a_clock_that_goes_backwards(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What was kept before then seems to be newer than all that follows."""
+    monkeypatch.setattr(cache, "KEPT", 2)
+    place.write(main="material Main { }")
+    for number in range(3):
+        place.run(output=f"out{number}")
+    later = time.time() + 1000
+    for path in place.results():
+        os.utime(path, (later, later))
+    assert [place.run(output="new").how for _ in range(2)] == ["COMPILED", "KNOWN"]
+    assert len(place.results()) == 2
+
+
+def test_what_a_killed_process_left(place: Place) -> None:
+    """A later one may have its number: in a container, all of them do."""
+    place.write(main="material Main { }")
+    left = place.folder / "out" / f".burnish-{os.getpid()}"
+    left.mkdir(parents=True)
+    (left / "Other.frag.wgsl").write_text("half")
+    assert [place.run()[:2] for _ in range(2)] == [("COMPILED", 0), ("KNOWN", 0)]
 
 
 def test_large_answers_take_no_room(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
