@@ -14,6 +14,12 @@ from .description.shading_language import Language
 
 def names() -> tuple[str, ...]:
     """The names of all languages, sorted; none of them is imported for this."""
+    return _names(tuple(folders))
+
+
+@cache
+def _names(folders: tuple[str, ...]) -> tuple[str, ...]:
+    """The names of the languages in some folders, which are looked through once in a process."""
     rows = (row for folder in folders for row in Path(folder).glob("*/language.py"))
     return tuple(sorted(row.parent.name for row in rows))
 
