@@ -179,10 +179,9 @@ def _operands(text: str) -> list[str]:
         symbols.discard(":")
     if not symbols:
         return [text.strip()]
-    loosest = min(map(_BINDINGS.__getitem__, symbols))
-    starts = [
-        start for symbol, start in found if symbol in symbols and _BINDINGS[symbol] == loosest
-    ]
+    loosest = min(_BINDINGS[symbol] for symbol in symbols)
+    breaking = {symbol for symbol in symbols if _BINDINGS[symbol] == loosest}
+    starts = [start for symbol, start in found if symbol in breaking]
     bounds = zip([0, *starts], [*starts, len(text)], strict=True)
     return [text[first:last].strip() for first, last in bounds]
 
