@@ -23,7 +23,7 @@ from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
 from .margins import EXACT, READS, Margins
 from .quads import Barycentric
-from .sampler import Reader
+from .sampler import QuadReader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
 from .texels import Image
 from .variants import Variants, variants
@@ -143,7 +143,7 @@ class StageEvaluator:
         margins = Margins((len(front), self.side, self.side))
         turns, reads = count(), count()
         readers = {
-            resource: Reader(image, self.ways, margins, reads)
+            resource: QuadReader(image, self.ways, margins, reads)
             for resource, image in self._images.items()
         }
         inputs = {
