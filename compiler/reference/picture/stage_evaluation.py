@@ -133,7 +133,7 @@ class StageEvaluator:
         if not _rounds(node, value):
             return value
         relative = (-1.0) ** node.id * self._relative
-        absolute = self._functions.get(str(node.data), 0.0)
+        absolute = self._functions.get(builtin_of(node) or "", 0.0)
         return tuple(
             lane + (np.abs(lane) * relative + absolute) if np.ndim(lane) else lane for lane in value
         )
