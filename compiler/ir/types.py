@@ -1,8 +1,8 @@
-"""Representation types: what a value *is* on the machine, without what it means.
+"""Representation types: which numbers a value consists of, without what they mean.
 
-Meaning-carrying types of the language (``rgb``, ``angle``, ``point<world>`` …) cost nothing at run
-time; ``semantics`` maps each onto one of these. All instances are frozen, and equal ones are one
-object, as types are part of the key of every node.
+The types of the language that carry meaning (``rgb``, ``angle``, ``point<world>`` …) cost nothing
+at run time; ``semantics`` maps each of them onto one of these types. All are frozen, and equal
+types are one object, because every node's key contains its type.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Evaluates operations with bodies: folds, iterations and applications of functions.
 
-``Evaluator`` opens one of these when it comes to such a node. It asks ``following`` which body to
-evaluate next, and for which values of the variables, and reports the body's value by ``take``. When
-no body follows, ``result`` is the value of the node. Bodies contain further bodies without limit,
-and so nobody here calls the evaluator: it keeps what is open on a list.
+When ``Evaluator`` comes to such a node, it calls ``opened``. It then asks ``following`` which body
+to evaluate next, and with which values of the variables, and reports the body's value to ``take``.
+When no body follows, ``result`` is the value of the node. Bodies may contain bodies without limit,
+so nothing here calls the evaluator, which keeps all open nodes on a list.
 """
 
 from __future__ import annotations
@@ -15,9 +15,8 @@ from ...frozen import fresh, record
 from ..ir.node import Formal, Node, binders, bodies_of, formals_of
 from ..ir.operations import FOLD, ITERATE
 from ..ir.types import scalar_kind
-from .functions import evaluate as builtin
 from .namespace import Lane, Lanes, Namespace
-from .operations import chosen
+from .operations import builtins, chosen
 
 Spend = Callable[[], None]
 """Counts one turn of a loop as an operation; raises an error if there were too many."""
@@ -109,7 +108,7 @@ class _Fold(Opened):
 
     def take(self, value: Lanes) -> None:
         kind = scalar_kind(self._node.type) or "float"
-        combined = builtin(self._data.operator, (self.result, value), self._xp, kind)
+        combined = builtins()(self._data.operator, (self.result, value), self._xp, kind)
         self.result = chosen(self._xp, self._goes_on, combined, self.result)
         self._turn += 1
 

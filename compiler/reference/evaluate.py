@@ -1,9 +1,9 @@
-"""Evaluates a graph whose leaves have values: this is the definition of what a program means.
+"""Evaluates a graph whose leaves have values; this defines what a program means.
 
-Constant folding and semantics use it while compiling, the reference's pictures use it with arrays
-instead of numbers, and tests use it to compare a graph before and after a pass. It accepts graphs
-of every phase of the compiler, with binders closed (de Bruijn indices) or open (formals). Graphs
-and binders may be nested without limit.
+Semantics and the rules for loops evaluate constants with it while compiling. The reference's
+pictures pass arrays instead of numbers, and tests compare a graph before and after a pass. The
+evaluator accepts graphs of every phase of the compiler, with binders closed (de Bruijn indices) or
+open (formals). Graphs and binders may be nested without limit.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from .bodies import Frame, Opened, opened
 from .namespace import Lanes, Namespace
 from .operations import NotConstantError, apply, constant_lanes
 
-__all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "TooLongError", "evaluate"]
+__all__ = ["Evaluator", "LeafValues", "NotConstantError", "Observer", "TooLongError", "evaluate"]
 
-Leaves = Callable[[Node], Lanes | None]
+LeafValues = Callable[[Node], Lanes | None]
 """Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
 ``texture_reads.Reader``.
 
@@ -32,7 +32,7 @@ Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 Evaluation continues with the value that it returns."""
 
 _ASKED = OUTSIDE | {"cross"}
-"""What ``Leaves`` may have a value for."""
+"""What ``LeafValues`` may have a value for."""
 
 
 class TooLongError(Exception):
@@ -41,7 +41,7 @@ class TooLongError(Exception):
 
 def evaluate(
     root: Node,
-    leaves: Leaves | None = None,
+    leaves: LeafValues | None = None,
     xp: Namespace = scalars,
     most_operations: int | None = None,
 ) -> Lanes:
@@ -71,7 +71,7 @@ class Evaluator:
 
     def __init__(
         self,
-        leaves: Leaves | None = None,
+        leaves: LeafValues | None = None,
         xp: Namespace = scalars,
         observer: Observer | None = None,
         most_operations: int | None = None,

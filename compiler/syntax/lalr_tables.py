@@ -45,7 +45,6 @@ class Tables(NamedTuple):
     """By state and origin of a finished production: the next state."""
     productions: list[Production]
     start: int
-    accept: int
     literals: frozenset[str]
     """Words and punctuation, which stand for themselves as symbols."""
     patterns: dict[str, str]
@@ -62,7 +61,8 @@ def load_tables() -> Tables:
         "grammar", (_FORMAT, grammar), lambda: _compute(grammar)
     )
     made = [_made(*production) for production in productions]
-    return Tables(actions, gotos, made, start, accept, frozenset(literals), patterns, {})
+    actions[accept] = {END: accept}
+    return Tables(actions, gotos, made, start, frozenset(literals), patterns, {})
 
 
 def _made(

@@ -1,7 +1,7 @@
 """The LALR machine: it shifts tokens, reduces by the grammar's productions, and builds nodes.
 
-The parser feeds it one token after the other. It has its own stack, so neither a long nor a deeply
-nested text can exhaust the stack of Python.
+The parser runs it over the tokens of each declaration. It has its own stack, so neither a long nor
+a deeply nested text can exhaust the stack of Python.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from collections.abc import Callable, Sequence
 
 from ..diagnostics.source import Source, Span
 from .builder import Builder, Method
-from .lalr_tables import END, Production, Tables
+from .lalr_tables import Production, Tables
 from .tokens import Token
 
 
 class Machine:
-    """Takes tokens one by one; ``builder`` makes a node for each named production."""
+    """Takes tokens; ``builder`` makes a node for each production that has a name."""
 
     def __init__(self, tables: Tables, builder: Builder, source: Source) -> None:
         self._tables = tables
@@ -32,7 +32,7 @@ class Machine:
     @property
     def result(self) -> object:
         """The node for the whole text, after ``END`` was fed."""
-        return self._values[-1]
+        return self._values[0]
 
     def reset(self) -> None:
         """Forget everything fed so far."""
@@ -44,42 +44,34 @@ class Machine:
         return symbol in self._actions[self._stack[-1]]
 
     def run(
-        self, tokens: Sequence[Token], index: int, end: int, symbols: Callable[[int], str]
+        self, tokens: Sequence[Token], begin: int, end: int, symbol_of: Callable[[int], str]
     ) -> int:
-        """Feed the tokens from ``index`` on; the first that has no place, or ``end``.
+        """Shift the tokens from ``begin`` on; returns the first one without a place, or ``end``.
 
-        ``symbols`` decides what a word counts as that is a name in other places.
+        ``symbol_of`` decides whether a word counts as one here, or as a name.
         """
-        words = self._tables.literals
-        while index < end:
+        actions, productions = self._actions, self._tables.productions
+        words, stack, values = self._tables.literals, self._stack, self._values
+        for index in range(begin, end):
             token = tokens[index]
-            kind = token[0]
-            if kind == "NAME" and token[1] in words:
-                kind = symbols(index)
-            if not self.feed(kind, token):
+            symbol = token[0]
+            if symbol == "NAME" and token[1] in words:
+                symbol = symbol_of(index)
+            while (action := actions[stack[-1]].get(symbol)) is not None and action < 0:
+                production = productions[~action]
+                if production.renames:
+                    stack[-1] = self._collapsed(stack[-4], stack[-1], symbol)
+                else:
+                    self._reduce(~action, production)
+            if action is None:
                 return index
-            index += 1
+            stack += (token[2], token[3], action)
+            values.append(token)
         return end
 
-    def feed(self, symbol: str, token: Token) -> bool:
-        """Shift ``token`` as ``symbol``; False where the grammar has no place for it."""
-        stack, actions = self._stack, self._actions
-        while True:
-            state = stack[-1]
-            action = actions[state].get(symbol)
-            if action is None:
-                return False
-            if action >= 0:
-                stack += (token[2], token[3], action)
-                self._values.append(token)
-                return True
-            production = self._tables.productions[~action]
-            if production.renames:
-                stack[-1] = self._collapsed(stack[-4], state, symbol)
-                continue
-            self._reduce(~action, production)
-            if symbol == END and stack[-1] == self._tables.accept:
-                return True
+    def feed(self, token: Token) -> bool:
+        """Shift one token by its kind; False where the grammar has no place for it."""
+        return self.run((token,), 0, 1, lambda _: token.kind) == 1
 
     def _collapsed(self, below: int, state: int, symbol: str) -> int:
         """The state after all reductions in a row that only rename the newest part.
@@ -139,26 +131,30 @@ class Machine:
             if production.length:
                 del states[-production.length :]
             states.append(self._tables.gotos[states[-1]][production.origin])
-            if states[-1] == self._tables.accept:
-                return True
 
     def _reduce(self, number: int, production: Production) -> None:
         """Replace the newest parts by what they make together."""
-        origin, length, _, plan, _, _, as_read = production
-        stack, values = self._stack, self._values
-        if length:
-            start, end = stack[-3 * length], stack[-2]
-            parts = values[-length:]
-            del stack[-3 * length :], values[-length:]
-        else:
-            start = end = stack[-2]
-            parts = []
-        if not as_read:
-            parts = _arranged(parts, plan)
         try:
             make = self._makers[number]
         except KeyError:
             make = self._makers[number] = self._maker(production)
+        origin, length, _, plan, _, _, as_read = production
+        stack, values = self._stack, self._values
+        if length == 1 and as_read:  # Nearly half of all: a name, a number, the first of a list.
+            if make is None:
+                values[-1] = [values[-1]]
+            else:
+                values[-1] = make(Span(self._source, stack[-3], stack[-2]), values[-1])
+            stack[-1] = self._tables.gotos[stack[-4]][origin]
+            return
+        start = end = stack[-2]
+        parts: list[object] = []
+        if length:
+            start = stack[-3 * length]
+            parts = values[-length:]
+            del stack[-3 * length :], values[-length:]
+        if not as_read:
+            parts = _arranged(parts, plan)
         values.append(parts if make is None else make(Span(self._source, start, end), *parts))
         stack += (start, end, self._tables.gotos[stack[-1]][origin])
 

@@ -220,15 +220,15 @@ class _Parser:
         """End the chunk: a body that was left open is closed as if its brace were there."""
         last = self._tokens[chunk.end - 1].end
         end, brace = Token(END, "", last, last), Token("}", "}", last, last)
-        if self._machine.feed(END, end):
+        if self._machine.feed(end):
             return
         start = self._start(chunk.end)
         self._errors.report(chunk.end, chunk, self._machine.expected(), start)
         self._give_up(start, chunk.end, chunk.end)
-        if not self._machine.feed("}", brace):
+        if not self._machine.feed(brace):
             origins = _BODY_PARTS if self._machine.unwind(_BODY_PARTS) else _FILE_PARTS
             self._machine.unwind(origins)
-            self._machine.feed("}", brace)
-        if not self._machine.feed(END, end):
+            self._machine.feed(brace)
+        if not self._machine.feed(end):
             self._machine.unwind(_FILE_PARTS)
-            self._machine.feed(END, end)
+            self._machine.feed(end)
