@@ -1,11 +1,11 @@
-"""Values that take long to compute, kept in files from one process to the next.
+"""Keeps values that take long to compute in files, from one process to the next.
 
 ``cached`` keeps the parser's tables, the syntax trees of the standard library and the precompiled
 templates. ``load`` and ``store`` keep what ``burnish compile`` has written, for
-``commands/results.py``. A cache is only a convenience: where it cannot be read or written, values
-are computed again. Files are put in place whole, begin with a digest of the rest, and are deleted
-when newer ones need their room. So any number of processes may share the folder or be killed while
-they write to it, and it may be full, read-only or missing.
+``commands/results.py``. A cache is only a convenience: if it cannot be read or written, values are
+computed again. Files appear as a whole, begin with a digest of the rest, and are deleted when newer
+ones need their room. So any number of processes may share the folder or be killed while they write
+to it, and it may be full, read-only or missing.
 
 This module is loaded before anything else is, so it imports little.
 """

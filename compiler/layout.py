@@ -1,8 +1,8 @@
-"""Uniform blocks: which parameters share a block, and where each of them lies in it.
+"""Lays out uniform blocks: which parameters share a block, and where each of them lies in it.
 
 The pass pipeline calls ``layout_blocks`` once for each shader. The group of a parameter decides in
-which block it lies, and the order of the declarations decides the order in the block. How a single
-value is stored is said in ``ir/storage.py``.
+which block it lies, and the order of the declarations decides the order in the block.
+``ir/storage.py`` defines how a single value is stored.
 """
 
 from __future__ import annotations

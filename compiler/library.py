@@ -1,5 +1,4 @@
-"""Reads the standard library; its syntax trees are kept in the user's cache, keyed by their
-content.
+"""Reads the standard library, and keeps its syntax trees in the user's cache, keyed by content.
 
 The front end asks for ``standard_library``, the files that are imported from ``std``. Semantics
 asks for ``conversions``, and the passes that expand builtins ask for ``expansions``.

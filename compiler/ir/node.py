@@ -1,9 +1,9 @@
-"""The graph's one node type, and the interning that makes equal expressions one node.
+"""The one node type of the graph, and the interning that makes equal expressions one node.
 
-Nodes are pure values. A node is made by a ``Graph``, which returns the existing node where an
-equal one is there already (hash-consing), so identity is equality. Ids grow in creation order and
-operands always exist before their users, so sorting by id is a topological order; nothing here or
-in the passes recurses over the graph.
+Nodes are pure values. Only a ``Graph`` makes them, and it returns an existing node if there is an
+equal one (hash-consing), so identity is equality. Ids grow in the order of creation, and operands
+exist before their users, so the order of ids is a topological order. Nothing here or in the passes
+recurses over the graph.
 """
 
 from __future__ import annotations

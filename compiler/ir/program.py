@@ -1,8 +1,9 @@
-"""What the compiler hands to a backend: staged, laid out and scheduled, in no language yet.
+"""The types of programs: what the passes hand to ``legalise`` and ``emit``, in no language yet.
 
-A backend prints a ``Program``. It prints a node that some statement binds as that statement's name
-and every other node in place; it decides nothing about order, sharing, stages or offsets.
-All names here are suggestions in the user's spelling; a backend's ``Namer`` makes them legal.
+A program is staged, laid out and scheduled. A backend prints it and decides nothing about order,
+sharing, stages or offsets: a node that a statement binds is printed as that statement's name, every
+other node in place. All names here are suggestions in the user's spelling; a backend's ``Namer``
+turns them into legal ones.
 """
 
 from __future__ import annotations

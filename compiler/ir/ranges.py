@@ -1,7 +1,8 @@
-"""Range analysis: what is known of every value, from declared ranges and the builtins' rules.
+"""Range analysis: derives facts about every value from declared ranges and the builtins' rules.
 
-Every rule has a name (``rulebook.py``). Facts are kept, but not how they came about: ``proofs.py``
-asks again for the few that a person wants to have explained.
+Semantics, most passes and ``legalise`` ask a ``Ranges`` for the fact of a node. Every rule has a
+name (``rulebook.py``). The analysis keeps facts, but not how it found them: ``proofs.py`` derives
+that again for the few facts that a person wants to have explained.
 """
 
 from __future__ import annotations

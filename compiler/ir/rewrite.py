@@ -1,4 +1,4 @@
-"""The one way a pass rebuilds a graph: bottom-up, once per node, without recursion."""
+"""Rebuilds a graph from the bottom up, each node once, without recursion; most passes call this."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""What semantics leaves behind: the meaning of material × pass × rig as one graph."""
+"""The types of shaders: a material, a pass and a rig put together as one graph.
+
+Semantics makes a ``Shader``; the passes, the reference and the reflection read it.
+"""
 
 from __future__ import annotations
 

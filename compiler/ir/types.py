@@ -1,8 +1,8 @@
-"""Representation types: what a value *is* on the machine, without what it means.
+"""Representation types: which numbers a value consists of, without what they mean.
 
-Meaning-carrying types of the language (``rgb``, ``angle``, ``point<world>`` …) cost nothing at run
-time; ``semantics`` maps each onto one of these. All instances are frozen, compare by value and are
-safe as dictionary keys.
+The types of the language that carry meaning (``rgb``, ``angle``, ``point<world>`` …) cost nothing
+at run time; ``semantics`` maps each of them onto one of these types. All are frozen, compare by
+value, and can be keys of dictionaries.
 """
 
 from __future__ import annotations

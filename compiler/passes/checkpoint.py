@@ -1,4 +1,8 @@
-"""Where passes hand over to each other: ``BURNISH_VERIFY=1`` has every graph checked on the way."""
+"""Checks every graph between two passes if the variable ``BURNISH_VERIFY`` is 1.
+
+``pipeline.stage`` calls ``passed`` after each pass. The tests always set the variable; users do
+not, because verifying a graph takes as long as a pass.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""Rough prices, for choosing between a branch and a select, a function and its body."""
+"""Rough costs of nodes, in ALU operations.
+
+``schedule`` compares them to choose between a branch and a select, ``inline`` to choose between a
+function and its body, ``hoist`` and the rules for loops to see whether their work pays.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,9 @@
-"""Builds the builtins' expansions into a graph.
+"""Replaces builtins by their expansions, which are graphs of simpler operations.
 
-Some builtins no backend has: they *are* their expansion. Those are written out before guards are
-looked for, so that the conditions in an expansion count for what stands behind them.
+Some builtins exist in no backend: their expansion is all there is. The pass ``expand_builtins``
+replaces these before guards are decided, so that a condition inside an expansion counts for the
+values behind it. ``guard`` expands others by the same class, ``Expanding``, where operands may be
+harmful.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Fuses sums over the same lights: one loop, and one function a light, for all terms together.
+"""Fuses sums over the same lights into one loop that calls one function for each light.
 
-``Σ f(light) + Σ g(light)`` is ``Σ (f + g)(light)``; so ``matt(…) + shiny(…)`` costs one pass over
-the rig. In the graph: two applies in one sum that share an argument become an apply of the sum of
-their bodies, and two folds of one count become a fold of the sum of theirs. Real addition is
-associative, and the accuracy that a backend owes is worked out on the fused graph.
+``Σ f(light) + Σ g(light)`` equals ``Σ (f + g)(light)``, so ``matt(…) + shiny(…)`` loops over the
+rig only once. In the graph, two applies in one sum that share an argument become an apply of the
+sum of their bodies, and two folds with the same count become a fold of the sum of their bodies.
+This reorders additions, which is allowed: addition of real numbers is associative.
 """
 
 from __future__ import annotations

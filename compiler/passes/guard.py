@@ -1,8 +1,9 @@
-"""From Burnish's meaning to hardware operations.
+"""Replaces calls of builtins by hardware operations, and adds guards where these are not safe.
 
-Where range analysis proves that a builtin's operands lie where all backends agree, the hardware's
-own operation is used; elsewhere the builtin's expansion, whose parts are treated the same way. What
-could not be proven is kept for the reader as a ``Guard``.
+Where range analysis proves that the operands lie where all backends agree (the ``domain`` of the
+builtin's row), the hardware's own operation computes the value. Elsewhere the builtin's expansion
+does, whose parts are treated in the same way. Each guard that had to stay is recorded as a
+``Guard``, which ``burnish graph`` shows to the user.
 """
 
 from __future__ import annotations

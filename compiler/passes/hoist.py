@@ -1,11 +1,13 @@
-"""Takes work that depends on parameters only out of the shader.
+"""Moves work that depends on parameters only from the shader to the host.
 
-Such a value is the same for every pixel that the parameters' group covers, so the host evaluates it
-(in float64, rounded once) and keeps it in the group's derived block. Groups that no engine updates
-together are incomparable: a value that reads two of them stays in the shader.
+Such a value is the same for every pixel until the host changes the parameters' group. So the host
+evaluates it once, in float64, rounds it once, and keeps it in the group's derived block. Only the
+group ``frame`` may be combined with another one. A value that reads two of the other groups stays
+in the shader, because hosts update these at different times.
 
-What depends on an element of an array goes too, such as on a lamp in a sum over the lamps. A table
-of structures stands beside the array, one for each element, and is read at the same position.
+What depends on one element of an array, such as one lamp in a sum over all lamps, is moved too. The
+host computes it for each element and puts the results into a table beside the array, which the
+shader reads at the same position (``derived_tables.py``).
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Writes a body out where it is used once, or where calling it would cost more than it does.
+"""Inlines a function's body if it is used once, or if calling it would cost more than executing it.
 
-That is decided call by call: constant arguments may leave little of a body, and what depends on
-parameters alone can only leave the shader if it is written out.
+The pass decides this call by call, because constant arguments may leave little of a body. A body
+that depends on parameters only is inlined too: only then can ``hoist`` move it to the host.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Lambda lifting: a function's body gets what it needs of its caller as arguments.
+"""Lambda lifting: gives every function's body what it reads of its surroundings as arguments.
 
-Before this pass a body may use any value of the shader around it. Afterwards it uses its
+Before this pass a body may read any value of the shader around it. Afterwards it reads its
 parameters, uniforms and constants only, so that it can be printed as a function. A value that does
-not depend on the body's own variables is computed once by the caller and passed. Parts of a value
-(lanes, members), which cost nothing, are taken from the passed value inside the body.
+not depend on the body's own variables is computed once by the caller and passed. Lanes and members
+of a passed value cost nothing, so the body takes them itself.
 """
 
 from __future__ import annotations

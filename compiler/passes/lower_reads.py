@@ -1,10 +1,9 @@
-"""Lowers reads of parameters to the form in which blocks store them.
+"""Lowers reads of parameters to the form in which uniform blocks store them.
 
-Every conversion from the stored form becomes a node of its own.
-
-Scalars, vectors and matrices are converted right where they are read. Structs and arrays stay in
-stored form wherever they travel (through selects, binders and calls) until a member or an element
-is taken out. A product with a column, and a column, are taken from a matrix as it is stored.
+Every conversion from the stored form becomes a node of its own. Scalars, vectors and matrices are
+converted where they are read. Structs and arrays keep their stored form through selects, binders
+and calls, until a member or an element is taken out of them. A product of a matrix and a column,
+and a single column, are computed from the matrix as it is stored.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""Moves affine work to the vertex stage, where the picture provably stays the same.
+"""Moves affine work from the fragment stage to the vertex stage if the picture stays the same.
 
-Interpolation with weights that sum to one commutes with affine maps: ``cross(e) * a + b``
-with ``a`` and ``b`` constant over the draw is ``cross(e * a + b)``. The move is made only
-where it adds no varying: all uses of one crossing go through one affine value that is no wider.
+Interpolation uses weights whose sum is one, and therefore commutes with affine maps: if ``a`` and
+``b`` are the same all over the draw, ``cross(e) * a + b`` equals ``cross(e * a + b)``. The pass
+moves work only if this adds no varying, that is, if all uses of a crossing go through one affine
+value that is not wider.
 """
 
 from __future__ import annotations

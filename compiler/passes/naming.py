@@ -1,7 +1,8 @@
-"""Names for values that get a statement: the user's where there is one.
+"""Finds names for values that become statements, those of the user wherever there are any.
 
-A value that nobody named is called after the named value that it is a part of and its role in it:
-``to_eye_difference``, ``falloff_inverse_width``.
+``schedule``, ``hoist`` and others call it. A value that the user did not name is called after the
+named value that it belongs to and its role there: ``to_eye_difference``,
+``falloff_inverse_width``.
 """
 
 from __future__ import annotations

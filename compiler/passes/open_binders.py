@@ -1,11 +1,12 @@
-"""Opens every binder: de Bruijn indices in bodies become ``formal`` leaves.
+"""Opens every binder: the de Bruijn indices inside bodies become ``formal`` leaves.
 
-This is the first pass. Semantics leaves bodies closed, so that equal bodies are one node; all later
+This is the first pass. Semantics leaves bodies closed, so that equal bodies are one node. All later
 passes treat an opened body like any other part of the graph.
 
-Applies of one body share the opened body and its formals: that is what becomes a function. Loops
-have variables of their own. Structures and arrays are no arguments of functions unless they all
-come from uniform blocks as they are: elsewhere each of their parts is an argument.
+Applies of the same body share the opened body and its formals, and later become calls of one
+function. Each loop has its own variables. A structure or array can be an argument of a function
+only if, in every call, it comes unchanged from a uniform block. Otherwise each of its parts becomes
+an argument.
 """
 
 from __future__ import annotations

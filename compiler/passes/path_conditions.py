@@ -1,8 +1,8 @@
 """Path conditions: what the conditions of branches say about the values computed behind them.
 
-In ``if x > 0 then 1 / x else 0`` the divisor is known to be positive wherever the quotient is used.
-That holds for a node only if *all* of its uses lie behind the condition, and helps only if the node
-is computed there: so the select has to become a branch (``KnownOnPath.selects``).
+In ``if x > 0 then 1 / x else 0`` the divisor is positive wherever the quotient is used. ``guard``
+and ``simplify`` may rely on this if *all* uses of a node are behind the condition. The node then
+has to be computed there, so the select has to become a branch (``KnownOnPath.selects``).
 """
 
 from __future__ import annotations

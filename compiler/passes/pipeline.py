@@ -1,4 +1,7 @@
-"""The middle end: every pass, in order."""
+"""Runs every pass in order, from the shader that semantics made to a program.
+
+``api.py`` calls ``stage`` once for each shader. The architecture page has a table of the passes.
+"""
 
 from __future__ import annotations
 

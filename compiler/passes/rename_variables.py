@@ -1,8 +1,9 @@
-"""Alpha-renaming: no two loops share a variable afterwards.
+"""Alpha-renaming: gives every loop variables of its own.
 
-Passes that copy bodies copy the loops in them, so that two loops may bind the same variable. A node
-that depends on this variable alone would then be one node for both loops, and the scheduler could
-place it in neither. This pass runs last before scheduling.
+Some passes copy bodies with the loops inside them, after which two loops may bind the same
+variable. A node that depends only on this variable would then be one node for both loops, and the
+scheduler could place it in neither. So this pass runs after all that copy, before the graph is
+split into stages.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Scalar replacement of aggregates (SROA): structures and arrays give way to their parts.
+"""Scalar replacement of aggregates (SROA): structures and arrays are replaced by their parts.
 
-Reading a member of a structure that the shader built gives the value that was put there; reading a
-member of a selection gives a selection between members. Afterwards the only aggregates left are
-uniform blocks, which are read as they are stored, and arrays of plain values that are indexed by
-something that is only known at run time.
+The pass runs once the binders are open. Reading a member of a structure that the shader built gives
+the value that was put there; reading a member of a selection gives a selection between members.
+The only aggregates that remain are uniform blocks, which are read as they are stored, and arrays of
+plain values whose index is known only when the shader runs.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""From a graph to statements: what is computed where, in which order, under which name.
+"""Turns the graph of a stage or function into statements: what is computed where, in which order.
 
-Every node is computed once, in the innermost region that encloses all of its uses; what does not
-depend on a loop's index is computed before the loop. Values that are shared or that the user named
-become a ``Let``; everything else is printed in place.
+``split_stages`` makes a ``Scheduler`` for each stage and function. Every node is computed once, in
+the innermost region that encloses all of its uses; a value that does not depend on a loop's
+variables is computed before the loop. A value that is shared, or that the user named, becomes a
+``Let``. All other values are printed in place.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Exact simplification: every node is built in its simplest form.
+"""Simplifies values exactly, while nodes are built.
 
-``Simplifier.make`` is a smart constructor: passes build through it, so that what one rule uncovers
-the next one sees. The rules are rows of ``rules/table.py``; each keeps the value, over the whole
-domain.
+Passes build their nodes through ``Simplifier.make``, a smart constructor, so that a rule sees what
+earlier rules have simplified. The rules are rows of ``rules/table.py``; each keeps the value for
+all operands.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Splits one graph into the stages of a program.
+"""Splits the graph of a shader into the stages of a program; this is the last pass.
 
-This is the last pass. It walks the chain of stages backwards from what the shader delivers. The
-results of a stage, and what the stage after it reads, are all that the stage has to compute; the
-crossings under these say what the stage before has to hand on.
+It walks the chain of stages backwards from what the shader delivers. A stage has to compute its
+results and the values that the next stage reads. The crossings among the operands of these are
+values that the stage before has to deliver.
 """
 
 from __future__ import annotations

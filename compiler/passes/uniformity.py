@@ -1,7 +1,8 @@
-"""What all pixels of a quad have to reach together.
+"""Finds the nodes that all pixels of a quad have to execute together.
 
-A read with an implicit level and a derivative compare neighbouring pixels. So a loop whose turns
-do that, or a call of a function that does, cannot stand in a branch that some pixels do not take.
+``schedule`` and ``path_conditions`` ask for them. A derivative, and a texture read that computes
+its own level of detail, compare neighbouring pixels. So a loop that contains one, or a call of a
+function that does, cannot stand in a branch that only some of the pixels take.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Evaluates operations with bodies: folds, iterations and applications of functions.
 
-``Evaluator`` opens one of these when it comes to such a node. It asks ``following`` which body to
-evaluate next, and for which values of the variables, and reports the body's value by ``take``. When
-no body follows, ``result`` is the value of the node. Bodies contain further bodies without limit,
-and so nobody here calls the evaluator: it keeps what is open on a list.
+When ``Evaluator`` comes to such a node, it calls ``opened``. It then asks ``following`` which body
+to evaluate next, and with which values of the variables, and reports the body's value to ``take``.
+When no body follows, ``result`` is the value of the node. Bodies may contain bodies without limit,
+so nothing here calls the evaluator, which keeps all open nodes on a list.
 """
 
 from __future__ import annotations

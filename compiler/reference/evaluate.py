@@ -1,9 +1,9 @@
-"""Evaluates a graph whose leaves have values: this is the definition of what a program means.
+"""Evaluates a graph whose leaves have values; this defines what a program means.
 
-Constant folding and semantics use it while compiling, the reference's pictures use it with arrays
-instead of numbers, and tests use it to compare a graph before and after a pass. It accepts graphs
-of every phase of the compiler, with binders closed (de Bruijn indices) or open (formals). Graphs
-and binders may be nested without limit.
+Semantics and the rules for loops evaluate constants with it while compiling. The reference's
+pictures pass arrays instead of numbers, and tests compare a graph before and after a pass. The
+evaluator accepts graphs of every phase of the compiler, with binders closed (de Bruijn indices) or
+open (formals). Graphs and binders may be nested without limit.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The value of one operation from the values of its operands; ``evaluate.py`` calls it."""
+"""Computes the value of one operation from the values of its operands; ``evaluate.py`` calls it."""
 
 from __future__ import annotations
 

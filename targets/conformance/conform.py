@@ -1,4 +1,7 @@
-"""Runs ``conform``: draws materials with every route and compares with the reference."""
+"""Runs a conformance test: draws materials by every route, and compares with the reference.
+
+``burnish conform`` and the tests call it.
+"""
 
 from __future__ import annotations
 

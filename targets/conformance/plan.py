@@ -1,4 +1,4 @@
-"""The draws of one material and the expected pictures, made once and shared by all routes."""
+"""Plans the draws of one material with the expected pictures, which all routes share."""
 
 from __future__ import annotations
 

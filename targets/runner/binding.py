@@ -1,4 +1,7 @@
-"""Makes a driver's pipeline from a reflection: formats, bindings and names for one route."""
+"""Makes a driver's pipeline from a reflection: formats, bindings and names for one route.
+
+``render`` and ``conform`` call ``pipeline`` before they send jobs to the driver.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rules that ranges decide: limits, comparisons, what has a known sign or length."""
+"""Simplification rules that depend on ranges: limits, comparisons, known signs and lengths."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rules of loops: those that never turn, change nothing, or are better written out."""
+"""Simplification rules for loops that never run, change nothing, or are better unrolled."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Reads textures as Vulkan's chapter on image operations specifies it, in double precision.
 
-A device may use other texels and another level, within its number of bits. These variants are a
-leading axis of every read; the first one is exact.
+The evaluator gets a ``Reader`` as the value of a texture. A device may use other texels and another
+level, within its number of bits. These variants are a leading axis of every read; the first one is
+exact.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Evaluates the two stages of a shader: all vertices at once, then many quads at once."""
+"""Evaluates the two stages of a shader: all vertices at once, then many quads at once.
+
+``drawing.py`` makes a ``StageEvaluator`` for each picture.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reads textures in the vertex stage: at each vertex alone, without neighbours."""
+"""Reads textures in the vertex stage, at each vertex alone, because it has no neighbours."""
 
 from __future__ import annotations
 

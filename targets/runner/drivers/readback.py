@@ -1,4 +1,7 @@
-"""Converts the texels of a render target to the float32 RGBA of a ``Picture``."""
+"""Converts the texels of a render target to float32 RGBA, as ``Picture`` has them.
+
+Every driver calls it for the pictures that it returns.
+"""
 
 from __future__ import annotations
 

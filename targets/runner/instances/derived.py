@@ -1,7 +1,7 @@
 """Computes derived values in double precision, from the steps in the reflection.
 
-``Instance.blocks`` calls it. The functions are those of the reference, so a value means the same
-here as everywhere.
+``Instance.blocks`` calls it. It uses the reference's functions, so a value means the same here as
+everywhere.
 """
 
 from __future__ import annotations

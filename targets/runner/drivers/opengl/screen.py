@@ -1,4 +1,4 @@
-"""The framebuffer that a job draws to."""
+"""The framebuffer that a job draws to, and from which its picture is read back."""
 
 from __future__ import annotations
 

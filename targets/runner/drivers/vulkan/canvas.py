@@ -1,4 +1,4 @@
-"""The render targets of one size, and the buffers that bring their pictures back to the host."""
+"""Creates render targets of one size, and buffers that bring their pictures back to the host."""
 
 from __future__ import annotations
 
