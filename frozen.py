@@ -11,7 +11,7 @@ unpickled faster, because nothing goes through ``__setattr__``.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, cached_property
 from operator import attrgetter
 from types import CodeType, FunctionType, MappingProxyType
 from typing import Any, TypeVar, cast, dataclass_transform, overload
@@ -79,8 +79,12 @@ def _slotted(cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool) -> t
     names = tuple(name for name, text in texts.items() if not text.startswith("ClassVar"))
     members = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
     defaults = {name: members.pop(name) for name in names if name in members}
-    kept = ("_hash",) if "__hash__" in shared else ()
-    own = {"__slots__": (*names, *kept), "__match_args__": names}
+    slots = list(names)
+    if "__hash__" in shared:
+        slots.append("_hash")
+    if any(isinstance(member, cached_property) for member in members.values()):
+        slots.append("__dict__")  # Where cached values are kept.
+    own = {"__slots__": tuple(slots), "__match_args__": names}
     compared = _by_value(names) if eq else {}
     made: Any = type(cls.__name__, cls.__bases__, compared | shared | members | own)
     made.__qualname__ = cls.__qualname__

@@ -15,9 +15,8 @@ from ...frozen import fresh, record
 from ..ir.node import Formal, Node, binders, bodies_of, formals_of
 from ..ir.operations import FOLD, ITERATE
 from ..ir.types import scalar_kind
-from .functions import evaluate as builtin
 from .namespace import Lane, Lanes, Namespace
-from .operations import chosen
+from .operations import builtins, chosen
 
 Spend = Callable[[], None]
 """Counts one turn of a loop as an operation; raises an error if there were too many."""
@@ -109,7 +108,7 @@ class _Fold(Opened):
 
     def take(self, value: Lanes) -> None:
         kind = scalar_kind(self._node.type) or "float"
-        combined = builtin(self._data.operator, (self.result, value), self._xp, kind)
+        combined = builtins()(self._data.operator, (self.result, value), self._xp, kind)
         self.result = chosen(self._xp, self._goes_on, combined, self.result)
         self._turn += 1
 

@@ -142,7 +142,7 @@ def _instead_of_directive(line: str, span: Span) -> Hint:
     return f"{said}: a constant is `name = expression`, a file is imported"
 
 
-_BITS = re.compile(r"([0-9.]+)([iuf])(?:8|16|32|64)")
+_BITS = r"([0-9.]+)([iuf])(?:8|16|32|64)"
 """A number with its width, as in Rust."""
 
 
@@ -160,7 +160,7 @@ def _number(word: str, span: Span, report: Report) -> Token:
         better = f"{number[0]}deg"
         report.add(rules.BAD_NUMBER, span, text=word, hint=write(span, better, sure=True))
         return Token("NUMBER", better, span.start, span.end)
-    suffixed = _BITS.fullmatch(word)
+    suffixed = re.fullmatch(_BITS, word)
     digits = suffixed[1] if suffixed else word.rstrip("fFhHlL")
     better = f"{digits}0" if digits.endswith(".") else digits
     proper = better.replace(".", "", 1).isdigit()

@@ -80,7 +80,7 @@ class Limits:
     """Numbers of bindings in a group; likewise."""
 
 
-@frozen(kw_only=True)
+@frozen(eq=False, kw_only=True)
 class Profile:
     """One dialect of a language: what an API or a version of it takes."""
 

@@ -37,7 +37,7 @@ def no_semantic(_role: FieldRole, _name: str, _location: int) -> str:
     return ""
 
 
-@frozen(kw_only=True)
+@frozen(eq=False, kw_only=True)
 class Language:
     """One shading language."""
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
 from ...compiler.ir.shader import Notes
-from ...frozen import frozen
+from ...frozen import EMPTY, frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
 from .comments import comment_line, comment_lines
@@ -23,7 +23,7 @@ from .stage import StagePrinter
 from .templates import renderer
 from .texture_declarations import helpers, opening_lines
 from .views import EntryView, FileView
-from .wrapping import wrapped
+from .wrapping import Breaks, moved, wrapped
 
 
 @frozen
@@ -49,8 +49,13 @@ class EmittedFile:
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
-    origins: Mapping[int, Node]
-    """By 1-based line of ``text``, what the statement in it computes or is for."""
+    marks: Marks
+    breaks: Breaks
+    """Which lines were broken, as the marks know the text before that."""
+
+    def origins(self) -> dict[int, Node]:
+        """By 1-based line of ``text``, what the statement in it computes or is for."""
+        return moved(self.marks.origins(), self.breaks)
 
 
 @frozen
@@ -63,7 +68,7 @@ class Emission:
     host_uniforms: tuple[str, ...]
     """Names of plain float uniforms that the host has to set, besides the blocks."""
     notes: Notes | None = None
-    """What is noted of the nodes in ``EmittedFile.origins``, if not by the shader (``Legal``)."""
+    """What is noted of the nodes in ``EmittedFile.origins()``, if not by the shader (``Legal``)."""
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
@@ -108,10 +113,10 @@ class _Emitter:
             StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
             for stage in stages
         ]
-        text, origins = marks.read(self._text(stages, entries))
+        text, breaks = marks.taken_out(self._text(stages, entries)), EMPTY
         if not (self._options.line_directives and self._language.line_directive):
             # Behind a directive a statement stays in its one line, as compilers count on from it.
-            text, origins = wrapped(text, origins)
+            text, breaks = wrapped(text)
         extension = self._language.extension
         first = stages[0].row
         return EmittedFile(
@@ -119,7 +124,8 @@ class _Emitter:
             stage="both" if single else first.name,
             entries=names,
             text=text,
-            origins=origins,
+            marks=marks,
+            breaks=breaks,
         )
 
     def _entry_point(self, stage: Stage, single: bool) -> str:
@@ -153,5 +159,5 @@ class _Emitter:
         return [title, *comment_lines(program.doc, "//")]
 
     def _host_uniforms(self, stage: Stage) -> list[str]:
-        rows = (self._context.inputs[name] for name in stage.builtin_inputs)
+        rows = (self._context.dialect.inputs[name] for name in stage.builtin_inputs)
         return [row.host_uniform for row in rows if row.host_uniform]

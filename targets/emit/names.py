@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Block, Field, Function, Program, Stage, StageName
 from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
-from ..description.reserved import Reserved
 from ..description.shading_language import Language
 from .namer import Namer
 
@@ -37,9 +37,8 @@ class Names:
     render_targets: Mapping[str, str]
     functions: Mapping[tuple[StageName, Node], str]
     """By stage and the function's body."""
-    common: frozenset[str]
-    """Names that locals of any stage must not hide."""
-    reserved: Reserved
+    common: Namer
+    """The scope around all functions: locals of any stage must not hide its names."""
 
     def member(self, block: str, member: str) -> str:
         """The identifier of a block's or struct's member."""
@@ -51,7 +50,7 @@ class Names:
 
     def locals(self, own: Iterable[str]) -> Namer:
         """A namer for the body of a function; ``own`` are its stage's global variables."""
-        return Namer(self.reserved, self.common.union(own))
+        return self.common.inner(own)
 
 
 def name_program(program: Program, language: Language) -> Names:
@@ -67,7 +66,6 @@ class _Naming:
         self._language = language
         self._reserved = language.reserved()
         self._module = Namer(self._reserved, language.fixed_names)
-        self._common = set(language.fixed_names)
 
     def names(self) -> Names:
         """All names. Those that hosts see are declared first."""
@@ -77,10 +75,11 @@ class _Naming:
         members = dict(self._members())
         structs = {name: self._declare(name) for name in self._structs()}
         textures = {item.name: self._declare(item.name) for item in program.resources}
+        sampled = program.sampled
         samplers = {
             item.name: self._declare(f"{textures[item.name]}_sampler")
             for item in program.resources
-            if item in program.sampled
+            if item in sampled
         }
         fields = self._fields()
         return Names(
@@ -94,14 +93,11 @@ class _Naming:
             varyings=fields.varyings,
             render_targets=fields.render_targets,
             functions=self._functions(fields),
-            common=frozenset(self._common),
-            reserved=self._reserved,
+            common=self._module,
         )
 
     def _declare(self, wanted: str) -> str:
-        name = self._module.declare(wanted)
-        self._common.add(name)
-        return name
+        return self._module.declare(wanted)
 
     def _variables(self, blocks: Mapping[str, str]) -> dict[str, str]:
         if self._language.global_members:
@@ -154,12 +150,12 @@ class _Naming:
             *fields.varyings.values(),
             *fields.render_targets.values(),
         )
-        namer = Namer(self._reserved, (*self._common, *taken))
+        namer = self._module.inner(taken)
         found: dict[tuple[StageName, Node], str] = {}
         for stage, function in _all_functions(self._program):
             name = namer.declare(function.name)
             found[stage.name, function.body] = name
-            self._common.add(name)
+            self._module.take(name)
         return found
 
 
@@ -178,5 +174,6 @@ def _all_functions(program: Program) -> Iterator[tuple[Stage, Function]]:
             yield stage, function
 
 
+@lru_cache(maxsize=1024)
 def _snake(name: str) -> str:
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()

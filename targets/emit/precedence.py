@@ -7,8 +7,9 @@ targets get them.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntEnum
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 
 class Binding(IntEnum):
@@ -68,36 +69,59 @@ PREFIX = frozenset("-!~")
 _SPECS = {"": Binding.CHOICE, "and": Binding.AND, "p": Binding.POSTFIX}
 """How tightly a field of a form binds what stands there."""
 
+Printed: TypeAlias = tuple[str, Binding]
+"""A printed expression, and how tightly it binds. It is a plain tuple, since thousands are made."""
 
-class Text(NamedTuple):
-    """A printed expression."""
+# Enums look their members up by a slow descriptor, so those that are used all the time stand here.
+CHOICE, OR, POSTFIX, NAME = Binding.CHOICE, Binding.OR, Binding.POSTFIX, Binding.NAME
+PREFIXED = Binding.PREFIX
+
+
+class Field(NamedTuple):
+    """A printed expression as the field of a form: ``{0}``, ``{0:p}`` or ``{0:and}``."""
 
     text: str
-    binding: Binding = Binding.POSTFIX
-
-    def within(self, least: Binding) -> str:
-        """As an operand that has to bind at least as tightly as ``least``."""
-        return self.text if self.binding >= least else f"({self.text})"
+    binding: Binding
 
     def __format__(self, spec: str) -> str:
-        """As a form's field: ``{0}``, ``{0:p}`` or ``{0:and}``; see ``forms.py``."""
-        return self.within(_SPECS[spec])
+        """The expression with the parentheses that the form asks for; see ``forms.py``."""
+        text, binding = self
+        return text if binding >= _SPECS[spec] else f"({text})"
 
 
-def infix(symbol: str, left: Text, right: Text) -> Text:
+def within(printed: Printed, least: Binding) -> str:
+    """An expression as an operand that has to bind at least as tightly as ``least``."""
+    text, binding = printed
+    return text if binding >= least else f"({text})"
+
+
+def infix(symbol: str, left: Printed, right: Printed) -> Printed:
     """``left symbol right`` with the parentheses it needs."""
-    rule = INFIX[symbol]
-    chained = rule.chains and left.binding == rule.result
-    first = left.text if chained else left.within(rule.operands)
-    return Text(f"{first} {symbol} {right.within(rule.operands)}", rule.result)
+    result, operands, chains = INFIX[symbol]
+    first, binding = left
+    if binding < operands and not (chains and binding == result):
+        first = f"({first})"
+    second, binding = right
+    if binding < operands:
+        second = f"({second})"
+    return f"{first} {symbol} {second}", result
 
 
-def prefix(symbol: str, operand: Text) -> Text:
+def prefix(symbol: str, operand: Printed) -> Printed:
     """``symbol`` before ``operand``; never two signs in a row, which would read as ``--``."""
-    return Text(f"{symbol}{operand.within(Binding.POSTFIX)}", Binding.PREFIX)
+    return f"{symbol}{within(operand, POSTFIX)}", PREFIXED
 
 
-def choice(condition: Text, then: Text, otherwise: Text) -> Text:
+def choice(condition: Printed, then: Printed, otherwise: Printed) -> Printed:
     """``condition ? then : otherwise``."""
-    parts = [part.within(Binding.OR) for part in (condition, then, otherwise)]
-    return Text("{} ? {} : {}".format(*parts), Binding.CHOICE)
+    parts = [within(part, OR) for part in (condition, then, otherwise)]
+    return "{} ? {} : {}".format(*parts), CHOICE
+
+
+def written(spelled: str, operands: Sequence[Printed]) -> Printed:
+    """A symbol between two operands or before one, or a call of a function."""
+    if len(operands) == 2 and spelled in INFIX:
+        return infix(spelled, *operands)
+    if len(operands) == 1 and spelled in PREFIX:
+        return prefix(spelled, operands[0])
+    return f"{spelled}({', '.join([text for text, _binding in operands])})", POSTFIX

@@ -14,7 +14,7 @@ from .comments import comment_line, comment_lines
 from .context import Context
 from .declarations import Declarations
 from .expressions import Expressions
-from .leaves import Leaves
+from .leaves import LeafPrinter
 from .namer import Namer
 from .natives import Callee, Natives
 from .origins import Marks
@@ -39,7 +39,7 @@ class StagePrinter:
         self._language = context.language
         self._names = names
         self._types = context.types
-        self._leaves = Leaves(context, stage)
+        self._leaves = LeafPrinter(context, stage)
         is_first = stage.row == context.program.stages[0].row
         self._input_role: FieldRole = "attribute" if is_first else "varying"
         self._functions = {
@@ -161,7 +161,7 @@ class StagePrinter:
         )
 
     def _pipeline_inputs(self) -> list[InputView]:
-        inputs = self._context.inputs
+        inputs = self._context.dialect.inputs
         return [
             InputView(self._types.declare(name, row.type), row.semantic)
             for name in self._stage.builtin_inputs

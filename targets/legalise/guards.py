@@ -10,7 +10,6 @@ placed and named like all others.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from ...compiler.ir.node import Graph, Node
 from ...compiler.ir.program import Program
@@ -33,7 +32,7 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     """The program with the guards that the profile needs, and what is noted of its nodes."""
     # Each profile adds nodes of its own, whose ids do not depend on other profiles.
     graph, notes = undecided.shader.graph.copy(), undecided.shader.notes.copy()
-    shader = replace(undecided.shader, graph=graph, notes=notes)
+    shader = changed(undecided.shader, graph=graph, notes=notes)
     given = [result.value for result in undecided.results]
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
     roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))

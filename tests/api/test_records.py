@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 import re
 from collections.abc import Callable
+from functools import cached_property
 
 import pytest
 
@@ -47,6 +48,15 @@ class Place:
 @frozen
 class Nothing:
     pass
+
+
+@frozen
+class Pile:
+    sizes: tuple[int, ...]
+
+    @cached_property
+    def parts(self) -> list[int]:
+        return list(self.sizes)
 
 
 def test_a_record_can_be_changed_and_is_equal_to_itself_alone() -> None:
@@ -108,3 +118,13 @@ def test_frozen_records_are_equal_by_value_and_cannot_be_changed() -> None:
         assert one != other
         with pytest.raises(AttributeError, match="cannot change"):
             setattr(one, one.__match_args__[0], 5)
+
+
+def test_a_cached_property_is_computed_once_for_each_record() -> None:
+    pile, other = Pile((1, 2)), Pile((1, 2))
+    assert pile.parts == [1, 2]
+    assert pile.parts is pile.parts
+    assert pile.parts is not other.parts
+    assert pile == other
+    with pytest.raises(AttributeError, match="cannot change"):
+        setattr(pile, "parts", [])  # noqa: B010

@@ -67,16 +67,18 @@ FLOORS: dict[str, str] = {
     "targets.emit": ("frozen stdlib cache diagnostics ir reflection description legalise"),
     **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
+    "targets.selection": "diagnostics description registry",
     "targets.runner": ("frozen arguments cache diagnostics srgb ir reference closing toolchain"),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
+    "compiled": "frozen inputs diagnostics ir passes reflection description emit selection runner",
     "api": (
-        "frozen arguments garbage inputs diagnostics ir passes source_map names reflection "
-        "frontend description emit legalise registry runner"
+        "arguments garbage diagnostics ir passes source_map names frontend description emit "
+        "legalise selection runner compiled"
     ),
     "commands": (
         "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
-        "runner conformance toolchain api"
+        "selection runner conformance toolchain compiled api"
     ),
     "cli": "garbage commands",
     "__main__": "cli",
