@@ -6,6 +6,7 @@ is on the machine, what it means beyond that, and what holds of it by contract.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 
@@ -101,6 +102,10 @@ _RENAMED: Mapping[str, str] = {"frame": "basis"}
 """Types that had another name in an earlier version of the language."""
 
 Variables = Mapping[str, Variable]
+
+
+_SEMANTICS = re.compile(r"SV_\w+|(?:TEXCOORD|COLOR|POSITION|NORMAL|TANGENT|BINORMAL)[0-9]*", re.I)
+"""What HLSL writes behind the members of a structure, and behind functions."""
 
 
 def described(name: ast.TypeName, count: int | None = None) -> str:
@@ -220,7 +225,11 @@ def _elsewhere(name: ast.Name) -> Hint:
         now = _RENAMED[name.text]
         said = f"the type `{name.text}<A, B>` is called `{now}<A, B>` now"
         return fix_it(said, (name.span, now), sure=True)
-    return called_here(name.text, name.span, TYPES[name.text]) if name.text in TYPES else ""
+    if name.text in TYPES:
+        return called_here(name.text, name.span, TYPES[name.text])
+    if _SEMANTICS.fullmatch(name.text):
+        return "a semantic is no type, and is not written: the compiler connects the stages"
+    return ""
 
 
 def array_of(declared: Declared, count: int) -> Declared:
