@@ -12,7 +12,6 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.fixes import Hint, fix_it, write
 from ..diagnostics.source import Span
-from .foreign_choices import ternary_hint
 from .tokens import Token
 
 PERCENT = r"%(?=\s*(?:$|[\n,;)\]}=]|\.\.))"
@@ -190,6 +189,8 @@ def _foreign(word: str, span: Span, report: Report) -> Token:
         said = _HINTS.get(word, f"write `{instead}`")
         hint = fix_it(said, (span, _set_apart(instead, span)), sure=word in _SAME)
     if word == "?":
+        from .foreign_choices import ternary_hint
+
         hint = ternary_hint(span)
     if word == "++":
         hint = _joined_or_counted(span)
