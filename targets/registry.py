@@ -14,7 +14,13 @@ from .description.shading_language import Language
 
 def names() -> tuple[str, ...]:
     """The names of all languages, sorted; none of them is imported for this."""
-    rows = (row for folder in folders for row in Path(folder).glob("*/language.py"))
+    return _names_in(tuple(folders))
+
+
+@cache
+def _names_in(places: tuple[str, ...]) -> tuple[str, ...]:
+    """The folders are read once: to look for files takes longer than a whole pass."""
+    rows = (row for place in places for row in Path(place).glob("*/language.py"))
     return tuple(sorted(row.parent.name for row in rows))
 
 

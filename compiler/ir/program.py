@@ -14,7 +14,7 @@ from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from .leaves import HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
-from .operations import NATIVE
+from .operations import NATIVE, builtin_of
 from .stages import VERTICES, Domain, InterpolationMode, StageRow
 from .types import Struct, Type
 
@@ -216,8 +216,9 @@ def texture_reads(nodes: Iterable[Node]) -> tuple[TextureRead, ...]:
     """Each way in which ``nodes`` read a texture, once."""
     found: dict[tuple[str, Resource], TextureRead] = {}
     for node in nodes:
-        if node.operands and isinstance(resource := node.operands[0].data, Resource):
-            read = TextureRead(str(node.data), resource, node.id)
+        builtin = builtin_of(node)
+        if builtin and isinstance(resource := node.operands[0].data, Resource):
+            read = TextureRead(builtin, resource, node.id)
             found.setdefault((read.builtin, resource), read)
     return tuple(found.values())
 

@@ -18,9 +18,9 @@ from .bodies import Frame, Opened, opened
 from .namespace import Lanes, Namespace
 from .operations import NotConstantError, apply, constant_lanes
 
-__all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "TooLongError", "evaluate"]
+__all__ = ["Evaluator", "LeafValues", "NotConstantError", "Observer", "TooLongError", "evaluate"]
 
-Leaves = Callable[[Node], Lanes | None]
+LeafValues = Callable[[Node], Lanes | None]
 """Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
 ``texture_reads.Reader``.
 
@@ -32,7 +32,7 @@ Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 Evaluation continues with the value that it returns."""
 
 _ASKED = OUTSIDE | {"cross"}
-"""What ``Leaves`` may have a value for."""
+"""What ``LeafValues`` may have a value for."""
 
 
 class TooLongError(Exception):
@@ -41,7 +41,7 @@ class TooLongError(Exception):
 
 def evaluate(
     root: Node,
-    leaves: Leaves | None = None,
+    leaves: LeafValues | None = None,
     xp: Namespace = scalars,
     most_operations: int | None = None,
 ) -> Lanes:
@@ -71,7 +71,7 @@ class Evaluator:
 
     def __init__(
         self,
-        leaves: Leaves | None = None,
+        leaves: LeafValues | None = None,
         xp: Namespace = scalars,
         observer: Observer | None = None,
         most_operations: int | None = None,

@@ -70,7 +70,7 @@ class Forms:
     function: str = "{type} {name}({parameters}) {{"
     parameter: str = "{typed}"
     block_argument: str = "{type} {name}"
-    """A uniform block as a parameter, where ``Target.resource_arguments`` makes it one."""
+    """A uniform block as a parameter, where ``Language.resource_arguments`` makes it one."""
     member_end: str = ";"
     """Ends a member of a struct or block."""
     struct_end: str = "};"

@@ -1,7 +1,7 @@
 """What a shading language says about itself: the record ``Language``.
 
 To add a language, make a folder beside the others in ``targets`` with a ``language.py`` that
-defines ``LANGUAGE``, a ``reserved.txt`` and the skeleton named by ``Language.template``. Nothing
+defines ``LANGUAGE``, a ``reserved.txt`` and the skeleton named by ``Language.skeleton``. Nothing
 else has to change, since the registry finds the folder. What has a default here is C-like.
 ``forms.py`` explains the templates for single statements and expressions.
 """
@@ -44,10 +44,8 @@ class Language:
     name: str
     title: str
     """The language's name in prose."""
-    folder: Path
-    """Where the skeleton lies."""
-    template: str
-    """The skeleton's file name."""
+    skeleton: Path
+    """The Jinja2 template of a whole text."""
     extension: str
     types: TypeNames
     textures: TextureNames

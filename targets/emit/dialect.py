@@ -12,6 +12,7 @@ from functools import lru_cache
 from ..description.profile import Profile
 from ..description.shading_language import Language
 from ..description.spellings import PipelineInput, Spellings
+from .precedence import Writer
 from .spelling import TypeTexts
 
 
@@ -28,9 +29,9 @@ class Dialect:
             **language.inputs, **profile.inputs, **(framebuffer.inputs if rows_up else {})
         }  # fmt: skip
         """How the pipeline's values are read under the profile."""
-        self.written: dict[str, str] = {}
-        """The symbols and functions of builtins that are written with these and their operands, and
-        nothing else. ``natives.py`` puts those in that it has come across."""
+        self.writers: dict[str, Writer] = {}
+        """For builtins that are written in the same way whatever their operands are, what does it.
+        ``natives.py`` puts those in that it has come across."""
         self.types = TypeTexts({}, {}, {})
         """How scalars, vectors and matrices are written, likewise."""
 

@@ -134,7 +134,7 @@ class _Emitter:
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
         view = self._view(stages, entries)
-        fill_in = renderer(self._language.folder / self._language.template)
+        fill_in = renderer(self._language.skeleton)
         return fill_in(view, self._language.forms, self._profile, self._options.flip_y)
 
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:

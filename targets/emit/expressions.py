@@ -58,24 +58,25 @@ class Expressions:
 
     def text(self, node: Node) -> str:
         """The node as an operand of a statement."""
-        return (self.bound.get(node) or self.expression(node))[0]
+        return self.operand(node)[0]
 
     def operand(self, node: Node) -> Printed:
         """The name of a bound node, or its expression."""
-        return self.bound.get(node) or self.expression(node)
+        (printed,) = self.operands((node,))
+        return printed
 
     def operands(self, nodes: Iterable[Node]) -> list[Printed]:
         """Several, each as above."""
-        bound, expression = self.bound.get, self.expression
-        return [bound(node) or expression(node) for node in nodes]
+        assert self._depth < DEEPEST, "the scheduler has to bind deep operands to names"
+        self._depth += 1
+        bound, printers = self.bound.get, self.PRINTERS
+        printed = [bound(node) or printers[node.op](self, node) for node in nodes]
+        self._depth -= 1
+        return printed
 
     def expression(self, node: Node) -> Printed:
         """The node itself, even if it is bound."""
-        assert self._depth < DEEPEST, "the scheduler has to bind deep operands to names"
-        self._depth += 1
-        printed = self.PRINTERS[node.op](self, node)
-        self._depth -= 1
-        return printed
+        return self.PRINTERS[node.op](self, node)
 
     def accumulated(self, operator: str, name: str, value: Node) -> str:
         """The statement by which an iteration of a fold adds its value to a variable."""
@@ -127,7 +128,7 @@ class Expressions:
         return (text if type_ == node.type else f"{self._types.type(node.type)}({text})"), POSTFIX
 
     def _native(self, node: Node) -> Printed:
-        if node.data == "mul" and self._forms.product_of_columns:
+        if self._forms.product_of_columns and node.data == "mul":
             made, vector = node.operands
             if made.op == "matrix" and made not in self.bound and isinstance(node.type, Vector):
                 return self._product_of_columns(made, vector)

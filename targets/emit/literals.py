@@ -27,11 +27,12 @@ def literal(value: float, kind: ScalarKind, style: Literals) -> str:
 def decimal(value: float) -> str:
     """The shortest decimal that reads back as ``value`` rounded to float32, with a point in it."""
     # By its sign too, which 0.0 and -0.0 do not differ in as keys.
-    return _shortest(_rounded(value), math.copysign(1.0, value))
+    return _shortest(value, math.copysign(1.0, value))
 
 
 @lru_cache(maxsize=1024)
-def _shortest(single: float, _sign: float) -> str:
+def _shortest(value: float, _sign: float) -> str:
+    single = _rounded(value)
     digits = next(
         text for count in range(1, 10) if _rounded(float(text := f"{single:.{count}g}")) == single
     )

@@ -21,7 +21,7 @@ from ...stdlib.builtins import BUILTINS
 from ..description.spellings import Read, Spelling, Spellings
 from .context import Context
 from .leaves import LeafPrinter
-from .precedence import POSTFIX, Field, Printed, written
+from .precedence import POSTFIX, Field, Printed, call, writer
 
 
 def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
@@ -58,8 +58,7 @@ class Callee(NamedTuple):
 
     def call(self, arguments: Sequence[Printed]) -> Printed:
         """The function called with arguments of its own."""
-        own = [text for text, _binding in arguments]
-        return f"{self.name}({', '.join([*self.passed, *own])})", POSTFIX
+        return call(self.name, [*self.passed, *(text for text, _binding in arguments)])
 
 
 class Natives:
@@ -75,7 +74,8 @@ class Natives:
         self._defined = {builtin for builtin, _types in context.definitions}
         self._functions = functions
         self._table = context.dialect.natives
-        self._written = context.dialect.written
+        # What is defined for some types is written otherwise for these, in this program.
+        self._writers = {} if context.definitions else context.dialect.writers
         self._forms = context.language.forms
         self._splats = context.language.splats
         self._spell_type = context.types.type
@@ -84,29 +84,27 @@ class Natives:
     def print(self, node: Node, operands: Sequence[Printed]) -> Printed:
         """The native ``node`` applied to printed operands."""
         builtin = NATIVE.data(node)
-        if builtin in self._defined:
-            types = tuple([operand.type for operand in node.operands])
-            if (builtin, types) in self._definitions:
-                return self._functions[self._definitions[builtin, types].body].call(operands)
-        spelled = self._written.get(builtin)
-        if spelled is not None:
-            return written(spelled, operands)
-        return self._print(node, builtin, operands)
+        if builtin in self._splats:
+            operands = self._widened(node, operands)
+        write = self._writers.get(builtin)
+        return write(operands) if write else self._print(node, builtin, operands)
 
     def _print(self, node: Node, builtin: str, operands: Sequence[Printed]) -> Printed:
         """A native whose spelling may depend on its operands."""
-        reads = bool(node.operands) and isinstance(node.operands[0].type, Texture)
+        types = tuple([operand.type for operand in node.operands])
+        if (builtin, types) in self._definitions:
+            return self._functions[self._definitions[builtin, types].body].call(operands)
+        reads = bool(types) and isinstance(types[0], Texture)
         if reads:
             operands = [self._leaves.texture(node.operands[0], builtin), *operands[1:]]
-        elif builtin in self._splats:
-            operands = self._widened(node, operands)
-        spelled = spelling_of(builtin, [operand.type for operand in node.operands], self._table)
+        spelled = spelling_of(builtin, types, self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
-        depends = reads or builtin in self._splats
-        if not depends and isinstance(self._table.get(builtin, ""), str):
-            self._written[builtin] = spelled
-        return written(spelled, operands)
+        write = writer(spelled, len(operands))
+        always = isinstance(self._table.get(builtin, ""), str) and builtin not in self._defined
+        if always and not reads:
+            self._writers[builtin] = write
+        return write(operands)
 
     def combined(self, name: str, type_: Type, operands: Sequence[Printed]) -> Printed:
         """Builtin ``name`` of operands that are all of one plain type, which is the result's."""
@@ -114,7 +112,7 @@ class Natives:
         if "{" in spelled:
             fields = [Field(*operand) for operand in operands]
             return spelled.format(*fields, type=self._spell_type(type_)), POSTFIX
-        return written(spelled, operands)
+        return writer(spelled, len(operands))(operands)
 
     def splatted(self, operand: Printed, type_: Type) -> Printed:
         """A scalar in every lane of a type."""

@@ -7,7 +7,7 @@ targets get them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from enum import IntEnum
 from typing import NamedTuple, TypeAlias
 
@@ -72,6 +72,9 @@ _SPECS = {"": Binding.CHOICE, "and": Binding.AND, "p": Binding.POSTFIX}
 Printed: TypeAlias = tuple[str, Binding]
 """A printed expression, and how tightly it binds. It is a plain tuple, since thousands are made."""
 
+Writer: TypeAlias = Callable[[Sequence[Printed]], Printed]
+"""Puts printed operands together."""
+
 # Enums look their members up by a slow descriptor, so those that are used all the time stand here.
 CHOICE, OR, POSTFIX, NAME = Binding.CHOICE, Binding.OR, Binding.POSTFIX, Binding.NAME
 PREFIXED = Binding.PREFIX
@@ -95,16 +98,19 @@ def within(printed: Printed, least: Binding) -> str:
     return text if binding >= least else f"({text})"
 
 
-def infix(symbol: str, left: Printed, right: Printed) -> Printed:
-    """``left symbol right`` with the parentheses it needs."""
-    result, operands, chains = INFIX[symbol]
-    first, binding = left
-    if binding < operands and not (chains and binding == result):
-        first = f"({first})"
-    second, binding = right
-    if binding < operands:
-        second = f"({second})"
-    return f"{first} {symbol} {second}", result
+def _infix(symbol: str, rule: Infix) -> Writer:
+    """What writes ``left symbol right`` with the parentheses that it needs."""
+    result, least, chains = rule
+
+    def write(operands: Sequence[Printed]) -> Printed:
+        (left, binding), (right, other) = operands
+        if binding < least and not (chains and binding == result):
+            left = f"({left})"
+        if other < least:
+            right = f"({right})"
+        return f"{left} {symbol} {right}", result
+
+    return write
 
 
 def prefix(symbol: str, operand: Printed) -> Printed:
@@ -118,10 +124,15 @@ def choice(condition: Printed, then: Printed, otherwise: Printed) -> Printed:
     return "{} ? {} : {}".format(*parts), CHOICE
 
 
-def written(spelled: str, operands: Sequence[Printed]) -> Printed:
-    """A symbol between two operands or before one, or a call of a function."""
-    if len(operands) == 2 and spelled in INFIX:
-        return infix(spelled, *operands)
-    if len(operands) == 1 and spelled in PREFIX:
-        return prefix(spelled, operands[0])
-    return f"{spelled}({', '.join([text for text, _binding in operands])})", POSTFIX
+def writer(spelled: str, count: int) -> Writer:
+    """What writes so many operands with a symbol between or before them, or as those of a call."""
+    if count == 2 and spelled in INFIX:
+        return _infix(spelled, INFIX[spelled])
+    if count == 1 and spelled in PREFIX:
+        return lambda operands: prefix(spelled, *operands)
+    return lambda operands: call(spelled, [text for text, _binding in operands])
+
+
+def call(function: str, arguments: Iterable[str]) -> Printed:
+    """``function(argument, …)``."""
+    return f"{function}({', '.join(arguments)})", POSTFIX

@@ -59,7 +59,8 @@ class Statements:
         for statement in region.statements:
             match statement:
                 case Let():
-                    yield from self._let(statement)
+                    yield from comment_lines(statement.doc, "//")
+                    yield self._let(statement)
                 case Branch():
                     yield from self._branch(statement)
                 case Loop():
@@ -67,14 +68,13 @@ class Statements:
                 case Iterate():
                     yield from self._iterate(statement)
 
-    def _let(self, let: Let) -> Lines:
-        yield from comment_lines(let.doc, "//")
+    def _let(self, let: Let) -> str:
         value = self._expressions.expression(let.node)[0]
         name = self._namer.declare(let.name)
         self._expressions.bound[let.node] = name, NAME
         typed = self._types.declare(name, let.node.type)
         text = self._form(let.node).format(name=name, typed=typed, value=value)
-        yield self._mark(text, let.node)
+        return self._mark(text, let.node)
 
     def _form(self, node: Node) -> str:
         """The form that gives a name to a value that never changes."""

@@ -171,11 +171,17 @@ def _filled_lines(words: Iterable[str], room: int) -> Iterator[str]:
 
 def _operands(text: str) -> list[str]:
     """``text`` split in front of each of its loosest operators; each part begins with its own."""
-    found = [token for token in _outermost(text) if token.lastgroup == "operator"]
-    if all(token[0] != "?" for token in found):
-        found = [token for token in found if token[0] != ":"]
-    loosest = min((_BINDINGS[token[0]] for token in found), default=Binding.NAME)
-    starts = [token.start() for token in found if _BINDINGS[token[0]] == loosest]
+    found = [
+        (token[0], token.start()) for token in _outermost(text) if token.lastgroup == "operator"
+    ]
+    symbols = {symbol for symbol, _start in found}
+    if "?" not in symbols:
+        symbols.discard(":")
+    if not symbols:
+        return [text.strip()]
+    loosest = min(_BINDINGS[symbol] for symbol in symbols)
+    breaking = {symbol for symbol in symbols if _BINDINGS[symbol] == loosest}
+    starts = [start for symbol, start in found if symbol in breaking]
     bounds = zip([0, *starts], [*starts, len(text)], strict=True)
     return [text[first:last].strip() for first, last in bounds]
 

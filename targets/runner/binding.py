@@ -14,7 +14,7 @@ from .drivers.draw import (
     Cull,
     Pipeline,
     Place,
-    Target,
+    RenderTarget,
     TargetFormat,
     TextureSlot,
     VertexFormat,
@@ -83,7 +83,7 @@ def pipeline(
         ),
         textures=_textures(reflection, backend),
         targets=tuple(
-            Target(target_format(row, exact=exact), "none" if exact else row["blend"])
+            RenderTarget(target_format(row, exact=exact), "none" if exact else row["blend"])
             for row in reflection["targets"]
         ),
         cull=cull,

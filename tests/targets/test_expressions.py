@@ -13,7 +13,7 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Branch, Region, Statement
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC3, VEC4, Matrix, TallMatrix
-from burnish.targets.emit.precedence import Binding, Printed, choice, infix, prefix
+from burnish.targets.emit.precedence import Binding, Printed, choice, prefix, writer
 
 from .kit import BY_NAME, PROFILES, Selected, emitted
 from .programs import Maker, block, tiny
@@ -21,6 +21,11 @@ from .programs import Maker, block, tiny
 NAMES: list[Printed] = [(name, Binding.NAME) for name in "abc"]
 A, B, C = NAMES
 FAR_TOO_DEEP = 3000
+
+
+def infix(symbol: str, left: Printed, right: Printed) -> Printed:
+    """Two operands with a symbol between them."""
+    return writer(symbol, 2)((left, right))
 
 
 def test_parentheses() -> None:

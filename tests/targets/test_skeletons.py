@@ -53,7 +53,7 @@ def test_jinja_writes_the_same(
 def test_skeletons_are_compiled(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(templates, "by_jinja", None)
     language = registry.load(name)
-    renderer.__wrapped__(language.folder / language.template)
+    renderer.__wrapped__(language.skeleton)
 
 
 @pytest.mark.parametrize(

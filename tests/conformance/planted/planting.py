@@ -134,7 +134,7 @@ def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
 
     def plant(patch: pytest.MonkeyPatch, folder: Path) -> None:
         whole = registry.load(language)
-        files = (whole.folder / whole.template, Path(templates.__file__).parent / "skeleton.j2")
+        files = (whole.skeleton, Path(templates.__file__).parent / "skeleton.j2")
         texts = {path.name: path.read_text(encoding="utf-8") for path in files}
         for old, new in replacements:
             said = any(old in text for text in texts.values())
@@ -142,7 +142,7 @@ def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
             texts = {name: text.replace(old, new) for name, text in texts.items()}
         for name, text in texts.items():
             (folder / name).write_text(text, encoding="utf-8")
-        target(language, lambda t: changed(t, folder=folder))(patch, folder)
+        target(language, lambda t: changed(t, skeleton=folder / t.skeleton.name))(patch, folder)
 
     return plant
 
