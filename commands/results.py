@@ -144,8 +144,8 @@ def put_in_place(folder: str, texts: Mapping[str, str]) -> None:
     for name in texts:
         if os.path.isdir(os.path.join(folder, name)):  # noqa: PTH112, PTH118
             raise IsADirectoryError(os.path.join(folder, name))  # noqa: PTH118
-    staging = os.path.join(folder, f".burnish-{os.getpid()}")  # noqa: PTH118
-    os.makedirs(staging, exist_ok=True)  # noqa: PTH103
+    staging = os.path.join(folder, f".burnish-{os.urandom(8).hex()}")  # noqa: PTH118
+    os.makedirs(staging)  # noqa: PTH103
     try:
         for name, text in texts.items():
             with open(os.path.join(staging, name), "wb") as file:  # noqa: PTH118, PTH123
