@@ -15,6 +15,7 @@ from functools import cache, cached_property
 from operator import attrgetter
 from types import CodeType, FunctionType, MappingProxyType
 from typing import Any, TypeVar, cast, dataclass_transform, overload
+from weakref import WeakValueDictionary
 
 T = TypeVar("T")
 
@@ -38,11 +39,17 @@ def fresh(*, factory: Callable[[], T]) -> T:
 def frozen(cls: type[T], /) -> type[T]: ...
 @overload
 def frozen(
-    *, eq: bool = True, kw_only: bool = False, key: bool = False
+    *, eq: bool = True, kw_only: bool = False, key: bool = False, interned: bool = False
 ) -> Callable[[type[T]], type[T]]: ...
 @dataclass_transform(frozen_default=True, field_specifiers=(fresh,))
 def frozen(
-    cls: type[T] | None = None, /, *, eq: bool = True, kw_only: bool = False, key: bool = False
+    cls: type[T] | None = None,
+    /,
+    *,
+    eq: bool = True,
+    kw_only: bool = False,
+    key: bool = False,
+    interned: bool = False,
 ) -> Any:
     """Make a class of slotted, immutable records.
 
@@ -50,10 +57,13 @@ def frozen(
     (``from __future__ import annotations``). With ``eq=False`` a record is equal only to itself;
     with ``kw_only=True`` fields are initialised by name. ``key=True`` is for records that are part
     of keys much more often than they are made: the hash is computed when the record is made. Such a
-    record has no ``fresh`` fields.
+    record has no ``fresh`` fields. ``interned=True`` is for those that are compared just as often:
+    equal fields give the same record, so that hashing and comparing are those of objects.
     """
     shared = _ANY | _UNCHANGEABLE | (_KEPT_HASH if key else {})
     if cls is None:
+        if interned:
+            return lambda decorated: _slotted(decorated, shared, False, kw_only, interned=True)
         return lambda decorated: _slotted(decorated, shared, eq, kw_only)
     return _slotted(cls, shared, eq, kw_only)
 
@@ -74,7 +84,9 @@ def changed(record: T, **changes: Any) -> T:
     return made
 
 
-def _slotted(cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool) -> type[T]:
+def _slotted(
+    cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool, *, interned: bool = False
+) -> type[T]:
     texts: dict[str, str] = cls.__annotations__
     names = tuple(name for name, text in texts.items() if not text.startswith("ClassVar"))
     members = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
@@ -82,15 +94,39 @@ def _slotted(cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool) -> t
     slots = list(names)
     if "__hash__" in shared:
         slots.append("_hash")
+    if interned:
+        slots.append("__weakref__")
     if any(isinstance(member, cached_property) for member in members.values()):
         slots.append("__dict__")  # Where cached values are kept.
     own = {"__slots__": tuple(slots), "__match_args__": names}
     compared = _by_value(names) if eq else {}
     made: Any = type(cls.__name__, cls.__bases__, compared | shared | members | own)
     made.__qualname__ = cls.__qualname__
-    made.__init__ = _on_first_use(made, defaults, kw_only)
+    if interned:
+        made.__new__ = _interning(made, defaults, kw_only)
+    else:
+        made.__init__ = _on_first_use(made, defaults, kw_only)
     kind: type[T] = made
     return kind
+
+
+def _interning(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., object]:
+    """A ``__new__`` that gives the record with the same fields, if there is one.
+
+    A record is forgotten when nothing refers to it any more.
+    """
+    known: WeakValueDictionary[tuple[object, ...], object] = WeakValueDictionary()
+    initialiser = cache(lambda: _initialiser(cls, defaults, kw_only))
+
+    def new(_cls: type, *fields: object, **named: object) -> object:
+        found = None if named else known.get(fields)
+        if found is None:
+            made: object = object.__new__(cls)
+            initialiser()(made, *fields, **named)
+            found = known.setdefault(_values(made), made)
+        return found
+
+    return new
 
 
 def _on_first_use(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., None]:
@@ -176,7 +212,11 @@ def _shown(self: Any) -> str:
 
 
 def _reduced(self: Any) -> tuple[Any, ...]:
-    return type(self), tuple([getattr(self, name) for name in self.__match_args__])
+    return type(self), _values(self)
+
+
+def _values(self: Any) -> tuple[Any, ...]:
+    return tuple([getattr(self, name) for name in self.__match_args__])
 
 
 def _refused(self: object, name: str, *_: object) -> None:

@@ -11,7 +11,7 @@ from typing import Any
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .leaves import Attribute, HostPlace, Parameter, Resource
-from .node import Graph, Node
+from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
 
 ConstantValue = float | int | bool | tuple["ConstantValue", ...]
@@ -184,9 +184,9 @@ class Shader:
     """The stages that it may need, in pipeline order."""
 
     @property
-    def roots(self) -> list[Node]:
+    def roots(self) -> Roots:
         """The values of all results: what passes and walks over the graph start from."""
-        return [result.value for result in self.results]
+        return Roots([result.value for result in self.results])
 
     def results_of(self, kind: str) -> tuple[Result, ...]:
         """The results of one kind, in order."""

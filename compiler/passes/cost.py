@@ -6,10 +6,12 @@ function and its body, ``hoist`` and the rules for loops to see whether their wo
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from ...stdlib.builtins import BUILTINS
 from ..ir.node import Node
-from ..ir.operations import OPERATIONS, builtin_of
-from ..ir.types import Scalar, Vector, width
+from ..ir.operations import BUILTIN_OPS, CALL, OPERATIONS
+from ..ir.types import Scalar, Type, Vector, width
 
 LOAD = 4
 """Reading one more element of an array of uniforms, at an index that the shader computes."""
@@ -17,11 +19,14 @@ LOAD = 4
 
 def cost_of(node: Node) -> int:
     """ALU operations of one node, not counting its operands."""
-    builtin = builtin_of(node)
-    if builtin is None:
-        return OPERATIONS[node.op].cost
-    lanes = width(node.type) if isinstance(node.type, Scalar | Vector) else 4
-    return BUILTINS[builtin].cost * lanes
+    if node.op in BUILTIN_OPS:
+        return _cost_of_builtin(CALL.data(node), node.type)
+    return OPERATIONS[node.op].cost
+
+
+@lru_cache(maxsize=1024)
+def _cost_of_builtin(builtin: str, type_: Type) -> int:
+    return BUILTINS[builtin].cost * (width(type_) if isinstance(type_, Scalar | Vector) else 4)
 
 
 def cost(root: Node, limit: int) -> int:

@@ -7,9 +7,9 @@ that depends on parameters only is inlined too: only then can ``hoist`` move it 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Iterable
+from collections.abc import Container
 
-from ..ir.node import Formals, Graph, Node, formals_of, reachable
+from ..ir.node import Formals, Graph, Node, Roots, formals_of
 from ..ir.operations import VARYING
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -28,17 +28,22 @@ DEAR = 1024
 """Bodies that cost more are alike: such a call is what a body around it mainly costs."""
 
 
-def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
+def inline(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
     """The roots with applies of bodies that are used once, or hardly used, as the bodies."""
-    wanted = list(roots)
-    nodes = reachable(wanted)
-    if not any(node.op == "apply" for node in nodes):
-        return wanted
+    if "apply" not in roots.ops:
+        return roots
+    applies = [node for node in roots.nodes if node.op == "apply"]
+    bodies = Counter(node.operands[0].id for node in applies)
     prices = _Prices(simplifier)
-    calls = [node for node in nodes if node.op == "apply" and prices.is_worth_calling(node)]
-    bodies = {node.operands[0].id for node in nodes if node.op == "apply"}
+    calls = [
+        node
+        for node in applies
+        if bodies[node.operands[0].id] > 1 and prices.is_worth_calling(node)
+    ]
     uses = Counter(node.operands[0].id for node in calls)
     kept = {node.id for node in calls if uses[node.operands[0].id] > 1}
+    if len(kept) == len(applies):
+        return roots
 
     def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.id in kept:
@@ -50,7 +55,7 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
             notes.forget_function(written)
         return written
 
-    return rewrite(graph, wanted, rule, notes.follow, ("apply",), nodes)
+    return rewrite(graph, roots, rule, notes.follow, ("apply",))
 
 
 class _Prices:

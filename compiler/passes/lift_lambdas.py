@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ..ir import build
-from ..ir.node import Formal, Formals, Graph, Node, formals_of
+from ..ir.node import Formal, Formals, Graph, Node, Roots, formals_of
 from ..ir.operations import GLOBALS
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -21,7 +21,7 @@ from .schedule import is_part
 from .walks import operands_of, visible
 
 
-def lift_lambdas(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def lift_lambdas(graph: Graph, roots: Roots, notes: Notes) -> Roots:
     """The roots with every applied body closed but for uniforms."""
     return rewrite(graph, roots, _Lifting(notes).rule, notes.follow, ("apply",))
 

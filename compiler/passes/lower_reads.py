@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, Roots
 from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
 from ..ir.storage import elements_in_row, stored_type
@@ -32,11 +32,14 @@ from ..ir.types import (
     width,
 )
 
+_READS = frozenset({"parameter", "member", "index"})
+"""Apart from these and from variables, operations change only where an operand has changed."""
+
 _MADE = frozenset({"array", "struct", "iterate"})
 """What is put together in the shader, out of plain values; all other aggregates are stored."""
 
 
-def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:
+def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:
     """The roots, with every ``parameter`` node of its stored type. Lowering twice changes nothing.
 
     Indices are expected within bounds: whoever made them has clamped them.
@@ -45,6 +48,8 @@ def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None)
 
 
 def _lower(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+    if operands and operands is node.operands and node.op not in _READS:
+        return None
     if node.op == "parameter":
         stored = graph.node("parameter", stored_type(node.type), (), node.data)
         return _loaded(graph, node.type, stored)

@@ -11,8 +11,6 @@ an argument.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from ...frozen import changed
 from ..ir import build
 from ..ir.binding import open_body
@@ -22,9 +20,9 @@ from ..ir.node import (
     Formals,
     Graph,
     Node,
+    Roots,
     binders,
     bodies_of,
-    reachable,
 )
 from ..ir.operations import BINDING
 from ..ir.rewrite import rewrite
@@ -32,19 +30,17 @@ from ..ir.shader import Notes
 from ..ir.types import Array, Struct, Type
 
 
-def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def open_binders(graph: Graph, roots: Roots, notes: Notes) -> Roots:
     """The roots with every fold, loop and apply opened."""
-    wanted = list(roots)
-    nodes = reachable(wanted)
-    opener = _Opener(graph, notes, _taken_apart(nodes))
-    return rewrite(graph, wanted, opener.rule, notes.follow, BINDING, nodes)
+    opener = _Opener(graph, notes, _taken_apart(roots))
+    return rewrite(graph, roots, opener.rule, notes.follow, BINDING)
 
 
-def _taken_apart(nodes: list[Node]) -> set[tuple[int, int]]:
+def _taken_apart(roots: Roots) -> set[tuple[int, int]]:
     """The arguments, by body and position, of which each part has to be an argument."""
     return {
         (node.operands[0].id, position)
-        for node in nodes
+        for node in (roots.nodes if "apply" in roots.ops else ())
         if node.op == "apply"
         for position, argument in enumerate(node.operands[1:])
         if isinstance(argument.type, Struct | Array) and not _is_stored(argument)

@@ -8,10 +8,8 @@ plain values whose index is known only when the shader runs.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from ..ir import build
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, Roots
 from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -22,7 +20,7 @@ NESTED_MATRICES = 8
 """Matrices are chosen by branches; of choices inside of more choices, each column by itself."""
 
 
-def replace_aggregates(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def replace_aggregates(graph: Graph, roots: Roots, notes: Notes) -> Roots:
     """The roots without structures, and with arrays of plain values only."""
     ops = ("member", "index", "select")
     return rewrite(graph, roots, _Dissolving(graph, notes).rule, notes.follow, ops)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Mapping
 
 from ..diagnostics.source import Span
-from ..ir.node import AGE, HEADS, Formal, Graph, Node, Op
+from ..ir.node import AGE, HEADS, Formal, Graph, Node, Op, Roots
 from ..ir.operations import FORMAL
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
@@ -49,11 +49,10 @@ class Simplifier(Builder):
             if key not in self.remarks:
                 self.remarks[key] = Remark(builtin, operands, self.at, outcome, conditions)
 
-    def simplified(self, roots: Iterable[Node]) -> list[Node]:
+    def simplified(self, roots: Roots) -> Roots:
         """The roots in their simplest form; what is in this form already is not looked at."""
-        wanted = list(roots)
-        nodes = self._affected(wanted, frozenset())
-        return rewrite(self.graph, wanted, self.rule, self.notes.follow, nodes=nodes)
+        nodes = self._affected(roots, frozenset()) if self._simplest else None
+        return rewrite(self.graph, roots, self.rule, self.notes.follow, nodes=nodes)
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """For ``rewrite``: the same operation in its simplest form."""
@@ -83,7 +82,7 @@ class Simplifier(Builder):
         used = [formal for formal in replacements if formal in body.variables]
         if not used:
             return body
-        values = self.simplified([replacements[formal] for formal in used])
+        values = self.simplified(Roots([replacements[formal] for formal in used]))
         simplest = dict(zip(used, values, strict=True))
 
         def rule(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from ...compiler.expansion_templates import definition
-from ...compiler.ir.node import Formal, Graph, reachable
+from ...compiler.ir.node import Formal, Graph, Roots, reachable
 from ...compiler.ir.program import Function, NativeUse, Program, Stage, native_uses
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.shader import Notes
@@ -86,7 +86,7 @@ def _function(use: Use, profile: Profile) -> Function:
     name, types = use
     found = definition(name, types)
     graph, notes, ranges = Graph(), Notes(), Ranges(())
-    guarding = Guarding(graph, ranges, notes, PathConditions((), ranges), profile.agrees)
+    guarding = Guarding(graph, ranges, notes, PathConditions(Roots(), ranges), profile.agrees)
     formals = tuple(Formal(parameter) for parameter in found.parameters)
     leaves = tuple(
         graph.node("formal", type_, (), formal)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...compiler.ir.node import Graph, Node
+from ...compiler.ir.node import Graph, Node, Roots
 from ...compiler.ir.program import Program
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.rewrite import rewrite
@@ -33,7 +33,7 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     # Each profile adds nodes of its own, whose ids do not depend on other profiles.
     graph, notes = undecided.shader.graph.copy(), undecided.shader.notes.copy()
     shader = changed(undecided.shader, graph=graph, notes=notes)
-    given = [result.value for result in undecided.results]
+    given = Roots([result.value for result in undecided.results])
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
     roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
     roots = passed("guards of a profile", "stored", inline(graph, roots, notes, deciding))
@@ -55,7 +55,7 @@ class _Deciding(Guarding):
         self, graph: Graph, notes: Notes, known: Ranges, domains: Mapping[str, Domain]
     ) -> None:
         ranges = Ranges(())
-        super().__init__(graph, ranges, notes, PathConditions((), ranges), domains)
+        super().__init__(graph, ranges, notes, PathConditions(Roots(), ranges), domains)
         self._known = known
 
     def decided(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:

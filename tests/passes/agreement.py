@@ -60,7 +60,7 @@ def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
             lost = build.splat(graph, lost, node.type.size)
         return graph.node("call", node.type, (noisy, lost), "add")
 
-    return rewrite(graph, roots, rule)
+    return list(rewrite(graph, roots, rule))
 
 
 def lanes(roots: list[Node], world: World) -> list[float]:
