@@ -126,7 +126,8 @@ Inheritance = Literal["overridden", "replaced", "gathered"]
 
 - ``overridden``: its name means a value. The nearest definition of the name is what it means, and
   ``inherited.name`` reads what the next one further up says. Kinds may override each other.
-- ``replaced``: nothing reads it. Of one name, or of the kind if it has no names, the nearest counts.
+- ``replaced``: nothing reads it. Of one name, or of the kind if it has no names, the nearest one
+  counts.
 - ``gathered``: it has no name, and those of the whole chain count together.
 """
 
