@@ -54,6 +54,15 @@ def turned(graph: Graph, size: int) -> Node:
     return graph.node("native", VEC4, (turn, attribute(graph)), "mul")
 
 
+INDEX = Formal("i")
+
+
+def beside(graph: Graph) -> Node:
+    """The variable of a loop, and another one."""
+    index = graph.node("call", FLOAT, (graph.node("formal", INT, (), INDEX),), "to_float")
+    return graph.node("call", FLOAT, (index, free(graph)), "add")
+
+
 WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
     ("semantics", lambda g: g.node("call", VEC3, (one(g), one(g)), "add"), "instead of float"),
     ("semantics", lambda g: g.node("call", FLOAT, (one(g), flag(g)), "add"), "does not take"),
@@ -74,6 +83,10 @@ WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
         "crosses from another domain than vertex",
     ),
     ("semantics", lambda g: build.cross(g, flag(g), FLAT), "does not take"),
+    ("semantics", lambda g: g.node("swizzle", FLOAT, (attribute(g),)), "does not take"),
+    ("semantics", lambda g: g.node("vector", VEC2, ()), "does not take"),
+    ("semantics", lambda g: loop(g, beside(g), INDEX), "Formal.*'x'.* is used outside its binder"),
+    ("opened", lambda g: loop(g, one(g)), "has not been opened"),
 ]
 
 
@@ -81,6 +94,11 @@ WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
 def test_what_is_wrong_is_found(form: Form, make: Callable[[Graph], Node], reason: str) -> None:
     with pytest.raises(InvalidGraphError, match=reason):
         verify([make(Graph())], stage=form)
+
+
+def test_only_parameters_are_stored_otherwise() -> None:
+    graph = Graph()
+    verify([graph.node("native", BOOL, (one(graph), one(graph)), "lt")], stage="stored")
 
 
 def test_a_stored_matrix_is_multiplied_with_a_column() -> None:
