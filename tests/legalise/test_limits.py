@@ -62,10 +62,11 @@ pass P {
     map high : texture2d
     map wind : texture2d
     param tints : rgb[5]
+    param gain : float per draw
     clip_position = vec4(a.xyz + wind.level(vec2(0), 0).xyz, 1)
     target x : rgba8 = a * b.x * vec4(tints[int(b.y)], 1)
     target y : rgba8 = low(a.xy) * high(a.zw)
-    target z : rgba8 = vec4(a.x)
+    target z : rgba8 = vec4(a.x * gain * b.z)
 }
 material M { color = #fff }
 """
