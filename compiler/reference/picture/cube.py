@@ -67,17 +67,21 @@ def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[In
     """The texel and the face of a texel that is at most one beyond an edge of a face.
 
     Beyond a corner there is none; the coordinate stays unchanged, and is clamped to the face later.
+    Few texels are beyond an edge, and only those are turned.
     """
-    outside = [(i < 0) | (i >= size) for i in place]
-    over = outside[0] ^ outside[1]
-    across, down = ((2 * i + 1 - size) / size for i in place)
-    weights = (across[..., None] * _ACROSS[face], down[..., None] * _DOWN[face], _OUT[face])
+    column, row, face, size = np.broadcast_arrays(*place, face, size)
+    over = ((column < 0) | (column >= size)) ^ ((row < 0) | (row >= size))
+    if not over.any():
+        return [column, row], face
+    sizes, faces = size[over], face[over]
+    across, down = ((2 * i[over] + 1 - sizes) / sizes for i in (column, row))
+    weights = (across[..., None] * _ACROSS[faces], down[..., None] * _DOWN[faces], _OUT[faces])
     new = met(np.moveaxis(sum(weights[1:], weights[0]), -1, 0))
-    moved = [np.floor(at * size).astype(np.int64) for at in (new.across, new.down)]
-    return (
-        [np.where(over, new_i, i) for new_i, i in zip(moved, place, strict=True)],
-        np.where(over, new.face, face),
-    )
+    column, row, face = column.copy(), row.copy(), face.copy()
+    column[over] = np.floor(new.across * sizes)
+    row[over] = np.floor(new.down * sizes)
+    face[over] = new.face
+    return [column, row], face
 
 
 def beyond_corner(place: Sequence[Ints], size: Ints) -> Bools:
