@@ -19,6 +19,9 @@ _DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0,
 _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
 """For each face, the directions of its columns and of its rows, and the one in which it lies."""
 
+_AXES = [(np.abs(axes).argmax(axis=1), axes.sum(axis=1)) for axes in (_ACROSS, _DOWN, _OUT)]
+"""The same directions as numbers of lanes, with signs."""
+
 
 @dataclass(frozen=True, slots=True)
 class Met:
@@ -92,6 +95,5 @@ def beyond_corner(place: Sequence[Ints], size: Ints) -> Bools:
 
 def _turned(face: Ints, lanes: Sequence[Floats]) -> tuple[Floats, Floats, Floats]:
     """The lanes of a direction in a face's own axes: to its right, downwards, and out of it."""
-    stacked = np.stack(np.broadcast_arrays(*lanes), axis=-1)
-    across, down, out = ((axes[face] * stacked).sum(axis=-1) for axes in (_ACROSS, _DOWN, _OUT))
+    across, down, out = (np.choose(lane[face], lanes) * sign[face] for lane, sign in _AXES)
     return across, down, out
