@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -141,6 +142,14 @@ class Notes:
     def copy(self) -> Notes:
         """The notes as they are now."""
         return Notes(*map(dict, self._tables))
+
+    def take_over(self, others: Notes, ids: Mapping[int, int]) -> None:
+        """Keep what ``others`` says of nodes that have other ids here; what was noted first counts,
+        where several of them are one."""
+        for table, other in zip(self._tables, others._tables, strict=True):
+            for id_, noted in other.items():
+                if id_ in ids:
+                    table.setdefault(ids[id_], noted)
 
     def forget_function(self, node: Node) -> None:
         """A value that a body gives where it is written out is no body itself."""

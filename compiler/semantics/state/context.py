@@ -13,7 +13,7 @@ from ....frozen import fresh, frozen, record
 from ...diagnostics.diagnostic import Diagnostic, Report
 from ...diagnostics.source import Span
 from ...ir.meaning import Meaning
-from ...ir.node import Formal, Graph, Node, reachable
+from ...ir.node import Formal, Node, reachable
 from ...ir.ranges import Ranges
 from ...ir.shader import ExternInfo, Notes, ParameterInfo
 from ...ir.types import Type
@@ -26,6 +26,7 @@ from .constants import ConstantValues
 from .crossings import Crossings
 from .places import Places
 from .scope import Application, Failure, Inner, Instance, RigEntry, Scope, Value
+from .tree import Tree
 
 
 @record
@@ -84,12 +85,12 @@ class Context:
         self.records = records
         self.rules = rules
         self.rig: tuple[RigEntry, ...] = ()
-        self.graph = Graph()
+        self.tree = Tree()
         self.notes = Notes()
         self.places = Places(self.notes.spans)
-        self.crossings = Crossings(self.graph, report, self.notes, self.places)
+        self.crossings = Crossings(self.tree, report, self.notes, self.places)
         self.constants = ConstantValues(report)
-        self.meanings = Meanings(self.graph)
+        self.meanings = Meanings(self.tree)
         self.ranges = Ranges(())
         """What is known of values already: it bounds loops and proves lengths."""
         self.types = WrittenTypes(TypeResolver(report))

@@ -73,7 +73,7 @@ def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None
     if not body.applied:
         return body.body
     pairs = zip(call.parts, signature.constants, strict=True)
-    return build.apply(ctx.graph, body.body, tuple(part for part, fixed in pairs if fixed is None))
+    return build.apply(ctx.tree, body.body, tuple(part for part, fixed in pairs if fixed is None))
 
 
 def failed(ctx: Context, signature: Signature, before: int) -> None:
@@ -129,11 +129,11 @@ def stand_ins(
             leaf, is_unit = next(fixed), next(unit, False)
             if leaf is None:
                 formals.append(Formal(short))
-                leaf = ctx.graph.node("formal", inner, (), formals[-1])
+                leaf = ctx.tree.node("formal", inner, (), formals[-1])
                 if is_unit:
                     ctx.ranges.assume(leaf, UNIT)
             leaves.append(leaf)
-        whole = build.assembled(ctx.graph, type_, iter(leaves))
+        whole = build.assembled(ctx.tree, type_, iter(leaves))
         yield ctx.meanings.ascribed(whole, meaning)
 
 
@@ -177,7 +177,7 @@ def _is_shareable(body: Node, formals: tuple[Formal, ...]) -> bool:
 
 def _closed(ctx: Context, symbol: Symbol, body: Node, formals: tuple[Formal, ...]) -> Node:
     """A body with its variables bound, and with what texts show of the function."""
-    closed = close(ctx.graph, body, formals, ctx.notes.follow)
+    closed = close(ctx.tree, body, formals, ctx.notes.follow)
     ctx.notes.functions.setdefault(closed.id, symbol.name)
     ctx.notes.arguments.setdefault(closed.id, tuple(formal.name for formal in formals))
     if symbol.declaration.doc:

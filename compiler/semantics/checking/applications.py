@@ -131,7 +131,7 @@ def _fit_arguments(
             return None
         wanted = changed(wanted, text=f"{wanted.text} for `{formal.name.text}`")
         generic = formal.type.name.text in variables
-        broadcast = coerce(ctx.graph, argument, wanted.type, broadcast=generic)
+        broadcast = coerce(ctx.tree, argument, wanted.type, broadcast=generic)
         node = as_declared(ctx, broadcast or argument, wanted, written, scope)
         if isinstance(node, Failure):
             return None
