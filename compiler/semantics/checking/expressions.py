@@ -205,6 +205,7 @@ def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Value], _scope: Sco
         return FAILURE
     if isinstance(operand, Failure):
         return FAILURE
+    ctx.progress.unproven += bool(operand.variables)
     return ctx.crossings.interpolated(operand, e.span)
 
 

@@ -126,6 +126,7 @@ def _count(
     ctx: Context, first: Node, end: Node, most: int, written: ast.Turns, span: Span
 ) -> tuple[Node, int] | None:
     """How often a loop turns, and at most; reported where nothing says that."""
+    ctx.progress.unproven += bool(first.variables or end.variables)
     known = [ctx.constants.known_integer(node) for node in (first, end)]
     if known[0] is not None and known[1] is not None:
         turns = max(known[1] - known[0], 0)

@@ -106,6 +106,7 @@ def is_unit(ctx: Context, node: Node) -> bool:
         if ctx.ranges.of(choice).unit:
             continue
         if not ctx.constants.is_unit(choice):
+            ctx.progress.unproven += bool(choice.variables)
             return False
         ctx.ranges.assume(choice, UNIT)
     return True

@@ -94,21 +94,21 @@ class _Sharing:
     def _add(self, callee: Callee, fixed: Fixed) -> bool:
         """Lower the body of a group; whatever is wrong with it has been reported of its calls."""
         ctx, found = self._ctx, self._ctx.report.count
-        formals: list[Formal] = []
         function = callee.symbol.declaration
         assert isinstance(function, ast.Function)
         names = [argument.name.text for argument in function.arguments]
         given = self._interning.written[callee].given
         constants = [c and ctx.tree.node(c.op, c.type, (), c.data) for c in fixed]
-        arguments = tuple(stand_ins(ctx, names, given, constants, formals))
+        stand_in = stand_ins(ctx, names, given, constants)
+        formals = stand_in.formals
         span = callee.symbol.declaration.name.span
-        value = apply_body(ctx, callee.symbol, arguments, span)
+        value = apply_body(ctx, callee.symbol, stand_in.values, span)
         failed = ctx.report.count > found
         ctx.report.forget(found)
         if failed or not isinstance(value, Node) or not formals:
             return False
         (body,) = self._interning.interned([value.operands[0] if value.op == "called" else value])
-        self._groups[callee, fixed] = _Group(callee, fixed, tuple(formals), body)
+        self._groups[callee, fixed] = _Group(callee, fixed, formals, body)
         return True
 
     def _at_rest(self, group: _Group) -> Node:
