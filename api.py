@@ -6,9 +6,7 @@ commands call them too. This module runs the compiler's phases in order.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+from collections.abc import Iterable, Mapping, Sequence
 from importlib import import_module
 from itertools import chain
 from os import PathLike
@@ -17,30 +15,25 @@ from types import NoneType
 from typing import TYPE_CHECKING, Any
 
 from .arguments import expect, expect_all
+from .compiled import CompiledMaterial, CompileResult, OutputFile
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
-from .compiler.diagnostics.nearest import suggestion
-from .compiler.diagnostics.source import Source, Span
 from .compiler.frontend import Frontend
-from .compiler.inputs import Inputs
 from .compiler.ir.shader import Shader
-from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
-from .frozen import frozen
 from .garbage import seldom_collected
-from .targets import registry
-from .targets.emit.description import Profile, Target
+from .targets.description.profile import Profile
+from .targets.description.shading_language import Language
 from .targets.emit.directives import Directed, directed
 from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
-from .targets.emit.reflection import backend_table
 from .targets.legalise.guards import keeps
 from .targets.legalise.legalise import legalise
 from .targets.legalise.limits import excesses, lacks
+from .targets.selection import DEFAULT, full_name, select_targets
 
 if TYPE_CHECKING:
-    from .compiler.passes.proofs import Proof
     from .targets.runner.instances.instance import Instance, MissingValuesError
     from .targets.runner.instances.values import ParameterError
     from .targets.runner.textures.kinds import PictureError
@@ -59,138 +52,6 @@ __all__ = [
     "compile",
     "select_targets",
 ]
-
-DEFAULT = "default"
-"""Means the first profile of every target that is not marked as unproven."""
-
-ALL = "all"
-"""Means every profile of every target."""
-
-StageName = str
-"""A stage, such as ``vertex`` or ``fragment``; ``both`` for a text that contains all stages."""
-
-
-@dataclass(frozen=True, slots=True)
-class OutputFile:
-    """One emitted shader text."""
-
-    name: str
-    """The name of the file: ``Plastic.frag.wgsl``; if the profile is not the target's default,
-    ``Plastic.gl330.frag.glsl``."""
-    target: str
-    profile: str
-    stage: StageName
-    entry_points: Mapping[StageName, str]
-    """The entry point of each stage in the text."""
-    text: str
-    checkers: tuple[str, ...] = ()
-    """The downstream compilers that must accept it."""
-    spans: Mapping[int, Span] = field(default_factory=dict)
-    """The source map: for each line of ``text``, counted from 1, the part of the material that its
-    statement belongs to. Every statement has one."""
-    sources: tuple[Source, ...] = ()
-    """The files that line directives in ``text`` name; their numbers count from 1."""
-
-
-@dataclass(frozen=True)
-class CompiledMaterial:
-    """The results of compiling one material."""
-
-    name: str
-    files: tuple[OutputFile, ...]
-    lacking: Mapping[str, str]
-    """For each profile without texts, the feature that it lacks and the material needs."""
-    guards: tuple[Guard, ...]
-    """Operations that keep a guard in some text, because their operands could not be proven
-    safe."""
-    shader: Shader = field(repr=False)
-    """The shader before any pass, which the reference draws."""
-    _staged: Staged = field(repr=False)
-    _emissions: tuple[tuple[Target, Profile, Emission], ...] = field(repr=False)
-    _flip_y: bool = field(repr=False)
-
-    def text(self, target: str, stage: StageName) -> str:
-        """The text of one stage for one target (``"glsl"`` or ``"glsl:gl330"``).
-
-        Raises ``KeyError`` if the material was not compiled for it.
-        """
-        for file in self.files:
-            if file.stage == stage and target in (file.target, f"{file.target}:{file.profile}"):
-                return file.text
-        raise KeyError(f"{self.name} has no {stage} text for {target}")
-
-    @cached_property
-    def reflection(self) -> dict[str, Any]:
-        """What a host needs to bind, as data for JSON (``compiler/reflection`` has the schema)."""
-        from .compiler.reflection import reflect
-
-        tables = {
-            _name(target, profile): backend_table(
-                self._staged.program, target, profile, emission, self._files(target, profile),
-                flip_y=self._flip_y, source_maps=self._source_maps(target, profile),
-            )
-            for target, profile, emission in self._emissions
-        }  # fmt: skip
-        derived = {value.parameter: value.expression for value in self._staged.derived}
-        return reflect(self.shader, self._staged.program, tables, derived)
-
-    @property
-    def staged(self) -> Staged:
-        """The program that is written in each language, with the passes' decision records."""
-        return self._staged
-
-    @cached_property
-    def proofs(self) -> tuple[Proof, ...]:
-        """Why operations have no guard, were removed, or keep their guard."""
-        from .compiler.passes.proofs import Proofs
-
-        evidence = self._staged.evidence
-        return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.remarks))
-
-    def instance(self) -> Instance:
-        """An instance with named values to draw the material with; they start as its defaults."""
-        from .targets.runner.instances.instance import Instance
-
-        return Instance(self.reflection)
-
-    def _source_maps(self, target: Target, profile: Profile) -> dict[str, Mapping[int, Span]]:
-        return {
-            file.name: file.spans
-            for file in self.files
-            if (file.target, file.profile) == (target.name, profile.name)
-        }
-
-    def _files(self, target: Target, profile: Profile) -> dict[str, str]:
-        return {
-            file.stage: file.name
-            for file in self.files
-            if (file.target, file.profile) == (target.name, profile.name)
-        }
-
-
-@frozen
-class CompileResult:
-    """All materials of a file, with the diagnostics (only warnings, since it compiled)."""
-
-    materials: tuple[CompiledMaterial, ...]
-    diagnostics: tuple[Diagnostic, ...]
-    inputs: Inputs
-    """The files that were read, and the places where files were searched."""
-
-    def __iter__(self) -> Iterator[CompiledMaterial]:
-        """The materials in the order of the file."""
-        return iter(self.materials)
-
-    def __len__(self) -> int:
-        """The number of materials."""
-        return len(self.materials)
-
-    def __getitem__(self, name: str) -> CompiledMaterial:
-        """The material called ``name``; ``KeyError`` if there is none."""
-        for material in self.materials:
-            if material.name == name:
-                return material
-        raise KeyError(name)
 
 
 @seldom_collected
@@ -284,48 +145,6 @@ def variants(
     return tuple(frontend.variants(module))
 
 
-def select_targets(
-    wanted: Iterable[str], report: Report, *, single_file: bool = False
-) -> list[tuple[Target, Profile]]:
-    """The targets and profiles that ``wanted`` names; unknown names are reported."""
-    chosen: dict[tuple[str, str], tuple[Target, Profile]] = {}
-    known = registry.names()
-    for text in chain.from_iterable(_meant(text.strip(), known) for text in wanted):
-        name, _, profile_name = text.partition(":")
-        if name not in known:
-            hint = suggestion(name, (*known, ALL)) or f"there are {', '.join(_listed())}, and {ALL}"
-            report.add(rules.UNKNOWN_TARGET, None, name=name, hint=hint)
-            continue
-        target = registry.load(name)
-        try:
-            profile = target.profile(profile_name)
-        except KeyError:
-            profiles = [profile.name for profile in target.profiles]
-            hint = suggestion(profile_name, profiles) or f"there are {', '.join(profiles)}"
-            report.add(rules.UNKNOWN_PROFILE, None, target=name, name=profile_name, hint=hint)
-            continue
-        if single_file and not profile.single_file:
-            feature = "text that holds both stages"
-            report.add(rules.UNSUPPORTED, None, target=_name(target, profile), feature=feature)
-        chosen[name, profile.name] = target, profile
-    return list(chosen.values())
-
-
-def _listed() -> Iterator[str]:
-    """The names of all targets, with a remark for those that are not proven."""
-    for target in map(registry.load, registry.names()):
-        yield f"{target.name} ({target.unproven})" if target.unproven else target.name
-
-
-def _meant(name: str, known: Iterable[str]) -> Iterable[str]:
-    """The names that ``all`` and ``default`` mean; any other name means itself."""
-    if name == DEFAULT:
-        return registry.defaults()
-    if name != ALL:
-        return (name,)
-    return [f"{each}:{profile.name}" for each in known for profile in registry.load(each).profiles]
-
-
 def _names_of_targets(targets: str | Iterable[str]) -> list[str]:
     if isinstance(targets, str):
         return targets.split(",")
@@ -358,7 +177,7 @@ def _compiled(
     shader: Shader,
     staged: Staged,
     lacking: Mapping[str, Sequence[Diagnostic]],
-    chosen: list[tuple[Target, Profile]],
+    chosen: list[tuple[Language, Profile]],
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
     emissions = tuple(
@@ -368,7 +187,7 @@ def _compiled(
             emit(legalise(staged.program, target, profile, staged.undecided), emit_options),
         )
         for target, profile in chosen
-        if _name(target, profile) not in lacking
+        if full_name(target, profile) not in lacking
     )
     files = tuple(
         _output(shader, target, profile, emission, file, emit_options)
@@ -384,13 +203,13 @@ def _compiled(
 
 
 def _lacking(
-    shader: Shader, staged: Staged, chosen: list[tuple[Target, Profile]]
+    shader: Shader, staged: Staged, chosen: list[tuple[Language, Profile]]
 ) -> dict[str, tuple[Diagnostic, ...]]:
     """For each profile, the features that it lacks and a shader needs."""
     found = {}
     places = {extern.place.name: extern.span for extern in shader.externs}
     for target, profile in chosen:
-        name, report = _name(target, profile), Report()
+        name, report = full_name(target, profile), Report()
         for excess in excesses(staged.program, profile):
             report.add(
                 rules.TOO_MANY, places.get(excess.block), count=excess.count,
@@ -406,18 +225,14 @@ def _lacking(
     return found
 
 
-def _name(target: Target, profile: Profile) -> str:
-    return f"{target.name}:{profile.name}"
-
-
-def _warn_of_targets_without_lines(chosen: list[tuple[Target, Profile]], report: Report) -> None:
+def _warn_of_targets_without_lines(chosen: list[tuple[Language, Profile]], report: Report) -> None:
     for name in dict.fromkeys(target.name for target, _ in chosen if not target.line_directive):
         report.add(rules.NO_LINE_DIRECTIVES, None, target=name)
 
 
 def _output(
     shader: Shader,
-    target: Target,
+    target: Language,
     profile: Profile,
     emission: Emission,
     file: EmittedFile,

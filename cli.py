@@ -30,4 +30,9 @@ def main() -> None:
     gc.set_threshold(*SELDOM)
     from .commands.group import burnish
 
-    burnish.main(arguments, obj=question)
+    try:
+        burnish.main(arguments, obj=question)
+    finally:
+        # The process ends, and all of its memory with it. What is frozen, Python need not look
+        # through for garbage first, which would take longer than a short compile's passes.
+        gc.freeze()

@@ -3,16 +3,19 @@
 Almost every record of the compiler is declared with it. ``dataclasses`` writes and compiles eight
 methods for each class while the module is imported. This takes most of a millisecond for each
 class; for a hundred classes, it would be the larger part of the time to start Burnish. Here only
-the initialiser is generated, when the first record is made, and all other methods are shared.
-Records are also made and unpickled faster, because nothing goes through ``__setattr__``.
+the initialiser is made for each class, when its first record is made, and of code that is compiled
+once for all classes with as many fields. All other methods are shared. Records are also made and
+unpickled faster, because nothing goes through ``__setattr__``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache, cached_property
 from operator import attrgetter
-from types import MappingProxyType
+from types import CodeType, FunctionType, MappingProxyType
 from typing import Any, TypeVar, cast, dataclass_transform, overload
+from weakref import WeakValueDictionary
 
 T = TypeVar("T")
 
@@ -36,21 +39,31 @@ def fresh(*, factory: Callable[[], T]) -> T:
 def frozen(cls: type[T], /) -> type[T]: ...
 @overload
 def frozen(
-    *, eq: bool = True, kw_only: bool = False, key: bool = False
+    *, eq: bool = True, kw_only: bool = False, key: bool = False, interned: bool = False
 ) -> Callable[[type[T]], type[T]]: ...
 @dataclass_transform(frozen_default=True, field_specifiers=(fresh,))
 def frozen(
-    cls: type[T] | None = None, /, *, eq: bool = True, kw_only: bool = False, key: bool = False
+    cls: type[T] | None = None,
+    /,
+    *,
+    eq: bool = True,
+    kw_only: bool = False,
+    key: bool = False,
+    interned: bool = False,
 ) -> Any:
     """Make a class of slotted, immutable records.
 
     Its annotations are the fields, in the order of the initialiser's parameters. They must be texts
     (``from __future__ import annotations``). With ``eq=False`` a record is equal only to itself;
     with ``kw_only=True`` fields are initialised by name. ``key=True`` is for records that are part
-    of keys much more often than they are made: the hash is computed when the record is made.
+    of keys much more often than they are made: the hash is computed when the record is made. Such a
+    record has no ``fresh`` fields. ``interned=True`` is for those that are compared just as often:
+    equal fields give the same record, so that hashing and comparing are those of objects.
     """
     shared = _ANY | _UNCHANGEABLE | (_KEPT_HASH if key else {})
     if cls is None:
+        if interned:
+            return lambda decorated: _slotted(decorated, shared, False, kw_only, interned=True)
         return lambda decorated: _slotted(decorated, shared, eq, kw_only)
     return _slotted(cls, shared, eq, kw_only)
 
@@ -71,23 +84,53 @@ def changed(record: T, **changes: Any) -> T:
     return made
 
 
-def _slotted(cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool) -> type[T]:
+def _slotted(
+    cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool, *, interned: bool = False
+) -> type[T]:
     texts: dict[str, str] = cls.__annotations__
     names = tuple(name for name, text in texts.items() if not text.startswith("ClassVar"))
     members = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
     defaults = {name: members.pop(name) for name in names if name in members}
-    kept = ("_hash",) if "__hash__" in shared else ()
-    own = {"__slots__": (*names, *kept), "__match_args__": names}
+    slots = list(names)
+    if "__hash__" in shared:
+        slots.append("_hash")
+    if interned:
+        slots.append("__weakref__")
+    if any(isinstance(member, cached_property) for member in members.values()):
+        slots.append("__dict__")  # Where cached values are kept.
+    own = {"__slots__": tuple(slots), "__match_args__": names}
     compared = _by_value(names) if eq else {}
     made: Any = type(cls.__name__, cls.__bases__, compared | shared | members | own)
     made.__qualname__ = cls.__qualname__
-    made.__init__ = _on_first_use(made, defaults, kw_only)
+    if interned:
+        made.__new__ = _interning(made, defaults, kw_only)
+    else:
+        made.__init__ = _on_first_use(made, defaults, kw_only)
     kind: type[T] = made
     return kind
 
 
+def _interning(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., object]:
+    """A ``__new__`` that gives the record with the same fields, if there is one.
+
+    A record is forgotten when nothing refers to it any more.
+    """
+    known: WeakValueDictionary[tuple[object, ...], object] = WeakValueDictionary()
+    initialiser = cache(lambda: _initialiser(cls, defaults, kw_only))
+
+    def new(_cls: type, *fields: object, **named: object) -> object:
+        found = None if named else known.get(fields)
+        if found is None:
+            made: object = object.__new__(cls)
+            initialiser()(made, *fields, **named)
+            found = known.setdefault(_values(made), made)
+        return found
+
+    return new
+
+
 def _on_first_use(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., None]:
-    """An initialiser that generates the real one when it is first called."""
+    """An initialiser that makes the real one when it is first called."""
 
     def first(self: object, *arguments: object, **named: object) -> None:
         cls.__init__ = _initialiser(cls, defaults, kw_only)
@@ -97,22 +140,49 @@ def _on_first_use(cls: Any, defaults: dict[str, object], kw_only: bool) -> Calla
 
 
 def _initialiser(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callable[..., None]:
-    """Generate an initialiser that stores each argument in its slot, without ``__setattr__``."""
-    names = cls.__match_args__
-    known: dict[str, Any] = {f"default_{name}": value for name, value in defaults.items()}
-    known |= {f"set_{name}": getattr(cls, name).__set__ for name in names}
-    parameters = [f"{name}=default_{name}" if name in defaults else name for name in names]
-    head = ["self", *(["*"] if kw_only else []), *parameters]
-    made_anew = {name: d.factory for name, d in defaults.items() if isinstance(d, _Fresh)}
-    known |= {f"make_{name}": factory for name, factory in made_anew.items()}
-    body = [f"if {name} is default_{name}: {name} = make_{name}()" for name in made_anew]
-    body += [f"set_{name}(self, {name})" for name in names] or ["pass"]
-    if hasattr(cls, "_hash"):
-        known["keep_hash"] = cls._hash.__set__
-        body.append(f"keep_hash(self, hash(({', '.join(names)},)))")
-    exec(f"def __init__({', '.join(head)}):\n    " + "\n    ".join(body), known)
-    written: Callable[..., None] = known["__init__"]
-    return written
+    """Make an initialiser that stores each argument in its slot, without ``__setattr__``."""
+    names: tuple[str, ...] = cls.__match_args__
+    keeps_hash = hasattr(cls, "_hash")
+    used: dict[str, object] = {"keep_hash": cls._hash.__set__} if keeps_hash else {}
+    for number, name in enumerate(names):
+        used[f"set_{number}"] = _setter(getattr(cls, name).__set__, defaults.get(name))
+    code = _storing(len(names), keeps_hash).replace(co_varnames=("self", *names))
+    if kw_only:
+        code = code.replace(co_argcount=1, co_kwonlyargcount=len(names))
+    initialiser = FunctionType(code, used)
+    if kw_only:
+        initialiser.__kwdefaults__ = defaults
+    else:
+        initialiser.__defaults__ = tuple(defaults[name] for name in names if name in defaults)
+    return initialiser
+
+
+@cache
+def _storing(count: int, keeps_hash: bool) -> CodeType:
+    """The code of an initialiser that stores ``count`` arguments, with names that mean nothing.
+
+    It is compiled once for all classes that have as many fields, since to compile takes ten times
+    as long as to give the code of another class the names of its own fields.
+    """
+    fields = [f"field_{number}" for number in range(count)]
+    body = [f"set_{number}(self, {field})" for number, field in enumerate(fields)] or ["pass"]
+    if keeps_hash:
+        body.append(f"keep_hash(self, hash(({', '.join(fields)},)))")
+    known: dict[str, Any] = {}
+    exec(f"def __init__({', '.join(['self', *fields])}):\n    " + "\n    ".join(body), known)
+    code: CodeType = known["__init__"].__code__
+    return code
+
+
+def _setter(store: Callable[[Any, object], None], default: object) -> Callable[[Any, object], None]:
+    """What stores an argument in its slot, or where that is a fresh default, a value made anew."""
+    if not isinstance(default, _Fresh):
+        return store
+
+    def store_anew(record: object, value: object) -> None:
+        store(record, default.factory() if value is default else value)
+
+    return store_anew
 
 
 def _by_value(names: tuple[str, ...]) -> dict[str, Any]:
@@ -142,7 +212,11 @@ def _shown(self: Any) -> str:
 
 
 def _reduced(self: Any) -> tuple[Any, ...]:
-    return type(self), tuple([getattr(self, name) for name in self.__match_args__])
+    return type(self), _values(self)
+
+
+def _values(self: Any) -> tuple[Any, ...]:
+    return tuple([getattr(self, name) for name in self.__match_args__])
 
 
 def _refused(self: object, name: str, *_: object) -> None:

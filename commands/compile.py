@@ -66,7 +66,7 @@ def _split(_context: click.Context, _option: click.Parameter, given: Iterable[st
 @search_option
 @click.option("--validate", is_flag=True, help="Have the real compilers check the texts.")
 @click.option("--watch", is_flag=True, help="Compile again whenever a source changes.")
-@click.option("--single-file", is_flag=True, help="Both stages in one text: vs_main and fs_main.")
+@click.option("--single-file", is_flag=True, help="All stages in one text: vs_main and fs_main.")
 @click.option("--flip-y", is_flag=True, help="Turn the picture upside down, to draw into textures.")
 @click.option(
     "--line-directives",
@@ -125,10 +125,11 @@ def _succeeds(request: Request) -> bool:
 
 def _compiled(request: Request) -> CompileResult:
     from .. import api
+    from ..targets.selection import DEFAULT
 
     return api.compile(
         request.file,
-        request.targets or api.DEFAULT,
+        request.targets or DEFAULT,
         material=request.material,
         rig=request.rig,
         pass_=request.pass_,

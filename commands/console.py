@@ -1,4 +1,4 @@
-"""Printing diagnostics and remarks to people; every command uses this."""
+"""Prints diagnostics and remarks for people; every command uses this."""
 
 from __future__ import annotations
 

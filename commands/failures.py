@@ -1,4 +1,4 @@
-"""Turns exceptions of commands that draw into messages and an exit code."""
+"""Turns the exceptions of commands that draw into messages and an exit code."""
 
 from __future__ import annotations
 

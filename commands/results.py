@@ -1,13 +1,13 @@
-"""What ``burnish compile`` has written, kept, so that repeating it takes hardly longer than Python.
+"""Keeps what ``burnish compile`` has written, so that repeating it takes hardly longer than Python.
 
-``cli.main`` asks before it loads anything else. The answer is kept by its command line, word for
-word, and holds for as long as everything is the same that the compile depended on: the current
-folder, Python, every file of this installation, every file that was read, what links stood for, and
-that there was nothing in the places where files were looked for first. Sources are compared byte by
-byte, the installation by names, sizes and times of change, which an edit cannot leave as they were.
+``cli.main`` asks it before anything else is loaded. A result is found by its command line, word for
+word. It is used only if everything that the compile depended on is still the same: the current
+folder, Python, every file of this installation, every file that was read, the targets of links, and
+the places where files were looked for in vain. Sources are compared byte by byte. The installation
+is compared by names, sizes and times of change, which no edit can leave as they were.
 
-Only what compiled is kept, with its warnings as they were printed. Errors take the long way, and
-what cannot be written as before takes it, too, so that everybody hears of it in the same words.
+Only successful compiles are kept, with the warnings that they printed. If there were errors, or if
+a file cannot be written as before, everything is compiled again, so that messages have one origin.
 """
 
 from __future__ import annotations
@@ -144,8 +144,8 @@ def put_in_place(folder: str, texts: Mapping[str, str]) -> None:
     for name in texts:
         if os.path.isdir(os.path.join(folder, name)):  # noqa: PTH112, PTH118
             raise IsADirectoryError(os.path.join(folder, name))  # noqa: PTH118
-    staging = os.path.join(folder, f".burnish-{os.getpid()}")  # noqa: PTH118
-    os.makedirs(staging, exist_ok=True)  # noqa: PTH103
+    staging = os.path.join(folder, f".burnish-{os.urandom(8).hex()}")  # noqa: PTH118
+    os.makedirs(staging)  # noqa: PTH103
     try:
         for name, text in texts.items():
             with open(os.path.join(staging, name), "wb") as file:  # noqa: PTH118, PTH123

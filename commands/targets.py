@@ -12,7 +12,8 @@ from .options import format_option
 from .terminal import wants_color
 
 if TYPE_CHECKING:
-    from ..targets.emit.description import Profile, Target
+    from ..targets.description.profile import Profile
+    from ..targets.description.shading_language import Language
 
 
 @click.command()
@@ -40,7 +41,7 @@ def targets(form: str) -> None:
         click.echo("\n".join(_lines(target)), color=color)
 
 
-def _lines(target: Target) -> Iterator[str]:
+def _lines(target: Language) -> Iterator[str]:
     yield click.style(f"{target.name}", bold=True) + f"  {target.title}, *.{target.extension}"
     if target.unproven:
         yield f"  {click.style('unproven', fg='yellow')}: {target.unproven}"
@@ -62,7 +63,7 @@ def _abilities(profile: Profile) -> Iterator[str]:
     yield f"checked by {', '.join(profile.checkers) or 'nothing'}"
 
 
-def _data(target: Target) -> dict[str, Any]:
+def _data(target: Language) -> dict[str, Any]:
     return {
         "name": target.name,
         "title": target.title,

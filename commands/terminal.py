@@ -1,4 +1,7 @@
-"""What a stream can show. Nothing here imports click, so that what runs before it may ask."""
+"""Decides whether a stream gets colours, and writes out characters that it cannot show.
+
+Nothing here imports click, because it is also used before click is loaded.
+"""
 
 from __future__ import annotations
 

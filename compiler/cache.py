@@ -1,11 +1,11 @@
-"""Values that take long to compute, kept in files from one process to the next.
+"""Keeps values that take long to compute in files, from one process to the next.
 
 ``cached`` keeps the parser's tables, the syntax trees of the standard library and the precompiled
 templates. ``load`` and ``store`` keep what ``burnish compile`` has written, for
-``commands/results.py``. A cache is only a convenience: where it cannot be read or written, values
-are computed again. Files are put in place whole, begin with a digest of the rest, and are deleted
-when newer ones need their room. So any number of processes may share the folder or be killed while
-they write to it, and it may be full, read-only or missing.
+``commands/results.py``. A cache is only a convenience: if it cannot be read or written, values are
+computed again. Files appear as a whole, begin with a digest of the rest, and are deleted when newer
+ones need their room. So any number of processes may share the folder or be killed while they write
+to it, and it may be full, read-only or missing.
 
 This module is loaded before anything else is, so it imports little.
 """
@@ -41,8 +41,10 @@ def folder() -> str:
 
         return str(user_cache_path("burnish"))
     # What platformdirs says of Linux, without the time that it takes to import.
-    caches = os.environ.get("XDG_CACHE_HOME", "").strip() or os.path.expanduser("~/.cache")  # noqa: PTH111
-    if caches.startswith("~"):
+    caches = os.environ.get("XDG_CACHE_HOME", "").strip()
+    if not os.path.isabs(caches) and os.environ.get("HOME") != "":  # noqa: PTH117
+        caches = os.path.expanduser("~/.cache")  # noqa: PTH111
+    if not os.path.isabs(caches):  # noqa: PTH117
         # Nobody knows the user's home. Where no file can be, none is looked for in vain.
         caches = os.devnull
     return os.path.join(caches, "burnish")  # noqa: PTH118
@@ -104,7 +106,7 @@ def store(name: str, key: str, payload: bytes) -> None:
         except OSError:
             os.unlink(temporary)  # noqa: PTH108
             raise
-        _prune(place, name)
+        _prune(place, name, path)
     except OSError:
         return
 
@@ -113,18 +115,19 @@ def _path(name: str, key: str) -> str:
     return os.path.join(folder(), f"{name}-{key}.bin")  # noqa: PTH118
 
 
-def _prune(place: str, name: str) -> None:
+def _prune(place: str, name: str, latest: str) -> None:
     """Delete the values of a name that were written first, where there are too many of them.
 
-    Partly written files of killed processes are deleted in the same way. A value that is still in
-    use is computed again, and so is new then.
+    The latest one stays even if a clock that went backwards says that others are later. Partly
+    written files of killed processes are deleted in the same way. A value that is still in use is
+    computed again, and so is new then.
     """
     import re
 
     own = re.compile(re.escape(name) + r"-[0-9a-f]{16}\.bin(\.[0-9]+\.tmp)?")
     with os.scandir(place) as entries:
         found = [(entry.path, entry.stat()) for entry in entries if own.fullmatch(entry.name)]
-    found.sort(key=lambda each: each[1].st_mtime_ns, reverse=True)
+    found.sort(key=lambda each: (each[0] == latest, each[1].st_mtime_ns), reverse=True)
     taken = 0
     for number, (path, status) in enumerate(found):
         taken += status.st_size

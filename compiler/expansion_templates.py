@@ -1,7 +1,8 @@
-"""Templates of the builtins' expansions and definitions.
+"""Lowers the builtins' expansions and definitions once, as templates that fit into any graph.
 
-A template is a function of ``stdlib/meaning.burnish``, lowered once for each signature, that can be
-built into any graph. ``expand_builtins`` and ``guard`` do that.
+A template is a function of ``stdlib/meaning.burnish``, lowered for one signature. The passes
+``expand_builtins`` and ``guard`` build its operations into the graph of a shader, and ``legalise``
+prints some as functions.
 """
 
 from __future__ import annotations

@@ -13,9 +13,10 @@ from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
 from .inputs import Inputs
 from .ir.shader import Shader
-from .library import FOLDER, parse_library
+from .library import FOLDER, standard_library
 from .semantics.inheritance.flattening import Records, records_of
-from .semantics.names.modules import Loader, Module, Symbol
+from .semantics.names.loader import Loader
+from .semantics.names.modules import Module, Symbol
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
@@ -41,8 +42,9 @@ class Frontend:
                 report.add(rules.MISSING_FOLDER, None, path=folder)
         self._report = report
         self._records = Records(report)
+        self._library = standard_library(FOLDER)
         self._loader = Loader(
-            report, FOLDER, search_path, parse, parse_library, self._read, self.inputs.looked
+            report, self._library, search_path, parse, self._read, self.inputs.looked
         )
 
     def open_file(self, path: Path) -> Module | None:
@@ -118,7 +120,7 @@ class Frontend:
         reached: set[Symbol],
     ) -> None:
         """Check what has not been reached, if possible with the rigs and passes in ``drawn``."""
-        prelude = self._loader.prelude()
+        prelude = self._library.prelude
         materials = [m for abstract in (False, True) for m in _materials_of(module, abstract)]
         rigs = [*(rig for rig, _ in drawn), *self._rigs_of(module)]
         lights = [*rigs, *records_of(module, "light", abstract=False), *_rigs(prelude)]
@@ -165,7 +167,7 @@ class Frontend:
 
     def _rigs_of(self, module: Module) -> list[Symbol]:
         """A file's own rigs, or the library's where it has none."""
-        return _rigs(module) or _rigs(self._loader.prelude())
+        return _rigs(module) or _rigs(self._library.prelude)
 
     def _pass(self, module: Module, wanted: str | None) -> Symbol | None:
         if wanted is None:
@@ -183,7 +185,7 @@ class Frontend:
 
     def _forward(self) -> Symbol:
         """The library's pass, which draws unless another is named."""
-        (forward,) = records_of(self._loader.prelude(), "pass", abstract=False)
+        (forward,) = records_of(self._library.prelude, "pass", abstract=False)
         return forward
 
     def _unknown(self, kind: str, name: str, known: list[str]) -> None:

@@ -1,7 +1,7 @@
-"""What a compile has read, and where it has looked for files in vain.
+"""Records what a compile has read, and where it has looked for files in vain.
 
-The frontend fills this while it reads. As long as all of it is still so, compiling the same file
-with the same options gives the same result: ``commands/results.py`` builds on that.
+The front end fills this record while it reads. As long as all of it is unchanged, compiling the
+same file with the same options gives the same result, which ``commands/results.py`` relies on.
 """
 
 from __future__ import annotations

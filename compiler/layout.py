@@ -1,13 +1,14 @@
-"""Uniform blocks: which parameters share a block, and where each of them lies in it.
+"""Lays out uniform blocks: which parameters share a block, and where each of them lies in it.
 
 The pass pipeline calls ``layout_blocks`` once for each shader. The group of a parameter decides in
-which block it lies, and the order of the declarations decides the order in the block. How a single
-value is stored is said in ``ir/storage.py``.
+which block it lies, and the order of the declarations decides the order in the block.
+``ir/storage.py`` defines how a single value is stored.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from .ir.leaves import Parameter
@@ -43,7 +44,8 @@ def layout_blocks(
             held = [p for p in own if p.group == group and p.derived == derived]
             if held:
                 name = block_name(group, derived, taken)
-                blocks.append(_block(name, group, derived, held, docs or {}))
+                told = tuple([docs.get(p.name, "") for p in held] if docs else [""] * len(held))
+                blocks.append(_block(name, group, derived, tuple(held), told))
     return tuple(blocks)
 
 
@@ -92,9 +94,15 @@ def block_name(group: str, derived: bool, taken: frozenset[str] = frozenset()) -
     return name
 
 
+@lru_cache(maxsize=256)
 def _block(
-    name: str, group: str, derived: bool, parameters: list[Parameter], docs: Mapping[str, str]
+    name: str,
+    group: str,
+    derived: bool,
+    parameters: tuple[Parameter, ...],
+    docs: tuple[str, ...],
 ) -> Block:
+    """The block of these parameters: kept, as most shaders share the groups of the library."""
     rows = [(suggested_name(p), stored_type(p.type)) for p in parameters]
     placed = place(rows, f"{name.lower()}_pad", gaps=True)
     size = rounded_to_row(placed[-1].offset + byte_size(placed[-1].type))
@@ -102,11 +110,10 @@ def _block(
     # written.
     while placed[-1].padding:
         placed = placed[:-1]
-    remaining = iter(parameters)
+    remaining = iter(zip(parameters, docs, strict=True))
     members = []
     for row in placed:
-        parameter = None if row.padding else next(remaining)
-        doc = docs.get(parameter.name, "") if parameter else ""
+        parameter, doc = (None, "") if row.padding else next(remaining)
         own = byte_size(row.type)
         members.append(StoredMember(row.name, row.type, row.offset, own, parameter, doc))
     return Block(

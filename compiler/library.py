@@ -1,8 +1,7 @@
-"""Reads the standard library; its syntax trees are kept in the user's cache, keyed by their
-content.
+"""Reads the standard library, and keeps its syntax trees in the user's cache, keyed by content.
 
-The front end calls ``parse_library`` for files that are imported from ``std``. Semantics asks for
-``conversions``, and the passes that expand builtins ask for ``expansions``.
+The front end asks for ``standard_library``, the files that are imported from ``std``. Semantics
+asks for ``conversions``, and the passes that expand builtins ask for ``expansions``.
 """
 
 from __future__ import annotations
@@ -18,7 +17,9 @@ from .cache import cached
 from .diagnostics.diagnostic import Diagnostic, Report
 from .diagnostics.source import Source
 from .semantics.names.modules import Module, Symbol
+from .semantics.names.standard_library import StandardLibrary
 from .syntax import ast
+from .syntax.load import load_source
 from .syntax.parser import parse
 
 FOLDER = Path(__file__).parent.parent / "stdlib"
@@ -46,6 +47,19 @@ def once(make: Callable[[], T]) -> Callable[[], T]:
             return kept()
 
     return made
+
+
+_kept: dict[Path, StandardLibrary] = {}
+"""The libraries in use by their folders: one, but in tests."""
+
+
+def standard_library(folder: Path) -> StandardLibrary:
+    """The library in a folder, linked; the same for all compiles, as long as no file changes."""
+    with _MAKING:
+        library = _kept.get(folder)
+        if library is None or not library.is_current():
+            library = _kept[folder] = StandardLibrary(folder, parse_library, load_source)
+        return library
 
 
 def parse_library(source: Source, report: Report) -> ast.File:

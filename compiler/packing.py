@@ -1,4 +1,4 @@
-"""How a host writes a value into the bytes that ``layout`` assigned to it.
+"""Describes how a host writes a value into the bytes that ``layout`` assigned to it.
 
 The reflection contains a ``Packing`` for each parameter, and the runtime follows it. A writer only
 needs arithmetic on offsets: element ``i`` of an array is ``i * stride`` bytes after element 0,

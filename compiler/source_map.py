@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from functools import cached_property
 
 from .diagnostics.source import Span
@@ -14,15 +14,45 @@ from .ir.shader import Notes, Shader
 
 
 def located(
-    shader: Shader, origins: Mapping[int, Node], notes: Notes | None = None
-) -> dict[int, Span]:
+    shader: Shader, origins: Callable[[], Mapping[int, Node]], notes: Notes | None = None
+) -> SourceMap:
     """The place of the value that each emitted line computes, by line number.
 
-    ``notes`` are those of the nodes, if they are not the shader's.
+    ``origins`` finds these values. ``notes`` are those of the nodes, if they are not the shader's.
     """
-    places = _Places(shader, notes or shader.notes)
-    found = ((line, places.of(node)) for line, node in origins.items())
-    return {line: span for line, span in found if span is not None}
+
+    def spans() -> dict[int, Span]:
+        places = _Places(shader, notes or shader.notes)
+        found = ((line, places.of(node)) for line, node in origins().items())
+        return {line: span for line, span in found if span is not None}
+
+    return SourceMap(spans)
+
+
+class SourceMap(Mapping[int, Span]):
+    """Places by line numbers, which are found when somebody first looks into it.
+
+    Most texts are only written, so nobody needs to know where their lines come from.
+    """
+
+    def __init__(self, find: Callable[[], dict[int, Span]]) -> None:
+        self._find = find
+
+    @cached_property
+    def _spans(self) -> dict[int, Span]:
+        return self._find()
+
+    def __getitem__(self, line: int) -> Span:
+        return self._spans[line]
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._spans)
+
+    def __len__(self) -> int:
+        return len(self._spans)
+
+    def __repr__(self) -> str:
+        return repr(self._spans)
 
 
 class _Places:

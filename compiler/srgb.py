@@ -1,4 +1,4 @@
-"""Colours as they are written, in sRGB, and as they are computed with, in linear light."""
+"""Converts colours from sRGB, as people write them, to linear light for computing."""
 
 from __future__ import annotations
 

@@ -1,11 +1,10 @@
 """Recursion without the call stack, for what follows the structure of a graph or a program.
 
 Programs nest as deep as their authors like: branches within branches (``passes/schedule.py``),
-arrays of structures of arrays (``passes/replace_aggregates.py``), bodies that apply bodies
-(``reference/evaluate.py``, and the runtime's ``derived.py``). There ``yield sub()`` stands for a
-recursive call, and ``run`` keeps the pending ones on a list, whose length nothing limits. What can
-be answered without a further call need not be a generator: ``yield answer`` is as good, and
-cheaper. Semantics does without: its values ask for each other by name (``state/evaluation.py``).
+arrays of structures of arrays (``passes/replace_aggregates.py``). There ``yield sub()`` stands for
+a recursive call, and ``run`` keeps the pending ones on a list, whose length nothing limits. What
+can be answered without a further call need not be a generator: ``yield answer`` is as good, and
+cheaper.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The targets there are: every folder beside this file that has a ``target.py``."""
+"""Finds the languages: every folder beside this file that has a ``language.py``."""
 
 from __future__ import annotations
 
@@ -8,31 +8,38 @@ from pathlib import Path
 
 from . import __name__ as package
 from . import __path__ as folders
-from .emit.description import Profile, Target
+from .description.profile import Profile
+from .description.shading_language import Language
 
 
 def names() -> tuple[str, ...]:
-    """The names of all targets, sorted; none of them is imported for this."""
-    rows = (row for folder in folders for row in Path(folder).glob("*/target.py"))
+    """The names of all languages, sorted; none of them is imported for this."""
+    return _names_in(tuple(folders))
+
+
+@cache
+def _names_in(places: tuple[str, ...]) -> tuple[str, ...]:
+    """The folders are read once: to look for files takes longer than a whole pass."""
+    rows = (row for place in places for row in Path(place).glob("*/language.py"))
     return tuple(sorted(row.parent.name for row in rows))
 
 
 def defaults() -> tuple[str, ...]:
-    """The names of those that a material is compiled for when no target is named."""
+    """The names of those that a material is compiled for when no language is named."""
     return tuple(name for name in names() if not load(name).unproven)
 
 
 @cache
-def load(name: str) -> Target:
-    """The target called ``name``; ``KeyError`` if there is none."""
+def load(name: str) -> Language:
+    """The language called ``name``; ``KeyError`` if there is none."""
     if name not in names():
         raise KeyError(name)
-    target: Target = import_module(f"{package}.{name}.target").TARGET
-    return target
+    language: Language = import_module(f"{package}.{name}.language").LANGUAGE
+    return language
 
 
-def select(text: str) -> tuple[Target, Profile]:
-    """The target and profile that a user means by ``glsl`` or ``glsl:gl330``; or ``KeyError``."""
+def select(text: str) -> tuple[Language, Profile]:
+    """The language and profile that a user means by ``glsl`` or ``glsl:gl330``; or ``KeyError``."""
     name, _, profile = text.partition(":")
-    target = load(name)
-    return target, target.profile(profile)
+    language = load(name)
+    return language, language.profile(profile)

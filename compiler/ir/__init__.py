@@ -1,1 +1,1 @@
-"""The graph: types, hash-consed nodes, the builtin rows they call, and the verifier."""
+"""The graph: its types, nodes and operations, and the analyses that several phases share."""

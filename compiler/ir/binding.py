@@ -1,7 +1,8 @@
-"""Opening and closing binders (the locally nameless representation).
+"""Opens and closes binders (the locally nameless representation).
 
-While a body is being built or optimised its variables are ``formal`` leaves, each its own object.
-At rest they are ``bound`` leaves with de Bruijn indices, so that equal bodies are one node.
+While a body is built or optimised, its variables are ``formal`` leaves, each an object of its own.
+When it is finished, they are ``bound`` leaves with de Bruijn indices, so that equal bodies are one
+node. Semantics closes the bodies that it builds, and the pass ``open_binders`` opens them again.
 
 Source: Charguéraud, *The Locally Nameless Representation*, 2012.
 """

@@ -1,4 +1,4 @@
-"""Short spellings for making nodes; types of results are derived here and nowhere else."""
+"""Functions that make the most common nodes, and derive the types of these."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""Over which domain each value varies: what the draw has once, an instance, a vertex, a fragment.
+"""Derives over which domain each value varies: a draw, an instance, a vertex, a fragment.
 
-Semantics asks this to know what has to cross between stages, and the verifier to make sure that no
-operation mixes values of two stages. A node's domain follows from its operands', so it is worked
-out once for each node.
+Semantics asks for it in order to know what has to cross between stages, and the verifier in order
+to make sure that no operation mixes values of two stages. A node's domain follows from those of its
+operands, so it is derived once for each node.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""What holds of a loop's states in every turn, from where they start and what a turn makes of them.
+"""Derives what holds for a loop's states in every iteration, for range analysis.
 
-Turn by turn, each state's fact takes in what the turn yields, until nothing new comes. Where that
-takes long, bounds that still move are given up (widening: Cousot and Cousot, *Abstract
-interpretation*, 1977).
+``ranges.py`` calls ``invariants``. It begins with the facts of the initial states, and extends each
+by the fact of the state's next value, until nothing changes. If this takes long, bounds that still
+move are given up (widening: Cousot and Cousot, *Abstract interpretation*, 1977).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Leaves of the graph: what comes from outside a shader."""
+"""The data of leaves, which are the values that come from outside a shader."""
 
 from __future__ import annotations
 

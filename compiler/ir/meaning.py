@@ -1,6 +1,6 @@
-"""What a value means beyond the numbers that it is made of.
+"""Meanings: what a value stands for beyond its numbers, such as a colour or a point in world space.
 
-A meaning costs nothing at run time: semantics checks it, and leaves no trace of it in the graph.
+Semantics checks meanings and then forgets them: they cost nothing at run time, and no node has one.
 """
 
 from __future__ import annotations

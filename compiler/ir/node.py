@@ -1,9 +1,9 @@
-"""The graph's one node type, and the interning that makes equal expressions one node.
+"""The one node type of the graph, and the interning that makes equal expressions one node.
 
-Nodes are pure values. A node is made by a ``Graph``, which returns the existing node where an
-equal one is there already (hash-consing), so identity is equality. Ids grow in creation order and
-operands always exist before their users, so sorting by id is a topological order; nothing here or
-in the passes recurses over the graph.
+Nodes are pure values. Only a ``Graph`` makes them, and it returns an existing node if there is an
+equal one (hash-consing), so identity is equality. Ids grow in the order of creation, and operands
+exist before their users, so the order of ids is a topological order. Nothing here or in the passes
+recurses over the graph.
 """
 
 from __future__ import annotations
@@ -293,8 +293,37 @@ def bare(node: Node) -> Node:
     return node
 
 
+class Roots(tuple[Node, ...]):
+    """The values that passes start from, with facts of all nodes that these need.
+
+    A fact is worked out when it is first asked for. A pass that changes nothing returns the roots
+    that it was given, so that the next one finds the same facts.
+    """
+
+    _nodes: list[Node] | None = None
+    _ops: frozenset[Op] | None = None
+
+    @property
+    def nodes(self) -> list[Node]:
+        """All nodes that are needed, operands before users; nobody may change this list."""
+        if self._nodes is None:
+            self._nodes = _reachable(self)
+        return self._nodes
+
+    @property
+    def ops(self) -> frozenset[Op]:
+        """The operations of these nodes: a pass that is about others has nothing to do."""
+        if self._ops is None:
+            self._ops = frozenset([node.op for node in self.nodes])
+        return self._ops
+
+
 def reachable(roots: Iterable[Node]) -> list[Node]:
     """All nodes that ``roots`` need, operands before users."""
+    return roots.nodes if isinstance(roots, Roots) else _reachable(roots)
+
+
+def _reachable(roots: Iterable[Node]) -> list[Node]:
     seen = set(roots)
     found = list(seen)
     for node in found:  # It grows on the way.

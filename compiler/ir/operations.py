@@ -146,7 +146,7 @@ FORMAL = Operation("formal", "variable", Formal, result_types.own, rate="varying
 
 def _is_by_profile(call: Node) -> bool:
     """Whether a call is one about which profiles decide, after the passes."""
-    row = BUILTINS.get(str(call.data))
+    row = BUILTINS.get(CALL.data(call))
     return row is not None and row.by_profile is not nowhere
 
 

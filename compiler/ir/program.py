@@ -1,8 +1,9 @@
-"""What the compiler hands to a backend: staged, laid out and scheduled, in no language yet.
+"""The types of programs: what the passes hand to ``legalise`` and ``emit``, in no language yet.
 
-A backend prints a ``Program``. It prints a node that some statement binds as that statement's name
-and every other node in place; it decides nothing about order, sharing, stages or offsets.
-All names here are suggestions in the user's spelling; a backend's ``Namer`` makes them legal.
+A program is staged, laid out and scheduled. A backend prints it and decides nothing about order,
+sharing, stages or offsets: a node that a statement binds is printed as that statement's name, every
+other node in place. All names here are suggestions in the user's spelling; a backend's ``Namer``
+turns them into legal ones.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from .leaves import HostPlace, Parameter, Resource
 from .node import FoldOperator, Formal, Node
-from .operations import NATIVE
+from .operations import NATIVE, builtin_of
 from .stages import VERTICES, Domain, InterpolationMode, StageRow
 from .types import Struct, Type
 
@@ -215,8 +216,9 @@ def texture_reads(nodes: Iterable[Node]) -> tuple[TextureRead, ...]:
     """Each way in which ``nodes`` read a texture, once."""
     found: dict[tuple[str, Resource], TextureRead] = {}
     for node in nodes:
-        if node.operands and isinstance(resource := node.operands[0].data, Resource):
-            read = TextureRead(str(node.data), resource, node.id)
+        builtin = builtin_of(node)
+        if builtin and isinstance(resource := node.operands[0].data, Resource):
+            read = TextureRead(builtin, resource, node.id)
             found.setdefault((read.builtin, resource), read)
     return tuple(found.values())
 

@@ -1,35 +1,26 @@
-"""Range analysis: what is known of every value, from declared ranges and the builtins' rules.
+"""Range analysis: derives facts about every value from declared ranges and the builtins' rules.
 
-Every rule has a name (``rulebook.py``). Facts are kept, but not how they came about: ``proofs.py``
-asks again for the few that a person wants to have explained.
+Semantics, most passes and ``legalise`` ask a ``Ranges`` for the fact of a node. The rules are in
+``range_rules.py``. The analysis keeps facts, but not how it found them: ``proofs.py`` derives that
+again for the few facts that a person wants to have explained.
 """
 
 from __future__ import annotations
 
 from collections import ChainMap
-from collections.abc import Callable, Iterable, Mapping, MutableMapping, Sequence
+from collections.abc import Iterable, Mapping, MutableMapping, Sequence
+from functools import lru_cache
 
-from ...frozen import frozen
-from ...stdlib.builtins import BUILTINS
-from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact, Kind
-from ...stdlib.builtins.intervals import outward
+from ...stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from . import rulebook
 from .invariants import invariants, parts_of
-from .leaves import Parameter
-from .node import Formal, Node, formals_of, reachable
-from .operations import (
-    ASCRIBE,
-    CALL,
-    CONSTANT,
-    CROSS,
-    FOLD,
-    FORMAL,
-    ITERATE,
-    MEMBER,
-    PARAMETER,
-)
-from .refinements import refinements
-from .types import Array, Matrix, Struct, scalar_kind
+from .node import Formal, Node, Op, formals_of, reachable
+from .operations import FOLD, FORMAL, ITERATE, MEMBER
+from .range_rules import FOLD_INDEX, IN_TURN, RULES, RangeRule
+from .types import Array, Matrix, Struct, Type, scalar_kind
+
+_NEEDING: frozenset[Op] = frozenset({"formal", "member"})
+"""Operations whose facts are derived from those of other values than their operands."""
 
 
 class Ranges:
@@ -91,7 +82,7 @@ class Ranges:
             if top in facts:
                 pending.pop()
                 continue
-            needs = self.needs(top)
+            needs = top.operands if top.op not in _NEEDING else self.needs(top)
             # What a function gets may have been computed by the same function, before a loop and
             # in its turns: of a value that needs itself nothing is known on the way round.
             for need in needs:
@@ -106,7 +97,7 @@ class Ranges:
     def so_far(self, node: Node) -> Fact:
         """What is known of a value while another is derived that needs it, maybe in a circle."""
         known = self._facts.get(node)
-        return UNKNOWN.as_kind(_kind(node)) if known is None else known
+        return UNKNOWN.as_kind(_kind(node.type)) if known is None else known
 
     def assuming(self, facts: Mapping[Node, Fact]) -> Ranges:
         """The same knowledge with more taken for granted; what follows from that is not kept."""
@@ -139,11 +130,11 @@ class Ranges:
 
     def derived(self, node: Node, known: Sequence[Fact]) -> Fact:
         """What follows for ``node`` when so much is known of what it needs."""
-        rule = self._rule(node)
+        rule = self._rule(node) if node.op == "formal" else RULES.get(node.op)
         fact = UNKNOWN
         if rule is not None and not (self.without and rule.name(node) in self.without):
             fact = rule.derive(self, node, known)
-        return fact.as_kind(_kind(node))
+        return fact.as_kind(_kind(node.type))
 
     def assume(self, node: Node, fact: Fact) -> None:
         """Add what is known of a node's value otherwise than through its operands."""
@@ -158,14 +149,14 @@ class Ranges:
             return rulebook.OWN_CONDITION
         return None if rule is None else rule.name(node)
 
-    def _rule(self, node: Node) -> _Rule | None:
+    def _rule(self, node: Node) -> RangeRule | None:
         if node.op == "formal":
             formal = FORMAL.data(node)
             if formal in self._indices:
-                return _FOLD_INDEX
+                return FOLD_INDEX
             if formal in self._states:
-                return None if self._assuming else _IN_TURN
-        return _RULES.get(node.op)
+                return None if self._assuming else IN_TURN
+        return RULES.get(node.op)
 
     def in_turns(self, state: Formal, starts: Sequence[Fact]) -> Fact:
         """What holds of a loop's state in every turn, if the states start with so much."""
@@ -193,164 +184,11 @@ class Ranges:
         return self._indices[index]
 
 
-@frozen
-class _Rule:
-    """How the fact of an operation follows from those of what it needs."""
-
-    name: Callable[[Node], str]
-    derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]
-
-
-def _kind(node: Node) -> Kind:
-    type_ = node.type
+@lru_cache(maxsize=1024)
+def _kind(type_: Type) -> Kind:
     while isinstance(type_, Array):
         type_ = type_.element
     return "matrix" if isinstance(type_, Matrix) else scalar_kind(type_) or "float"
-
-
-def _union(facts: Sequence[Fact]) -> Fact:
-    if not facts:
-        return UNKNOWN
-    result = facts[0]
-    for fact in facts[1:]:
-        result = result.union(fact)
-    return result
-
-
-def _constant(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
-    if isinstance(node.type, Matrix):
-        return UNKNOWN
-    data = CONSTANT.data(node)
-    lanes = data if isinstance(data, tuple) else (data,)
-    numbers = [float(lane) for lane in lanes if not isinstance(lane, tuple)]
-    return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= 2.0**-126 for n in numbers))
-
-
-def _parameter(_ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
-    return PARAMETER.data(node).fact
-
-
-def _contract(node: Node) -> str:
-    return rulebook.UNIT if PARAMETER.data(node).fact.unit else rulebook.DECLARED
-
-
-def _call(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    same = len(node.operands) > 1 and len({operand.id for operand in node.operands}) == 1
-    same = same and rulebook.SAME not in ranges.without
-    return BUILTINS[CALL.data(node)].range(tuple(known), same)
-
-
-def _joined(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
-    """A vector is as long as its longest part, at least."""
-    joined = _union(known)
-    longest = max(max(part.length, part.least) for part in known)
-    return Fact(joined.lo, joined.hi, joined.excludes_zero, length=longest, kind=joined.kind)
-
-
-def _elements(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
-    """What holds of each element."""
-    return _union(known)
-
-
-def _filled(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
-    (lane,) = known
-    return Fact(lane.lo, lane.hi, lane.nonzero, length=lane.least, kind=lane.kind)
-
-
-def _lanes(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
-    (whole,) = known
-    return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
-
-
-def _index(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    whole = known[0]
-    if isinstance(node.operands[0].type, Matrix):
-        return UNKNOWN
-    if isinstance(node.operands[0].type, Array):
-        return whole
-    return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
-
-
-def _member(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    """A member of a light of many, whose parameter carries a fact for each, or a loop's state."""
-    source = node.operands[0]
-    if source.op == "iterate":
-        return _union(known)
-    while source.op in ("index", "as"):
-        source = source.operands[0]
-    if isinstance(source.data, Parameter) and isinstance(node.operands[0].type, Struct):
-        return dict(source.data.member_facts).get(MEMBER.data(node), UNKNOWN)
-    return UNKNOWN
-
-
-def _member_name(node: Node) -> str:
-    return rulebook.STATE if node.operands[0].op == "iterate" else rulebook.MEMBER
-
-
-def _ascribed(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    """Only what has unit length is ever called a direction."""
-    meaning = ASCRIBE.data(node)
-    contract = meaning is not None and meaning.kind == "direction"
-    return known[0].meet(UNIT) if contract else known[0]
-
-
-def _select(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    """One of the sides, of which its own condition may tell something.
-
-    ``if x < 0.01 then 0.01 else x`` is at least 0.01.
-    """
-    condition, then, otherwise = node.operands
-    sides = [known[1], known[2]]
-    if rulebook.OWN_CONDITION not in ranges.without:
-        for i, (side, holds) in enumerate(((then, True), (otherwise, False))):
-            if side.op != "constant":
-                for told in refinements(ranges.so_far, condition, holds, ranges.without):
-                    if told.about is side:
-                        sides[i] = sides[i].meet(told.fact)
-    return sides[0].union(sides[1])
-
-
-def _cross(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    """A mean of three vertices' values stays between them, but is no longer of unit length.
-
-    Rounding may take it a little past either end.
-    """
-    (at_vertex,) = known
-    if CROSS.data(node).mode == "flat":
-        return at_vertex
-    slack = 1e-5 * max(abs(at_vertex.lo), abs(at_vertex.hi))
-    if slack == float("inf"):
-        return Fact(0.0) if at_vertex.lo >= 0 else UNKNOWN
-    return Fact(at_vertex.lo - slack if at_vertex.lo else 0.0, at_vertex.hi + slack)
-
-
-def _fold(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    data = FOLD.data(node)
-    _count, start, body = known
-    if data.operator == "min":
-        return Fact(min(start.lo, body.lo), start.hi)
-    if data.operator == "max":
-        return Fact(start.lo, max(start.hi, body.hi))
-    if data.operator in ("and", "or"):
-        return UNKNOWN
-    if data.operator == "add":
-        lo = start.lo + min(0.0, body.lo * data.bound) if data.bound else start.lo
-        hi = start.hi + max(0.0, body.hi * data.bound) if data.bound else start.hi
-        # Each turn rounds once more.
-        return outward(lo, hi, float(data.bound))
-    return Fact(0.0) if start.lo >= 0 and body.lo >= 0 else UNKNOWN
-
-
-def _fold_name(node: Node) -> str:
-    return _FOLDS.get(FOLD.data(node).operator, rulebook.EXTREME)
-
-
-_FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
-
-
-def _iterate(_ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    """A state is what it was at the start, or what a turn has made of it."""
-    return known[1].union(known[-1]) if ITERATE.data(node).states == 1 else UNKNOWN
 
 
 def _start_and_next(loop: Node, name: str) -> tuple[Node, Node]:
@@ -358,48 +196,3 @@ def _start_and_next(loop: Node, name: str) -> tuple[Node, Node]:
     assert isinstance(loop.type, Struct)
     position = [member for member, _ in loop.type.members].index(name)
     return loop.operands[1 + position], loop.operands[position - ITERATE.data(loop).states]
-
-
-def _in_turn(ranges: Ranges, node: Node, known: Sequence[Fact]) -> Fact:
-    return ranges.in_turns(FORMAL.data(node), known)
-
-
-def _fold_index(ranges: Ranges, node: Node, _known: Sequence[Fact]) -> Fact:
-    return Fact(0.0, float(max(ranges.bound_of(FORMAL.data(node)) - 1, 0)))
-
-
-def _any_argument(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
-    return _union(known)
-
-
-def _apply(_ranges: Ranges, _node: Node, known: Sequence[Fact]) -> Fact:
-    return known[0]
-
-
-def _named(name: str, derive: Callable[[Ranges, Node, Sequence[Fact]], Fact]) -> _Rule:
-    return _Rule(lambda _node: name, derive)
-
-
-_FOLD_INDEX = _named(rulebook.INDEX, _fold_index)
-_IN_TURN = _named(rulebook.IN_TURN, _in_turn)
-_BUILTIN = _Rule(CALL.data, _call)
-_RULES: Mapping[str, _Rule] = {
-    "constant": _named(rulebook.CONSTANT, _constant),
-    "parameter": _Rule(_contract, _parameter),
-    "as": _named(rulebook.UNIT, _ascribed),
-    "call": _BUILTIN,
-    "native": _BUILTIN,
-    "vector": _named(rulebook.JOINED, _joined),
-    "splat": _named(rulebook.FILLED, _filled),
-    "swizzle": _named(rulebook.PICKED, _lanes),
-    "index": _named(rulebook.ELEMENT, _index),
-    "member": _Rule(_member_name, _member),
-    "select": _named(rulebook.EITHER, _select),
-    "cross": _named(rulebook.INTERPOLATED, _cross),
-    "fold": _Rule(_fold_name, _fold),
-    "iterate": _named(rulebook.STATE, _iterate),
-    "array": _named(rulebook.ELEMENTS, _elements),
-    "formal": _named(rulebook.ARGUMENT, _any_argument),
-    "apply": _named(rulebook.BODY, _apply),
-    "called": _named(rulebook.BODY, _apply),
-}

@@ -1,4 +1,4 @@
-"""Refinement: what a condition that holds (or does not) says about the values it compares."""
+"""Refinement: what follows about two values from a comparison that holds, or does not."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""What type each operation's value has: the ``result`` column of the table of operations.
+"""The rules that derive the type of each operation's value: a column of ``operations.py``.
 
-A rule derives the type from operands and data; the verifier has made sure of their number and class
-before. It gives ``None`` where they do not fit.
+The verifier calls them after it has checked the number of operands and the class of the data. A
+rule returns ``None`` if the types of the operands do not fit.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""The one way a pass rebuilds a graph: bottom-up, once per node, without recursion."""
+"""Rebuilds a graph from the bottom up, each node once, without recursion; most passes call this."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable
 
 from .binding import Moved
-from .node import Graph, Node, reachable
+from .node import Graph, Node, Roots
 
 Rule = Callable[[Graph, Node, tuple[Node, ...]], Node | None]
 """``(graph, node, new_operands) -> replacement``; ``None`` keeps the operation as it is."""
@@ -18,20 +18,23 @@ def rewrite(
     moved: Moved | None = None,
     ops: Container[str] | None = None,
     nodes: Iterable[Node] | None = None,
-) -> list[Node]:
+) -> Roots:
     """The roots, rebuilt with ``rule`` applied to every node they need, operands before users.
 
-    A rule that has something to say of some operations only names them: ``ops``. ``nodes`` are all
-    that the roots need (``reachable``), where a pass has looked at them already.
+    A rule that has something to say of some operations only names them: ``ops``. Where a caller
+    knows that all other nodes stay as they are, it names ``nodes``, operands before users. If
+    nothing changes, these are the roots that were given.
 
     Bodies of folds and applies are ordinary operands here. A replacement therefore stands under
     the same binders as what it replaces and may use the same ``bound`` variables, no others.
     """
-    wanted = list(roots)
+    wanted = roots if isinstance(roots, Roots) else Roots(roots)
+    if ops is not None and nodes is None and not any(op in ops for op in wanted.ops):
+        return wanted
     new: dict[Node, Node] = {}
     """What became of the nodes that changed."""
     changed = new.keys()
-    for node in reachable(wanted) if nodes is None else nodes:
+    for node in wanted.nodes if nodes is None else nodes:
         operands = node.operands
         if not changed.isdisjoint(operands):
             operands = tuple(map(new.get, operands, operands))
@@ -44,4 +47,4 @@ def rewrite(
             new[node] = replacement
             if moved is not None:
                 moved(node, replacement)
-    return [new.get(root, root) for root in wanted]
+    return wanted if changed.isdisjoint(wanted) else Roots(map(new.get, wanted, wanted))

@@ -1,7 +1,7 @@
-"""The rules of range analysis by name: what a proof cites, and what tests switch off one by one.
+"""The names of the rules of range analysis, by which proofs cite them and tests switch them off.
 
-A builtin's own rule, the ``range`` column of its row, goes by the builtin's name. All others are
-listed here, with what a proof says of them.
+The rule of a builtin (the ``range`` column of its row) has the builtin's name. All other rules are
+listed here, with the words that a proof uses for them.
 """
 
 from __future__ import annotations

@@ -1,15 +1,18 @@
-"""What semantics leaves behind: the meaning of material × pass × rig as one graph."""
+"""The types of shaders: a material, a pass and a rig put together as one graph.
+
+Semantics makes a ``Shader``; the passes, the reference and the reflection read it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
-from ...frozen import frozen
+from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .leaves import Attribute, HostPlace, Parameter, Resource
-from .node import Graph, Node
+from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
 
 ConstantValue = float | int | bool | tuple["ConstantValue", ...]
@@ -108,33 +111,33 @@ class Result:
     """For a result of the kind ``TARGET``."""
 
 
-@dataclass(slots=True)
+@record
 class Notes:
     """What people want to know about nodes and the graph itself does not say.
 
     A side table, so that sharing a node never loses or confuses what was written. Keys are ids.
     """
 
-    names: dict[int, str] = field(default_factory=dict)
-    spans: dict[int, Span] = field(default_factory=dict)
-    docs: dict[int, str] = field(default_factory=dict)
-    functions: dict[int, str] = field(default_factory=dict)
+    names: dict[int, str] = fresh(factory=dict)
+    spans: dict[int, Span] = fresh(factory=dict)
+    docs: dict[int, str] = fresh(factory=dict)
+    functions: dict[int, str] = fresh(factory=dict)
     """Names for the bodies of ``apply`` nodes."""
-    terms: dict[int, str] = field(default_factory=dict)
+    terms: dict[int, str] = fresh(factory=dict)
     """Those of them that are bodies of terms, once for all lights: sums of these may be fused."""
-    arguments: dict[int, tuple[str, ...]] = field(default_factory=dict)
+    arguments: dict[int, tuple[str, ...]] = fresh(factory=dict)
     """Names for the variables of the bodies of ``apply`` nodes, in order."""
-    variables: dict[int, tuple[str, ...]] = field(default_factory=dict)
+    variables: dict[int, tuple[str, ...]] = fresh(factory=dict)
     """Names for the variables of loops, in order."""
-    roles: dict[int, str] = field(default_factory=dict)
+    roles: dict[int, str] = fresh(factory=dict)
     """What a value without a name is to the named one that it is a part of."""
-    wholes: dict[int, str] = field(default_factory=dict)
+    wholes: dict[int, str] = fresh(factory=dict)
     """What the parts of a value are called after, where that is not its name."""
-    _tables: tuple[dict[int, Any], ...] = field(init=False, repr=False)
-    """All of these, in the order of their declaration."""
 
-    def __post_init__(self) -> None:
-        self._tables = (
+    @cached_property
+    def _tables(self) -> tuple[dict[int, Any], ...]:
+        """All of these, in the order of their declaration."""
+        return (
             self.names, self.spans, self.docs, self.functions, self.terms, self.arguments,
             self.variables, self.roles, self.wholes,
         )  # fmt: skip
@@ -164,7 +167,7 @@ class Notes:
                 table.setdefault(new.id, table[id_])
 
 
-@dataclass(slots=True)
+@record
 class Shader:
     """One material under one pass and one rig, before any optimisation."""
 
@@ -190,9 +193,9 @@ class Shader:
     """The stages that it may need, in pipeline order."""
 
     @property
-    def roots(self) -> list[Node]:
+    def roots(self) -> Roots:
         """The values of all results: what passes and walks over the graph start from."""
-        return [result.value for result in self.results]
+        return Roots([result.value for result in self.results])
 
     def results_of(self, kind: str) -> tuple[Result, ...]:
         """The results of one kind, in order."""

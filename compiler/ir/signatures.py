@@ -1,7 +1,8 @@
-"""What the signatures of builtins say: which types go in, which one comes out.
+"""Matches operands with the signatures of builtins, and derives the type of the result.
 
-Letters of a signature stand for the same type wherever they occur; ``stdlib/builtins/row.py`` lists
-them. Here types match or they do not; that constants adapt is the business of ``semantics``.
+Semantics asks when it resolves overloads, and the verifier checks calls in this way. A letter in a
+signature stands for the same type wherever it occurs; ``stdlib/builtins/row.py`` lists the letters.
+Here types match exactly or not at all; ``semantics`` converts constants before it asks.
 """
 
 from __future__ import annotations

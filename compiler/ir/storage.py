@@ -1,7 +1,7 @@
-"""How values lie in uniform blocks, byte by byte, in a way on which std140, D3D and WGSL agree.
+"""Defines how values are stored in uniform blocks, so that std140, D3D and WGSL agree.
 
 ``compiler/layout.py`` asks for it when it lays out a shader's blocks, ``lower_reads`` when it reads
-from them, and the reflection when it tells hosts of them. The three rule sets differ as soon as
+from them, and the reflection when it describes them to hosts. The three rule sets differ wherever
 they have a choice, so the text leaves them none:
 
 - a gap that some rule set would not leave is filled with scalar members (D3D would move a ``vec2``

@@ -1,8 +1,8 @@
-"""Representation types: what a value *is* on the machine, without what it means.
+"""Representation types: which numbers a value consists of, without what they mean.
 
-Meaning-carrying types of the language (``rgb``, ``angle``, ``point<world>`` …) cost nothing at run
-time; ``semantics`` maps each onto one of these. All instances are frozen, compare by value and are
-safe as dictionary keys.
+The types of the language that carry meaning (``rgb``, ``angle``, ``point<world>`` …) cost nothing
+at run time; ``semantics`` maps each of them onto one of these types. All are frozen, and equal
+types are one object, because every node's key contains its type.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Sample = Literal["float", "depth", "int", "uint"]
 """What a texture holds: colours, depths to compare with, or whole numbers."""
 
 
-@frozen(key=True)
+@frozen(interned=True)
 class Scalar:
     """One lane."""
 
@@ -28,7 +28,7 @@ class Scalar:
         return self.kind
 
 
-@frozen(key=True)
+@frozen(interned=True)
 class Vector:
     """Two to four lanes of one scalar kind; a column where matrices are concerned."""
 
@@ -40,7 +40,7 @@ class Vector:
         return f"{prefix}vec{self.size}"
 
 
-@frozen(key=True)
+@frozen(interned=True)
 class Matrix:
     """Square float matrix of ``size`` columns, each a ``Vector("float", size)``."""
 
@@ -51,7 +51,7 @@ class Matrix:
         return f"mat{self.size}"
 
 
-@frozen(key=True)
+@frozen(interned=True)
 class TallMatrix:
     """Two or three columns of type ``vec4``: how blocks store a smaller ``Matrix``."""
 
@@ -61,7 +61,7 @@ class TallMatrix:
         return f"mat{self.columns}x4"
 
 
-@frozen(key=True)
+@frozen(interned=True)
 class Array:
     """A fixed number of elements."""
 
@@ -72,7 +72,7 @@ class Array:
         return f"{self.element}[{self.count}]"
 
 
-@frozen(key=True)
+@frozen(interned=True)
 class Struct:
     """Named members in declaration order."""
 
@@ -87,7 +87,7 @@ class Struct:
         return self.name
 
 
-@frozen(key=True)
+@frozen(interned=True)
 class Texture:
     """A texture; dimension and sample type are part of it, since WebGPU layouts need them."""
 

@@ -1,7 +1,7 @@
-"""Checks that a graph is well formed: what every pass may rely on and has to keep.
+"""Checks that a graph is well formed, which every pass may rely on and has to preserve.
 
-What each node has to be like is in the table of operations. The form tightens on the way through
-the compiler (``operations.Form``). In tests every pass's result is verified; elsewhere
+The table of operations says what each node has to be like, and ``operations.Form`` what a graph may
+contain after which pass. The tests verify every graph after every pass; elsewhere
 ``BURNISH_VERIFY=1`` does it.
 """
 

@@ -1,1 +1,1 @@
-"""From the graph that semantics leaves to programs that backends print; see ``pipeline``."""
+"""The passes, which turn the graph of a shader into a program for backends; see ``pipeline``."""

@@ -1,11 +1,15 @@
-"""Where passes hand over to each other: ``BURNISH_VERIFY=1`` has every graph checked on the way."""
+"""Checks every graph between two passes if the variable ``BURNISH_VERIFY`` is 1.
+
+``pipeline.stage`` calls ``passed`` after each pass. The tests always set the variable; users do
+not, because verifying a graph takes as long as a pass.
+"""
 
 from __future__ import annotations
 
 import os
 from typing import TYPE_CHECKING
 
-from ..ir.node import Node
+from ..ir.node import Roots
 
 if TYPE_CHECKING:
     from ..ir.operations import Form
@@ -15,7 +19,7 @@ VARIABLE = "BURNISH_VERIFY"
 """Set to ``1`` in all tests; off for users, since verifying costs as much as a pass."""
 
 
-def passed(name: str, form: Form, roots: list[Node]) -> list[Node]:
+def passed(name: str, form: Form, roots: Roots) -> Roots:
     """``roots`` as pass ``name`` made them, verified where that is wanted."""
     if os.environ.get(VARIABLE) == "1":
         from ..ir.verify import InvalidGraphError, verify

@@ -1,4 +1,8 @@
-"""Derived tables: what the host computes for each element of an array of parameters (``hoist``)."""
+"""Builds derived tables: arrays of what the host computes for each element of another array.
+
+``hoist`` makes a ``Table`` for an array of parameters, such as a list of lights, when a shader
+computes something from one element and other parameters only.
+"""
 
 from __future__ import annotations
 

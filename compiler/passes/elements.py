@@ -1,7 +1,8 @@
-"""Elements of parameters' arrays, at positions that a shader computes: ``lamps[i]`` in a loop.
+"""Recognises elements of parameters' arrays at positions that a shader computes: ``lamps[i]``.
 
-The host does not know which element is meant, but all that there are. So what depends on one
-element, and on parameters only, can be computed by the host for each of them.
+``hoist`` and ``draw_constants`` ask for them. The host does not know which element a shader will
+read, but it knows all elements. So it can compute a value that depends on one element, and on
+parameters only, for each of them.
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
-"""Builds the builtins' expansions into a graph.
+"""Replaces builtins by their expansions, which are graphs of simpler operations.
 
-Some builtins no backend has: they *are* their expansion. Those are written out before guards are
-looked for, so that the conditions in an expansion count for what stands behind them.
+Some builtins exist in no backend: their expansion is all there is. The pass ``expand_builtins``
+replaces these before guards are decided, so that a condition inside an expansion counts for the
+values behind it. ``guard`` expands others by the same class, ``Expanding``, where operands may be
+harmful.
 """
 
 from __future__ import annotations
@@ -10,7 +12,7 @@ from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
 from ..expansion_templates import Template, template
 from ..ir import build
-from ..ir.node import Formal, Formals, Graph, Node, reachable
+from ..ir.node import Formal, Formals, Graph, Node, Roots
 from ..ir.operations import CALL
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
@@ -110,13 +112,11 @@ class Expanding(Simplifier):
         return values[found.result]
 
 
-def expand_builtins(graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges) -> list[Node]:
+def expand_builtins(graph: Graph, roots: Roots, notes: Notes, ranges: Ranges) -> Roots:
     """The roots with every ``call`` that no backend has as its expansion, in calls again."""
-    nodes = reachable(roots)
-    if not any(map(_is_homeless, nodes)):
+    if not any(map(_is_homeless, roots.nodes)):
         return roots
-    rule = _WritingOut(graph, ranges, notes).rule
-    return rewrite(graph, roots, rule, notes.follow, nodes=nodes)
+    return rewrite(graph, roots, _WritingOut(graph, ranges, notes).rule, notes.follow)
 
 
 def _is_homeless(node: Node) -> bool:

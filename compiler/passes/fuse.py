@@ -1,44 +1,44 @@
-"""Fuses sums over the same lights: one loop, and one function a light, for all terms together.
+"""Fuses sums over the same lights into one loop that calls one function for each light.
 
-``Σ f(light) + Σ g(light)`` is ``Σ (f + g)(light)``; so ``matt(…) + shiny(…)`` costs one pass over
-the rig. In the graph: two applies in one sum that share an argument become an apply of the sum of
-their bodies, and two folds of one count become a fold of the sum of theirs. Real addition is
-associative, and the accuracy that a backend owes is worked out on the fused graph.
+``Σ f(light) + Σ g(light)`` equals ``Σ (f + g)(light)``, so ``matt(…) + shiny(…)`` loops over the
+rig only once. In the graph, two applies in one sum that share an argument become an apply of the
+sum of their bodies, and two folds with the same count become a fold of the sum of their bodies.
+This reorders additions, which is allowed: addition of real numbers is associative.
 """
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Hashable, Sequence
 
 from ..ir import build
 from ..ir.binding import substitute
-from ..ir.node import Formal, Formals, Graph, Node, formals_of, reachable
+from ..ir.node import Formal, Formals, Graph, Node, Op, Roots, formals_of
 from ..ir.operations import FOLD
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from .simplify import Simplifier
 
-SUMMED = frozenset({"fold", "apply"})
+SUMMED: frozenset[Op] = frozenset({"fold", "apply"})
 """What a light contributes, or many lights do."""
 
 
-def fuse(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
+def fuse(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
     """The roots with the sums in them fused."""
-    wanted = list(roots)
-    nodes = reachable(wanted)
-    fusing = _Fusing(graph, notes, simplifier, _inner_sums(wanted, nodes))
-    return rewrite(graph, wanted, fusing.rule, notes.follow, ("call",), nodes)
+    if SUMMED.isdisjoint(roots.ops):
+        return roots
+    fusing = _Fusing(graph, notes, simplifier, _inner_sums(roots))
+    return rewrite(graph, roots, fusing.rule, notes.follow, ("call",))
 
 
 def _is_sum(node: Node) -> bool:
     return node.op == "call" and node.data == "add"
 
 
-def _inner_sums(roots: list[Node], nodes: list[Node]) -> set[int]:
+def _inner_sums(roots: Roots) -> set[int]:
     """Sums that are part of one other sum and nothing else: their terms are gathered there."""
     users: dict[int, int] = {root.id: 2 for root in roots}
     inner: set[int] = set()
-    for node in nodes:
+    for node in roots.nodes:
         for operand in node.operands:
             users[operand.id] = users.get(operand.id, 0) + 1
             if _is_sum(node) and _is_sum(operand) and operand.type == node.type:

@@ -1,8 +1,9 @@
-"""From Burnish's meaning to hardware operations.
+"""Replaces calls of builtins by hardware operations, and adds guards where these are not safe.
 
-Where range analysis proves that a builtin's operands lie where all backends agree, the hardware's
-own operation is used; elsewhere the builtin's expansion, whose parts are treated the same way. What
-could not be proven is kept for the reader as a ``Guard``.
+Where range analysis proves that the operands lie where all backends agree (the ``domain`` of the
+builtin's row), the hardware's own operation computes the value. Elsewhere the builtin's expansion
+does, whose parts are treated in the same way. Each guard that had to stay is recorded as a
+``Guard``, which ``burnish graph`` shows to the user.
 """
 
 from __future__ import annotations
@@ -94,7 +95,7 @@ class Guarding(Expanding):
         if node.id in self._branches:
             return self.make("select", node.type, operands, BRANCH)
         if node.op == "call" and BUILTINS[CALL.data(node)].expansion and self._is_safe(node):
-            return self.graph.node("native", node.type, operands, node.data)
+            return self._native(node.type, operands, node.data)
         self._asked = node
         return super().rule(graph, node, operands)
 
@@ -127,12 +128,12 @@ class Guarding(Expanding):
             return node
         row = BUILTINS[CALL.data(node)]
         if not row.expansion:
-            return self.graph.node("native", node.type, node.operands, node.data)
+            return self._native(node.type, node.operands, node.data)
         facts = tuple(map(self.ranges.of, node.operands))
         domain = row.domain if self._domains is None else self._domains.get(row.name, row.domain)
         if domain(facts):
             self.remark(row.name, node.operands, "native")
-            return self.graph.node("native", node.type, node.operands, node.data)
+            return self._native(node.type, node.operands, node.data)
         by_profile = self._is_by_profile(row, node, facts)
         if node.id not in self.expanded and node.id not in self.kept:
             self._keep(node, row, by_profile)
@@ -140,6 +141,11 @@ class Guarding(Expanding):
             self.undecided = True
             return node
         return self.expansion(node)
+
+    def _native(self, type_: Type, operands: tuple[Node, ...], builtin: Hashable) -> Node:
+        native = self.graph.node("native", type_, operands, builtin)
+        self._simplest.add(native)
+        return native
 
     def _is_by_profile(self, row: Builtin, node: Node, facts: tuple[Fact, ...]) -> bool:
         """Whether a profile has to decide about a call.

@@ -1,21 +1,24 @@
-"""Takes work that depends on parameters only out of the shader.
+"""Moves work that depends on parameters only from the shader to the host.
 
-Such a value is the same for every pixel that the parameters' group covers, so the host evaluates it
-(in float64, rounded once) and keeps it in the group's derived block. Groups that no engine updates
-together are incomparable: a value that reads two of them stays in the shader.
+Such a value is the same for every pixel until the host changes the parameters' group. So the host
+evaluates it once, in float64, rounds it once, and keeps it in the group's derived block. Only the
+group ``frame`` may be combined with another one. A value that reads two of the other groups stays
+in the shader, because hosts update these at different times.
 
-What depends on an element of an array goes too, such as on a lamp in a sum over the lamps. A table
-of structures stands beside the array, one for each element, and is read at the same position.
+What depends on one element of an array, such as one lamp in a sum over all lamps, is moved too. The
+host computes it for each element and puts the results into a table beside the array, which the
+shader reads at the same position (``derived_tables.py``).
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from functools import lru_cache
 
 from ...frozen import frozen
 from ..ir.leaves import Parameter
-from ..ir.node import Graph, Node, reachable
+from ..ir.node import Graph, Node, Roots
 from ..ir.operations import BINDING, PARAMETER
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
@@ -53,7 +56,7 @@ class Derived:
     whose number is the one free variable, ``bound`` 0."""
 
 
-@frozen
+@frozen(eq=False)
 class _Reads:
     """What a value is computed from: parameters, and elements of arrays at one position."""
 
@@ -64,6 +67,10 @@ class _Reads:
 
     def joined(self, other: _Reads) -> _Reads | None:
         """What a value reads that is computed from two; ``None`` at two positions."""
+        if other is self or not other.groups:
+            return self
+        if not self.groups:
+            return other
         if self.position and other.position and self.position is not other.position:
             return None
         arrays = [array for array in (self.array, other.array) if array is not None]
@@ -73,10 +80,18 @@ class _Reads:
     @property
     def owner(self) -> str | None:
         """The finest group, if there is one."""
-        narrow = self.groups - {COMMON_GROUP}
-        if not self.groups or len(narrow) > 1:
-            return None
-        return next(iter(narrow)) if narrow else COMMON_GROUP
+        return _owner(self.groups)
+
+
+@lru_cache(maxsize=256)
+def _owner(groups: frozenset[str]) -> str | None:
+    narrow = groups - {COMMON_GROUP}
+    if not groups or len(narrow) > 1:
+        return None
+    return next(iter(narrow)) if narrow else COMMON_GROUP
+
+
+_NOTHING = _Reads(frozenset())
 
 
 def _length(array: Node) -> int:
@@ -98,18 +113,17 @@ def _saves(root: Node, least: int) -> bool:
 
 
 def hoist(
-    graph: Graph, roots: Iterable[Node], notes: Notes, ranges: Ranges, taken: Iterable[str]
-) -> tuple[list[Node], tuple[Derived, ...]]:
+    graph: Graph, roots: Roots, notes: Notes, ranges: Ranges, taken: Iterable[str]
+) -> tuple[Roots, tuple[Derived, ...]]:
     """The roots with the largest hoistable values replaced by derived parameters.
 
     ``taken`` are the names of declared parameters.
     """
-    wanted = list(roots)
     hoisting = _Hoisting(graph, notes, ranges, taken)
-    nodes = reachable(wanted)
-    hoisting.choose(wanted, nodes)
-    rewritten = rewrite(graph, wanted, hoisting.rule, notes.follow, nodes=nodes)
-    read = {node.data for node in reachable(rewritten) if node.op == "parameter"}
+    if not hoisting.choose(roots):
+        return roots, ()
+    rewritten = rewrite(graph, roots, hoisting.rule, notes.follow)
+    read = {node.data for node in rewritten.nodes if node.op == "parameter"}
     return rewritten, tuple(d for d in hoisting.derived() if d.parameter in read)
 
 
@@ -118,6 +132,8 @@ class _Hoisting:
         self._graph = graph
         self._ranges = ranges
         self._reads: dict[int, _Reads | None] = {}
+        self._groups: dict[str, _Reads] = {}
+        """What a parameter alone reads, by its group."""
         self._positions: set[int] = set()
         """Indices: a shader clamps them itself, whatever a host has put into its memory."""
         self._taken = set(taken)
@@ -133,20 +149,25 @@ class _Hoisting:
         self._filled: Counter[str] = Counter()
         """How many bytes the tables of each group have at most."""
 
-    def choose(self, roots: list[Node], nodes: list[Node]) -> None:
-        """Find the hoistable nodes that some user which is not hoistable needs."""
+    def choose(self, roots: Roots) -> bool:
+        """Find the hoistable nodes that some user which is not hoistable needs, if any."""
+        nodes = roots.nodes
         self._naming.learn(reversed(nodes))
         for node in nodes:
             self._reads[node.id] = self._reads_of(node)
             if node.op == "index":
                 self._positions.add(node.operands[1].id)
         needed = {root.id for root in roots}
+        hoistable: list[Node] = []
         for node in nodes:
-            if not self._hoistable(node):
-                needed.update(operand.id for operand in node.operands)
-        for node in nodes:
-            if node.id in needed and self._hoistable(node) and _saves(node, 1):
+            if self._hoistable(node):
+                hoistable.append(node)
+            else:
+                needed.update([operand.id for operand in node.operands])
+        for node in hoistable:
+            if node.id in needed and _saves(node, 1):
                 self._place(node)
+        return bool(self._single or self._members)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Replace a chosen node; inside hoisted values nothing changes."""
@@ -173,20 +194,32 @@ class _Hoisting:
     def _reads_of(self, node: Node) -> _Reads | None:
         """What a value is computed from; ``None`` if it reads anything else."""
         if node.op == "parameter":
-            return _Reads(frozenset({PARAMETER.data(node).group}))
+            return self._of_group(PARAMETER.data(node).group)
         if node.op == "constant":
-            return _Reads(frozenset())
+            return _NOTHING
         if not node.operands or node.op in _NOT_HOISTED:
             return None
-        found: _Reads | None = _Reads(frozenset())
-        for operand in node.operands:
-            theirs = self._reads[operand.id]
-            found = None if found is None or theirs is None else found.joined(theirs)
+        found = self._joined(node.operands)
         if found is None and is_element(node):
             array, position = node.operands
             whole = self._reads[array.id]
             return None if whole is None else _Reads(whole.groups, position, array)
         return found
+
+    def _joined(self, operands: Iterable[Node]) -> _Reads | None:
+        found = _NOTHING
+        for operand in operands:
+            theirs = self._reads[operand.id]
+            joined = None if theirs is None else found.joined(theirs)
+            if joined is None:
+                return None
+            found = joined
+        return found
+
+    def _of_group(self, group: str) -> _Reads:
+        if group not in self._groups:
+            self._groups[group] = _Reads(frozenset({group}))
+        return self._groups[group]
 
     def _hoistable(self, node: Node) -> bool:
         reads = self._reads[node.id]

@@ -1,15 +1,15 @@
-"""Writes a body out where it is used once, or where calling it would cost more than it does.
+"""Inlines a function's body if it is used once, or if calling it would cost more than executing it.
 
-That is decided call by call: constant arguments may leave little of a body, and what depends on
-parameters alone can only leave the shader if it is written out.
+The pass decides this call by call, because constant arguments may leave little of a body. A body
+that depends on parameters only is inlined too: only then can ``hoist`` move it to the host.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Iterable
+from collections.abc import Container
 
-from ..ir.node import Formals, Graph, Node, formals_of, reachable
+from ..ir.node import Formals, Graph, Node, Roots, formals_of
 from ..ir.operations import VARYING
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -24,18 +24,26 @@ TRIVIAL = 4
 WORTHWHILE = 0.5
 """A call that computes no more than this share of its body for its own arguments is written out."""
 
+DEAR = 1024
+"""Bodies that cost more are alike: such a call is what a body around it mainly costs."""
 
-def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simplifier) -> list[Node]:
+
+def inline(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
     """The roots with applies of bodies that are used once, or hardly used, as the bodies."""
-    wanted = list(roots)
-    nodes = reachable(wanted)
-    if not any(node.op == "apply" for node in nodes):
-        return wanted
+    if "apply" not in roots.ops:
+        return roots
+    applies = [node for node in roots.nodes if node.op == "apply"]
+    bodies = Counter(node.operands[0].id for node in applies)
     prices = _Prices(simplifier)
-    calls = [node for node in nodes if node.op == "apply" and prices.is_worth_calling(node)]
-    bodies = {node.operands[0].id for node in nodes if node.op == "apply"}
+    calls = [
+        node
+        for node in applies
+        if bodies[node.operands[0].id] > 1 and prices.is_worth_calling(node)
+    ]
     uses = Counter(node.operands[0].id for node in calls)
     kept = {node.id for node in calls if uses[node.operands[0].id] > 1}
+    if len(kept) == len(applies):
+        return roots
 
     def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.id in kept:
@@ -47,7 +55,7 @@ def inline(graph: Graph, roots: Iterable[Node], notes: Notes, simplifier: Simpli
             notes.forget_function(written)
         return written
 
-    return rewrite(graph, wanted, rule, notes.follow, ("apply",), nodes)
+    return rewrite(graph, roots, rule, notes.follow, ("apply",))
 
 
 class _Prices:
@@ -56,6 +64,7 @@ class _Prices:
     def __init__(self, simplifier: Simplifier) -> None:
         self._simplifier = simplifier
         self._constant = DrawConstants()
+        self._trivial: dict[Node, bool] = {}
         self._costs: dict[Node, int] = {}
         """Of bodies, with all that they need."""
         self._outside: dict[Node, frozenset[int]] = {}
@@ -66,7 +75,7 @@ class _Prices:
     def is_worth_calling(self, call: Node) -> bool:
         """Whether a call is better than its body written out."""
         body, *arguments = call.operands
-        if self._cost(body) <= TRIVIAL:
+        if self._is_trivial(body):
             return False
         fixed = tuple(a if a in self._constant else None for a in arguments)
         if not any(fixed):
@@ -90,9 +99,14 @@ class _Prices:
             self._outside[body] = frozenset(node.id for node in nodes if not node.variables)
         return self._outside[body]
 
+    def _is_trivial(self, body: Node) -> bool:
+        if body not in self._trivial:
+            self._trivial[body] = cost(body, TRIVIAL) <= TRIVIAL
+        return self._trivial[body]
+
     def _cost(self, body: Node) -> int:
         if body not in self._costs:
-            self._costs[body] = cost(body)
+            self._costs[body] = cost(body, DEAR)
         return self._costs[body]
 
     def _varying_cost(self, root: Node, outside: Container[int]) -> int:

@@ -1,9 +1,9 @@
-"""Lambda lifting: a function's body gets what it needs of its caller as arguments.
+"""Lambda lifting: gives every function's body what it reads of its surroundings as arguments.
 
-Before this pass a body may use any value of the shader around it. Afterwards it uses its
+Before this pass a body may read any value of the shader around it. Afterwards it reads its
 parameters, uniforms and constants only, so that it can be printed as a function. A value that does
-not depend on the body's own variables is computed once by the caller and passed. Parts of a value
-(lanes, members), which cost nothing, are taken from the passed value inside the body.
+not depend on the body's own variables is computed once by the caller and passed. Lanes and members
+of a passed value cost nothing, so the body takes them itself.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ..ir import build
-from ..ir.node import Formal, Formals, Graph, Node, formals_of
+from ..ir.node import Formal, Formals, Graph, Node, Roots, formals_of
 from ..ir.operations import GLOBALS
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -21,7 +21,7 @@ from .schedule import is_part
 from .walks import operands_of, visible
 
 
-def lift_lambdas(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def lift_lambdas(graph: Graph, roots: Roots, notes: Notes) -> Roots:
     """The roots with every applied body closed but for uniforms."""
     return rewrite(graph, roots, _Lifting(notes).rule, notes.follow, ("apply",))
 
@@ -45,7 +45,9 @@ class _Lifting:
     def _close(
         self, graph: Graph, body: Node, formals: Formals
     ) -> tuple[Node, Formals, tuple[Node, ...]]:
-        captured = self._captured(body, formals)
+        # Bodies of the functions that it calls have been closed: nothing in them changes.
+        nodes = visible((body,))
+        captured = self._captured(body, formals, nodes)
         extra = tuple(Formal(self._naming.name(node)) for node in captured)
         replaced = {
             node.id: graph.node("formal", node.type, (), formal)
@@ -55,16 +57,15 @@ class _Lifting:
         def rule(_graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
             return replaced.get(node.id)
 
-        (closed,) = rewrite(graph, (body,), rule, self._notes.follow)
+        (closed,) = rewrite(graph, (body,), rule, self._notes.follow, nodes=nodes)
         needed = tuple(formal for formal in formals if _reads(body, formal))
         return closed, needed + extra, captured
 
-    def _captured(self, body: Node, formals: Formals) -> tuple[Node, ...]:
+    def _captured(self, body: Node, formals: Formals, nodes: list[Node]) -> tuple[Node, ...]:
         """The largest parts of a body that depend on none of its variables and are not at hand.
 
         They may depend on those of a loop around the call.
         """
-        nodes = visible((body,))
         own = set(formals).union(*map(formals_of, nodes))
         found: dict[int, Node] = {}
         for part in _independent(body, nodes, own):

@@ -1,10 +1,9 @@
-"""Lowers reads of parameters to the form in which blocks store them.
+"""Lowers reads of parameters to the form in which uniform blocks store them.
 
-Every conversion from the stored form becomes a node of its own.
-
-Scalars, vectors and matrices are converted right where they are read. Structs and arrays stay in
-stored form wherever they travel (through selects, binders and calls) until a member or an element
-is taken out. A product with a column, and a column, are taken from a matrix as it is stored.
+Every conversion from the stored form becomes a node of its own. Scalars, vectors and matrices are
+converted where they are read. Structs and arrays keep their stored form through selects, binders
+and calls, until a member or an element is taken out of them. A product of a matrix and a column,
+and a single column, are computed from the matrix as it is stored.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, Roots
 from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
 from ..ir.storage import elements_in_row, stored_type
@@ -33,11 +32,14 @@ from ..ir.types import (
     width,
 )
 
+_READS = frozenset({"parameter", "member", "index"})
+"""Apart from these and from variables, operations change only where an operand has changed."""
+
 _MADE = frozenset({"array", "struct", "iterate"})
 """What is put together in the shader, out of plain values; all other aggregates are stored."""
 
 
-def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:
+def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:
     """The roots, with every ``parameter`` node of its stored type. Lowering twice changes nothing.
 
     Indices are expected within bounds: whoever made them has clamped them.
@@ -46,6 +48,8 @@ def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None)
 
 
 def _lower(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+    if operands and operands is node.operands and node.op not in _READS:
+        return None
     if node.op == "parameter":
         stored = graph.node("parameter", stored_type(node.type), (), node.data)
         return _loaded(graph, node.type, stored)

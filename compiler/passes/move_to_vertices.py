@@ -1,40 +1,41 @@
-"""Moves affine work to the vertex stage, where the picture provably stays the same.
+"""Moves affine work from the fragment stage to the vertex stage if the picture stays the same.
 
-Interpolation with weights that sum to one commutes with affine maps: ``cross(e) * a + b``
-with ``a`` and ``b`` constant over the draw is ``cross(e * a + b)``. The move is made only
-where it adds no varying: all uses of one crossing go through one affine value that is no wider.
+Interpolation uses weights whose sum is one, and therefore commutes with affine maps: if ``a`` and
+``b`` are the same all over the draw, ``cross(e) * a + b`` equals ``cross(e * a + b)``. The pass
+moves work only if this adds no varying, that is, if all uses of a crossing go through one affine
+value that is not wider.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from ..ir import build
 from ..ir.leaves import Attribute
-from ..ir.node import Graph, Node, reachable
-from ..ir.operations import CROSS, SWIZZLE, builtin_of
+from ..ir.node import Graph, Node, Roots
+from ..ir.operations import BUILTIN_OPS, CROSS, SWIZZLE, builtin_of
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Scalar, Vector, width
 from .draw_constants import DrawConstants
 
 AFFINE = {"mul": "scaled", "add": "shifted", "sub": "shifted", "neg": "negated"}
-"""Operations that are affine in one operand, and what they make of it."""
+"""Builtins that are affine in one operand, and what they make of it."""
 
 
-def move_to_vertices(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def move_to_vertices(graph: Graph, roots: Roots, notes: Notes) -> Roots:
     """The roots with affine values of single crossings computed before the crossing."""
-    wanted = list(roots)
-    nodes = reachable(wanted)
-    return rewrite(graph, wanted, _Moving(wanted, nodes, notes).rule, notes.follow, nodes=nodes)
+    if not any(_is_affine(node) and _crosses(node) for node in roots.nodes):
+        return roots
+    return rewrite(
+        graph, roots, _Moving(roots, notes).rule, notes.follow, BUILTIN_OPS | {"swizzle"}
+    )
 
 
 class _Moving:
-    def __init__(self, roots: list[Node], nodes: list[Node], notes: Notes) -> None:
+    def __init__(self, roots: Roots, notes: Notes) -> None:
         self._notes = notes
         self._users: dict[int, int] = {root.id: 1 for root in roots}
         self._constant = DrawConstants()
-        for node in nodes:
+        for node in roots.nodes:
             for operand in set(node.operands):
                 self._users[operand.id] = self._users.get(operand.id, 0) + 1
 
@@ -74,6 +75,11 @@ class _Moving:
             change = AFFINE.get(builtin_of(node) or "", "")
             unchanged = not change or source.endswith(change)
             names.setdefault(node.id, source if unchanged else f"{source}_{change}")
+
+
+def _crosses(node: Node) -> bool:
+    """Whether an operation has a value that crosses into its stage as an operand."""
+    return any(operand.op == "cross" for operand in node.operands)
 
 
 def _is_affine(node: Node) -> bool:

@@ -1,7 +1,8 @@
-"""Names for values that get a statement: the user's where there is one.
+"""Finds names for values that become statements, those of the user wherever there are any.
 
-A value that nobody named is called after the named value that it is a part of and its role in it:
-``to_eye_difference``, ``falloff_inverse_width``.
+``schedule``, ``hoist`` and others call it. A value that the user did not name is called after the
+named value that it belongs to and its role there: ``to_eye_difference``,
+``falloff_inverse_width``.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Formal, Node
 from ..ir.operations import OPERATIONS, builtin_of
 from ..ir.shader import Notes
+from ..ir.types import scalar_kind
 
 NOUNS = {
     "add": "sum", "sub": "difference", "mul": "product", "div": "quotient", "mod": "remainder",
@@ -74,8 +76,11 @@ class Naming:
         builtin = builtin_of(node)
         if builtin is None:
             return OPERATIONS[node.op].noun or node.op
-        if builtin == "dot" and node.operands[0] is node.operands[1]:
-            return "length_squared"
+        if builtin == "dot":
+            if node.operands[0] is node.operands[1]:
+                return "length_squared"
+            if scalar_kind(node.type) != "float":
+                return "inner_product"  # a direction has no integers
         return NOUNS.get(builtin, builtin)
 
     def _short(self, node: Node) -> str | None:

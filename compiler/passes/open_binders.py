@@ -1,16 +1,15 @@
-"""Opens every binder: de Bruijn indices in bodies become ``formal`` leaves.
+"""Opens every binder: the de Bruijn indices inside bodies become ``formal`` leaves.
 
-This is the first pass. Semantics leaves bodies closed, so that equal bodies are one node; all later
+This is the first pass. Semantics leaves bodies closed, so that equal bodies are one node. All later
 passes treat an opened body like any other part of the graph.
 
-Applies of one body share the opened body and its formals: that is what becomes a function. Loops
-have variables of their own. Structures and arrays are no arguments of functions unless they all
-come from uniform blocks as they are: elsewhere each of their parts is an argument.
+Applies of the same body share the opened body and its formals, and later become calls of one
+function. Each loop has its own variables. A structure or array can be an argument of a function
+only if, in every call, it comes unchanged from a uniform block. Otherwise each of its parts becomes
+an argument.
 """
 
 from __future__ import annotations
-
-from collections.abc import Iterable
 
 from ...frozen import changed
 from ..ir import build
@@ -21,9 +20,9 @@ from ..ir.node import (
     Formals,
     Graph,
     Node,
+    Roots,
     binders,
     bodies_of,
-    reachable,
 )
 from ..ir.operations import BINDING
 from ..ir.rewrite import rewrite
@@ -31,19 +30,17 @@ from ..ir.shader import Notes
 from ..ir.types import Array, Struct, Type
 
 
-def open_binders(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def open_binders(graph: Graph, roots: Roots, notes: Notes) -> Roots:
     """The roots with every fold, loop and apply opened."""
-    wanted = list(roots)
-    nodes = reachable(wanted)
-    opener = _Opener(graph, notes, _taken_apart(nodes))
-    return rewrite(graph, wanted, opener.rule, notes.follow, BINDING, nodes)
+    opener = _Opener(graph, notes, _taken_apart(roots))
+    return rewrite(graph, roots, opener.rule, notes.follow, BINDING)
 
 
-def _taken_apart(nodes: list[Node]) -> set[tuple[int, int]]:
+def _taken_apart(roots: Roots) -> set[tuple[int, int]]:
     """The arguments, by body and position, of which each part has to be an argument."""
     return {
         (node.operands[0].id, position)
-        for node in nodes
+        for node in (roots.nodes if "apply" in roots.ops else ())
         if node.op == "apply"
         for position, argument in enumerate(node.operands[1:])
         if isinstance(argument.type, Struct | Array) and not _is_stored(argument)

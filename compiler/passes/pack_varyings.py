@@ -1,7 +1,8 @@
-"""Varying packing: the values that cross between stages share ``vec4`` slots.
+"""Packs the values that cross between two stages into ``vec4`` slots (varying packing).
 
-Whole values are packed, first fit by decreasing width, so that a reader still finds each value in
-one slot.
+``split_stages`` calls it for each pair of stages. A value is never split, so that the stage that
+reads it finds it in one slot: the widest values are placed first, each into the first slot that
+has room.
 """
 
 from __future__ import annotations

@@ -1,19 +1,19 @@
 """Path conditions: what the conditions of branches say about the values computed behind them.
 
-In ``if x > 0 then 1 / x else 0`` the divisor is known to be positive wherever the quotient is used.
-That holds for a node only if *all* of its uses lie behind the condition, and helps only if the node
-is computed there: so the select has to become a branch (``KnownOnPath.selects``).
+In ``if x > 0 then 1 / x else 0`` the divisor is positive wherever the quotient is used. ``guard``
+and ``simplify`` may rely on this if *all* uses of a node are behind the condition. The node then
+has to be computed there, so the select has to become a branch (``KnownOnPath.selects``).
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterator
 from itertools import islice
 
 from ...frozen import frozen
 from ...stdlib.builtins.facts import Fact
 from ..ir import rulebook
-from ..ir.node import Node, reachable
+from ..ir.node import Node, Roots
 from ..ir.ranges import Ranges
 from ..ir.refinements import Refinement, refinements
 from ..ir.types import Scalar
@@ -72,14 +72,12 @@ class KnownOnPath:
 class PathConditions:
     """The innermost region that encloses all uses of each node."""
 
-    def __init__(self, roots: Iterable[Node], ranges: Ranges) -> None:
+    def __init__(self, roots: Roots, ranges: Ranges) -> None:
         self._ranges = ranges
         self._of: dict[int, Path | None] = {}
         self._refined_at: dict[Path, dict[int, list[PathRefinement]]] = {}
-        wanted = list(roots)
-        nodes = reachable(wanted)
-        if any(node.op == "select" for node in nodes):
-            self._find(wanted, nodes, needing_uniform_flow(nodes))
+        if "select" in roots.ops:
+            self._find(roots, needing_uniform_flow(roots.nodes))
 
     def known(self, user: Node, operand: Node) -> KnownOnPath:
         """What holds of ``operand`` where ``user`` is computed.
@@ -117,11 +115,11 @@ class PathConditions:
             self._refined_at[path] = refined
         return self._refined_at[path]
 
-    def _find(self, roots: list[Node], nodes: list[Node], together: frozenset[int]) -> None:
+    def _find(self, roots: Roots, together: frozenset[int]) -> None:
         """Paths of all nodes; what needs all pixels, and its operands, come before all branches."""
         for root in roots:
             self._of[root.id] = None
-        for node in reversed(nodes):
+        for node in reversed(roots.nodes):
             here = self._of.get(node.id)
             sides: list[Path | None] = [here] * len(node.operands)
             if node.op == "select" and isinstance(node.operands[0].type, Scalar):

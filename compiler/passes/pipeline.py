@@ -1,12 +1,14 @@
-"""The middle end: every pass, in order."""
+"""Runs every pass in order, from the shader that semantics made to a program.
+
+``api.py`` calls ``stage`` once for each shader. The architecture page has a table of the passes.
+"""
 
 from __future__ import annotations
 
 from ...frozen import changed, frozen
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Roots
 from ..ir.program import Program
 from ..ir.ranges import Ranges
-from ..ir.rewrite import rewrite
 from ..ir.shader import Notes, Result, Shader
 from .checkpoint import chained, passed
 from .expand_builtins import expand_builtins
@@ -75,7 +77,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
     graph, notes = shader.graph, shader.notes
     results = chained(shader)
-    roots = passed("semantics", "semantics", [result.value for result in results])
+    roots = passed("semantics", "semantics", Roots([result.value for result in results]))
     roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
     roots = passed("replace_aggregates", "flat", replace_aggregates(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
@@ -101,20 +103,16 @@ def stage(shader: Shader, options: Options) -> Staged:
     return Staged(program, derived, tuple(guarding.kept.values()), evidence, undecided)
 
 
-def _simplified(
-    graph: Graph, roots: list[Node], notes: Notes, simplifier: Simplifier
-) -> list[Node]:
+def _simplified(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    roots = passed("simplify", "flat", rewrite(graph, roots, simplifier.rule, notes.follow))
+    roots = passed("simplify", "flat", simplifier.simplified(roots))
     roots = passed("fuse", "flat", fuse(graph, roots, notes, simplifier))
     return passed("inline", "flat", inline(graph, roots, notes, simplifier))
 
 
-def _guarded(
-    graph: Graph, roots: list[Node], notes: Notes, ranges: Ranges
-) -> tuple[list[Node], Guarding]:
+def _guarded(graph: Graph, roots: Roots, notes: Notes, ranges: Ranges) -> tuple[Roots, Guarding]:
     roots = passed("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
     guarding = Guarding(graph, ranges, notes, PathConditions(roots, ranges))
-    roots = passed("guard", "guarded", rewrite(graph, roots, guarding.rule, notes.follow))
+    roots = passed("guard", "guarded", guarding.simplified(roots))
     roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))
     return roots, guarding

@@ -1,7 +1,8 @@
-"""Why an operation goes without its guard, or keeps it: worked out anew for a person who asks.
+"""Derives for a reader why an operation needs no guard, or why it keeps one.
 
-The analysis keeps facts, not derivations. A proof follows the facts back to where they come from,
-and leaves away what does not matter: an operand counts only if the conclusion would fail without.
+``burnish graph --why`` asks for proofs. Range analysis keeps facts but not how it found them, so a
+proof follows each fact back to its sources. It omits what does not matter: an operand is mentioned
+only if the conclusion would be false without its fact.
 """
 
 from __future__ import annotations

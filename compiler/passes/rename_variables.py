@@ -1,13 +1,13 @@
-"""Alpha-renaming: no two loops share a variable afterwards.
+"""Alpha-renaming: gives every loop variables of its own.
 
-Passes that copy bodies copy the loops in them, so that two loops may bind the same variable. A node
-that depends on this variable alone would then be one node for both loops, and the scheduler could
-place it in neither. This pass runs last before scheduling.
+Some passes copy bodies with the loops inside them, after which two loops may bind the same
+variable. A node that depends only on this variable would then be one node for both loops, and the
+scheduler could place it in neither. So this pass runs after all that copy, before the graph is
+split into stages.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TypeAlias
 
 from ...frozen import changed
@@ -18,9 +18,9 @@ from ..ir.node import (
     Formals,
     Graph,
     Node,
+    Roots,
     bodies_of,
     formals_of,
-    reachable,
 )
 from ..ir.operations import LOOPS
 
@@ -28,16 +28,17 @@ _Renamed: TypeAlias = frozenset[tuple[Formal, Formal]]
 _NOTHING: _Renamed = frozenset()
 
 
-def rename_variables(graph: Graph, roots: Iterable[Node], moved: Moved) -> list[Node]:
+def rename_variables(graph: Graph, roots: Roots, moved: Moved) -> Roots:
     """The roots with no variable bound by two loops."""
-    wanted = list(roots)
-    loops = [node for node in reachable(wanted) if node.op in LOOPS]
+    if LOOPS.isdisjoint(roots.ops):
+        return roots
+    loops = [node for node in roots.nodes if node.op in LOOPS]
     if len({formal for loop in loops for formal in formals_of(loop)}) == sum(
         len(formals_of(loop)) for loop in loops
     ):
-        return wanted
+        return roots
     separating = _Separating(graph, moved)
-    return [separating.value(root) for root in wanted]
+    return Roots(map(separating.value, roots))
 
 
 class _Separating:

@@ -1,17 +1,15 @@
-"""Scalar replacement of aggregates (SROA): structures and arrays give way to their parts.
+"""Scalar replacement of aggregates (SROA): structures and arrays are replaced by their parts.
 
-Reading a member of a structure that the shader built gives the value that was put there; reading a
-member of a selection gives a selection between members. Afterwards the only aggregates left are
-uniform blocks, which are read as they are stored, and arrays of plain values that are indexed by
-something that is only known at run time.
+The pass runs once the binders are open. Reading a member of a structure that the shader built gives
+the value that was put there; reading a member of a selection gives a selection between members.
+The only aggregates that remain are uniform blocks, which are read as they are stored, and arrays of
+plain values whose index is known only when the shader runs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from ..ir import build
-from ..ir.node import Graph, Node
+from ..ir.node import Graph, Node, Roots
 from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -22,7 +20,7 @@ NESTED_MATRICES = 8
 """Matrices are chosen by branches; of choices inside of more choices, each column by itself."""
 
 
-def replace_aggregates(graph: Graph, roots: Iterable[Node], notes: Notes) -> list[Node]:
+def replace_aggregates(graph: Graph, roots: Roots, notes: Notes) -> Roots:
     """The roots without structures, and with arrays of plain values only."""
     ops = ("member", "index", "select")
     return rewrite(graph, roots, _Dissolving(graph, notes).rule, notes.follow, ops)

@@ -1,8 +1,9 @@
-"""From a graph to statements: what is computed where, in which order, under which name.
+"""Turns the graph of a stage or function into statements: what is computed where, in which order.
 
-Every node is computed once, in the innermost region that encloses all of its uses; what does not
-depend on a loop's index is computed before the loop. Values that are shared or that the user named
-become a ``Let``; everything else is printed in place.
+``split_stages`` makes a ``Scheduler`` for each stage and function. Every node is computed once, in
+the innermost region that encloses all of its uses; a value that does not depend on a loop's
+variables is computed before the loop. A value that is shared, or that the user named, becomes a
+``Let``. All other values are printed in place.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from ...frozen import fresh, record
-from ..ir.node import Formal, Node, bodies_of, formals_of, reachable
+from ..ir.node import Formal, Node, bodies_of, formals_of
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.shader import Notes
@@ -20,7 +21,7 @@ from ..trampoline import Reply, Step, run
 from .cost import cost_of
 from .naming import Naming
 from .path_conditions import DEEPEST
-from .uniformity import compares, needing_uniform_flow
+from .uniformity import compares
 from .walks import in_order_of_use, operands_of
 
 BRANCH_COST = 32
@@ -51,7 +52,10 @@ class _Block:
 class Scheduler:
     """Schedules one body: a stage's entry point or a function."""
 
-    def __init__(self, roots: Sequence[Node], notes: Notes, naming: Naming) -> None:
+    def __init__(
+        self, roots: Sequence[Node], notes: Notes, naming: Naming, together: frozenset[int]
+    ) -> None:
+        """``together`` is what all pixels have to reach, branches or not (``uniformity.py``)."""
         self._roots = list(roots)
         self._notes = notes
         self._naming = naming
@@ -70,8 +74,7 @@ class Scheduler:
         wrong without: the ``?:`` parts the read from what joins texture and sampler for it.)"""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
-        self._together = needing_uniform_flow(reachable(self._roots))
-        """What all pixels have to reach, branches or not."""
+        self._together = together
         nodes = in_order_of_use(self._roots)
         self._naming.learn(reversed(nodes))
         self._order = [node for node in nodes if node.op not in LEAVES]

@@ -1,16 +1,16 @@
-"""Exact simplification: every node is built in its simplest form.
+"""Simplifies values exactly, while nodes are built.
 
-``Simplifier.make`` is a smart constructor: passes build through it, so that what one rule uncovers
-the next one sees. The rules are rows of ``rules/table.py``; each keeps the value, over the whole
-domain.
+Passes build their nodes through ``Simplifier.make``, a smart constructor, so that a rule sees what
+earlier rules have simplified. The rules are rows of ``rules/table.py``; each keeps the value for
+all operands.
 """
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 
 from ..diagnostics.source import Span
-from ..ir.node import HEADS, Formal, Graph, Node, Op
+from ..ir.node import AGE, HEADS, Formal, Graph, Node, Op, Roots
 from ..ir.operations import FORMAL
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
@@ -33,6 +33,8 @@ class Simplifier(Builder):
         self.expanding = 0
         """How many expansions deep."""
         self.remarks: dict[Hashable, Remark] = {}
+        self._simplest: set[Node] = set()
+        """What was built here: it is in its simplest form, and so is all that it needs."""
 
     def remark(
         self,
@@ -46,6 +48,11 @@ class Simplifier(Builder):
             key = builtin, operands, outcome
             if key not in self.remarks:
                 self.remarks[key] = Remark(builtin, operands, self.at, outcome, conditions)
+
+    def simplified(self, roots: Roots) -> Roots:
+        """The roots in their simplest form; what is in this form already is not looked at."""
+        nodes = self._affected(roots, frozenset()) if self._simplest else None
+        return rewrite(self.graph, roots, self.rule, self.notes.follow, nodes=nodes)
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """For ``rewrite``: the same operation in its simplest form."""
@@ -64,16 +71,18 @@ class Simplifier(Builder):
             if found is not None:
                 if rule.drops:
                     self.remark(str(data), operands, "dropped")
-                return found
-        return self.graph.node(op, type_, operands, data)
+                break
+        else:
+            found = self.graph.node(op, type_, operands, data)
+        self._simplest.add(found)
+        return found
 
     def substituted(self, body: Node, replacements: Mapping[Formal, Node]) -> Node:
         """``body`` with formals replaced; all that changes is built in its simplest form."""
         used = [formal for formal in replacements if formal in body.variables]
         if not used:
             return body
-        given = [replacements[formal] for formal in used]
-        values = rewrite(self.graph, given, self.rule, self.notes.follow)
+        values = self.simplified(Roots([replacements[formal] for formal in used]))
         simplest = dict(zip(used, values, strict=True))
 
         def rule(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
@@ -81,5 +90,23 @@ class Simplifier(Builder):
                 return simplest.get(FORMAL.data(node))
             return self.rule(graph, node, operands)
 
-        (simplified,) = rewrite(self.graph, (body,), rule, self.notes.follow)
+        nodes = self._affected((body,), frozenset(used))
+        (simplified,) = rewrite(self.graph, (body,), rule, self.notes.follow, nodes=nodes)
         return simplified
+
+    def _affected(self, roots: Iterable[Node], formals: frozenset[Formal]) -> list[Node]:
+        """What of ``roots`` is not in its simplest form, or depends on ``formals``."""
+        simplest = self._simplest
+        seen = set(roots)
+        pending = list(seen)
+        found: list[Node] = []
+        for node in pending:  # It grows on the way.
+            if node in simplest and (not formals or node.variables.isdisjoint(formals)):
+                continue
+            found.append(node)
+            for operand in node.operands:
+                if operand not in seen:
+                    seen.add(operand)
+                    pending.append(operand)
+        found.sort(key=AGE)
+        return found

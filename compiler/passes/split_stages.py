@@ -1,8 +1,8 @@
-"""Splits one graph into the stages of a program.
+"""Splits the graph of a shader into the stages of a program; this is the last pass.
 
-This is the last pass. It walks the chain of stages backwards from what the shader delivers. The
-results of a stage, and what the stage after it reads, are all that the stage has to compute; the
-crossings under these say what the stage before has to hand on.
+It walks the chain of stages backwards from what the shader delivers. A stage has to compute its
+results and the values that the next stage reads. The crossings among the operands of these are
+values that the stage before has to deliver.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from collections.abc import Iterable, Iterator
 from itertools import count
 
 from ..ir import build
-from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Graph, Node, formals_of
 from ..ir.operations import INPUT
 from ..ir.program import (
@@ -33,6 +32,7 @@ from .hoist import Derived
 from .naming import Naming
 from .pack_varyings import pack_varyings
 from .schedule import Scheduler
+from .uniformity import needing_uniform_flow
 from .walks import called_functions, visible
 
 
@@ -52,16 +52,14 @@ def split_stages(
         outputs = (*_outputs(own), *_crossing_outputs(shader.graph, leaving))
         if not outputs:
             continue
-        roots = [output.value for output in outputs]
+        nodes = visible([output.value for output in outputs], into_bodies=True)
         if before is None:
-            inputs = _attributes(shader, roots)
+            inputs = _attributes(shader, nodes)
         else:
-            varyings = pack_varyings(
-                visible(roots, into_bodies=True), shader.notes, _taken(interfaces)
-            )
+            varyings = pack_varyings(nodes, shader.notes, _taken(interfaces))
             interfaces.insert(0, Interface(before.domain, row.domain, varyings))
             inputs = interfaces[0].fields
-        stages.insert(0, _stage(row, shader, blocks, inputs, outputs))
+        stages.insert(0, _stage(row, shader, blocks, inputs, outputs, nodes))
     resources = tuple(
         info.resource
         for info in shader.resources
@@ -97,9 +95,9 @@ def _crossing_outputs(graph: Graph, varyings: Iterable[Varying]) -> Iterator[Out
         yield Output(VARYING, build.vector(graph, varying.values), varying.field)
 
 
-def _attributes(shader: Shader, roots: Iterable[Node]) -> tuple[Field, ...]:
+def _attributes(shader: Shader, nodes: Iterable[Node]) -> tuple[Field, ...]:
     """The vertex inputs that are read, each at the location its declaration gives it."""
-    read = {node.data for node in visible(roots) if isinstance(node.data, Attribute)}
+    read = {node.data for node in nodes if node.op == "attribute"}
     return tuple(
         Field(
             info.attribute.name, info.attribute.type, location,
@@ -116,31 +114,34 @@ def _stage(
     blocks: tuple[Block, ...],
     inputs: tuple[Field, ...],
     outputs: tuple[Output, ...],
+    nodes: list[Node],
 ) -> Stage:
+    """A stage, with ``nodes`` that it computes for its outputs, those in bodies included."""
     roots = [output.value for output in outputs]
     naming = Naming(shader.notes)
-    nodes = visible(roots, into_bodies=True)
-    functions = tuple(_function(call, shader.notes, naming) for call in called_functions(nodes))
-    leaves = [leaf for node in nodes if (leaf := node.data) is not None]
-    parameters = {leaf for leaf in leaves if isinstance(leaf, Parameter)}
-    resources = {leaf for leaf in leaves if isinstance(leaf, Resource)}
+    together = needing_uniform_flow(nodes)
+    functions = tuple(
+        _function(call, shader.notes, naming, together) for call in called_functions(nodes)
+    )
+    parameters = {node.data for node in nodes if node.op == "parameter"}
+    resources = {node.data for node in nodes if node.op == "resource"}
     return Stage(
         row=row,
         inputs=inputs,
         blocks=tuple(b for b in blocks if any(m.parameter in parameters for m in b.members)),
         resources=tuple(i.resource for i in shader.resources if i.resource in resources),
         functions=functions,
-        region=Scheduler(roots, shader.notes, naming).schedule(),
+        region=Scheduler(roots, shader.notes, naming, together).schedule(),
         results=outputs,
         builtin_inputs=tuple(
-            sorted({INPUT.data(n).name for n in visible(roots) if n.op == "input"})
+            sorted({INPUT.data(node).name for node in nodes if node.op == "input"})
         ),
         reads=texture_reads(nodes),
         natives=native_uses(nodes),
     )
 
 
-def _function(call: Node, notes: Notes, naming: Naming) -> Function:
+def _function(call: Node, notes: Notes, naming: Naming, together: frozenset[int]) -> Function:
     body = call.operands[0]
     types = [argument.type for argument in call.operands[1:]]
     return Function(
@@ -148,6 +149,6 @@ def _function(call: Node, notes: Notes, naming: Naming) -> Function:
         doc=notes.docs.get(body.id, ""),
         parameters=tuple(zip(formals_of(call), types, strict=True)),
         body=body,
-        region=Scheduler((body,), notes, naming).schedule(),
+        region=Scheduler((body,), notes, naming, together).schedule(),
         value=body,
     )

@@ -1,7 +1,8 @@
-"""What all pixels of a quad have to reach together.
+"""Finds the nodes that all pixels of a quad have to execute together.
 
-A read with an implicit level and a derivative compare neighbouring pixels. So a loop whose turns
-do that, or a call of a function that does, cannot stand in a branch that some pixels do not take.
+``schedule`` and ``path_conditions`` ask for them. A derivative, and a texture read that computes
+its own level of detail, compare neighbouring pixels. So a loop that contains one, or a call of a
+function that does, cannot stand in a branch that only some of the pixels take.
 """
 
 from __future__ import annotations
@@ -10,13 +11,14 @@ from collections.abc import Iterable
 
 from ...stdlib.builtins import BUILTINS
 from ..ir.node import Node
-from ..ir.operations import LOOPS, builtin_of
+from ..ir.operations import LOOPS
+
+_COMPARING = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 
 
 def compares(node: Node) -> bool:
     """Whether an operation compares neighbouring pixels."""
-    builtin = builtin_of(node)
-    return builtin is not None and BUILTINS[builtin].uniform_control_flow
+    return node.head in _COMPARING
 
 
 def needing_uniform_flow(nodes: Iterable[Node]) -> frozenset[int]:
@@ -26,6 +28,9 @@ def needing_uniform_flow(nodes: Iterable[Node]) -> frozenset[int]:
 
     What a loop's turns have in common is computed before it, and so does not count.
     """
+    nodes = list(nodes)
+    if not any(map(compares, nodes)):
+        return frozenset()
     found: set[int] = set()
     inside: set[Node] = set()
     turning: set[Node] = set()

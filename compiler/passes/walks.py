@@ -1,4 +1,7 @@
-"""What a stage computes itself, in order: not what is behind a crossing or in a function's body."""
+"""Lists the nodes that a stage or a function computes itself, in order.
+
+Nodes behind a crossing belong to an earlier stage, and those in a function's body to the function.
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""The meaning of the builtins that work on bits, and of packing.
+"""Defines what the builtins that work on bits mean, and those that pack numbers.
 
-Most functions work lane by lane. Integers come in and go out as numbers of either sign;
-``functions.py`` wraps the result to 32 bits. Floats are rounded to float32, or to 16 bits: to the
-nearest, ties to even.
+``functions.py`` has them in its table. Most functions work lane by lane. Integers come in and go
+out as numbers of either sign; ``functions.py`` wraps the result to 32 bits. Floats are rounded to
+float32, or to 16 bits: to the nearest number, and to an even one in the middle between two.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""The meaning of derivatives: differences between neighbouring pixels.
+"""Defines what derivatives mean: differences between neighbouring pixels.
 
-Arrays hold quads of 2 × 2 pixels in their last two axes, first rows, downwards, then columns. A
-plain number, and an axis of length 1, has the same value in all pixels. The difference is taken
-within the pixel's own row or column.
+``functions.py`` has them in its table. Arrays hold quads of 2 × 2 pixels in their last two axes:
+first the row, counted downwards, then the column. A plain number, or an axis of length 1, has the
+same value in all pixels. The difference is taken within the pixel's own row or column.
 """
 
 from __future__ import annotations

@@ -1,28 +1,26 @@
-"""Evaluates a graph whose leaves have values: this is the definition of what a program means.
+"""Evaluates a graph whose leaves have values; this defines what a program means.
 
-Constant folding and semantics use it while compiling, the reference's pictures use it with arrays
-instead of numbers, and tests use it to compare a graph before and after a pass. It accepts graphs
-of every phase of the compiler, with binders closed (de Bruijn indices) or open (formals). Graphs
-and binders may be nested without limit.
+Semantics and the rules for loops evaluate constants with it while compiling. The reference's
+pictures pass arrays instead of numbers, and tests compare a graph before and after a pass. The
+evaluator accepts graphs of every phase of the compiler, with binders closed (de Bruijn indices) or
+open (formals). Graphs and binders may be nested without limit.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
-from ...frozen import fresh, record
-from ..ir.node import Formal, Node, bare, binders, bodies_of, formals_of
-from ..ir.operations import BOUND, FOLD, FORMAL, ITERATE, OUTSIDE
-from ..ir.types import scalar_kind
-from ..trampoline import Step, run
+from ...frozen import record
+from ..ir.node import Node, bare, bodies_of
+from ..ir.operations import BOUND, FORMAL, OUTSIDE
 from . import scalars
-from .functions import evaluate as builtin
-from .namespace import Lane, Lanes, Namespace
-from .operations import NotConstantError, apply, chosen, constant_lanes
+from .bodies import Frame, Opened, opened
+from .namespace import Lanes, Namespace
+from .operations import NotConstantError, apply, constant_lanes
 
-__all__ = ["Evaluator", "Leaves", "NotConstantError", "Observer", "TooLongError", "evaluate"]
+__all__ = ["Evaluator", "LeafValues", "NotConstantError", "Observer", "TooLongError", "evaluate"]
 
-Leaves = Callable[[Node], Lanes | None]
+LeafValues = Callable[[Node], Lanes | None]
 """Returns the value of a leaf, or ``None`` if it has none. The value of a texture is a
 ``texture_reads.Reader``.
 
@@ -34,7 +32,7 @@ Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 Evaluation continues with the value that it returns."""
 
 _ASKED = OUTSIDE | {"cross"}
-"""What ``Leaves`` may have a value for."""
+"""What ``LeafValues`` may have a value for."""
 
 
 class TooLongError(Exception):
@@ -43,7 +41,7 @@ class TooLongError(Exception):
 
 def evaluate(
     root: Node,
-    leaves: Leaves | None = None,
+    leaves: LeafValues | None = None,
     xp: Namespace = scalars,
     most_operations: int | None = None,
 ) -> Lanes:
@@ -59,15 +57,13 @@ def evaluate(
 
 
 @record
-class _Frame:
-    """One evaluation of a binder's body; without a parent, of everything that is under no
-    binder."""
+class _Walk:
+    """The evaluation of ``root`` in ``frame``, up to the binder at which it waits for a body."""
 
-    parent: _Frame | None = None
-    bound: tuple[Lanes, ...] = ()
-    """The values of the de Bruijn variables of all binders around the body, the innermost first."""
-    formals: Mapping[Formal, Lanes] = fresh(factory=dict)
-    values: dict[int, Lanes] = fresh(factory=dict)
+    root: Node
+    frame: Frame
+    pending: list[Node]
+    """What is still to be evaluated; the last one comes first."""
 
 
 class Evaluator:
@@ -75,7 +71,7 @@ class Evaluator:
 
     def __init__(
         self,
-        leaves: Leaves | None = None,
+        leaves: LeafValues | None = None,
         xp: Namespace = scalars,
         observer: Observer | None = None,
         most_operations: int | None = None,
@@ -85,22 +81,45 @@ class Evaluator:
         self._leaves = leaves
         self._xp = xp
         self._observer = observer
-        self._outermost = _Frame()
+        self._outermost = Frame()
 
     def value(self, root: Node, *free: Lanes) -> Lanes:
         """The lanes of ``root``; ``free`` are the values of its free variables, if it has any."""
-        frame = _Frame(self._outermost, free) if free else self._outermost
-        return run(self._value(root, frame))
+        frame = Frame(self._outermost, free) if free else self._outermost
+        walk = _Walk(root, frame, [root])
+        waiting: list[tuple[_Walk, Opened]] = []
+        while True:
+            entered = self._walk(walk)
+            if entered is not None:
+                waiting.append((walk, entered))
+            elif waiting:
+                waiting[-1][1].take(self._known(walk.root, walk.frame))
+            else:
+                return self._known(root, frame)
+            outer, binder = waiting[-1]
+            body = binder.following()
+            if body is not None:
+                walk = _Walk(*body, [body[0]])
+            else:
+                waiting.pop()
+                walk = outer
+                node = walk.pending.pop()
+                self._home(node, walk.frame).values[node.id] = binder.result
 
-    def _home(self, node: Node, frame: _Frame) -> _Frame:
+    def _home(self, node: Node, frame: Frame) -> Frame:
         """The outermost frame in which ``node`` has the same value as in ``frame``."""
         wanted = node.variables
         while frame.parent is not None and not node.free and wanted.isdisjoint(frame.formals):
             frame = frame.parent
         return frame
 
-    def _value(self, root: Node, frame: _Frame) -> Step[Lanes]:
-        pending = [root]
+    def _known(self, node: Node, frame: Frame) -> Lanes:
+        """The value of a node that has been evaluated."""
+        return self._home(node, frame).values[node.id]
+
+    def _walk(self, walk: _Walk) -> Opened | None:
+        """Evaluate until ``root`` is known, or until a node needs the value of a body."""
+        pending, frame = walk.pending, walk.frame
         while pending:
             node = pending[-1]
             home = self._home(node, frame)
@@ -108,20 +127,28 @@ class Evaluator:
             if known is None:
                 known = self._given(node, home)
             if known is None:
+                before = _needed_first(node)
                 missing = [
                     operand
-                    for operand in _needed_first(node)
+                    for operand in before
                     if operand.id not in self._home(operand, frame).values
                 ]
                 if missing:
                     pending.extend(missing)
                     continue
-                known = yield self._computed(node, home)
+                self._spend()
+                operands = [self._known(operand, home) for operand in before]
+                entered = opened(node, operands, home, self._xp, self._spend)
+                if entered is not None:
+                    return entered
+                known = apply(node, operands, self._xp)
+                if self._observer is not None:
+                    known = self._observer(node, operands, known)
             home.values[node.id] = known
             pending.pop()
-        return self._home(root, frame).values[root.id]
+        return None
 
-    def _given(self, node: Node, frame: _Frame) -> Lanes | None:
+    def _given(self, node: Node, frame: Frame) -> Lanes | None:
         """The value of a variable or a leaf, or ``None`` for any other node."""
         if node.op in _ASKED:
             return self._leaves(node) if self._leaves is not None else None
@@ -137,73 +164,6 @@ class Evaluator:
             if self._left < 0:
                 raise TooLongError
 
-    def _computed(self, node: Node, frame: _Frame) -> Step[Lanes]:
-        self._spend()
-        operands = [
-            self._home(operand, frame).values[operand.id] for operand in _needed_first(node)
-        ]
-        if node.op == "fold":
-            folded: Lanes = yield self._folded(node, operands, frame)
-            return folded
-        if node.op == "iterate":
-            last: Lanes = yield self._iterated(node, operands, frame)
-            return last
-        if node.op != "apply":
-            value = apply(node, operands, self._xp)
-            return value if self._observer is None else self._observer(node, operands, value)
-        body = node.operands[0]
-        result: Lanes = yield self._value(body, _inner(node, frame, tuple(operands)))
-        return result
-
-    def _folded(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
-        """Evaluate a fold, one iteration after the other.
-
-        If the count is an array, elements that have finished keep their totals.
-        """
-        data = FOLD.data(node)
-        (count,), total = operands
-        kind = scalar_kind(node.type) or "float"
-        for turn in range(data.bound):
-            goes_on = turn < count
-            if goes_on is False:
-                break
-            self._spend()
-            term = yield self._value(node.operands[2], _inner(node, frame, ((turn,),)))
-            combined = builtin(data.operator, (total, term), self._xp, kind)
-            total = chosen(self._xp, goes_on, combined, total)
-        return total
-
-    def _iterated(self, node: Node, operands: list[Lanes], frame: _Frame) -> Step[Lanes]:
-        """Evaluate an iteration. With arrays, elements that have stopped keep their states."""
-        (count,), *states = operands
-        going, *nexts = (node.operands[i] for i in bodies_of(node))
-        goes_on: Lane = True
-        for turn in range(ITERATE.data(node).bound):
-            self._spend()
-            inner = _inner(node, frame, ((turn,), *states))
-            (condition,) = yield self._value(going, inner)
-            goes_on = _all(self._xp, goes_on, turn < count, condition)
-            if not _anywhere(goes_on):
-                break
-            following = []
-            for state, next_ in zip(states, nexts, strict=True):
-                new = yield self._value(next_, inner)
-                following.append(chosen(self._xp, goes_on, new, state))
-            states = following
-        return states[0] if len(states) == 1 else tuple(states)
-
-
-def _all(xp: Namespace, *conditions: Lane) -> Lane:
-    """Whether all conditions hold; a plain ``bool`` unless one of them is an array."""
-    found: Lane = True
-    for condition in conditions:
-        found = xp.logical_and(found, condition)
-    return found if getattr(found, "ndim", 0) else bool(found)
-
-
-def _anywhere(condition: Lane) -> bool:
-    return condition if isinstance(condition, bool) else bool(condition.any())
-
 
 def _needed_first(node: Node) -> tuple[Node, ...]:
     """The operands that are evaluated before the node: all but the bodies under its binder."""
@@ -211,10 +171,3 @@ def _needed_first(node: Node) -> tuple[Node, ...]:
     if not inside:
         return node.operands
     return node.operands[: inside.start] + node.operands[inside.stop :]
-
-
-def _inner(node: Node, frame: _Frame, variables: tuple[Lanes, ...]) -> _Frame:
-    """A frame for the body of ``node``, with values for the variables that it binds."""
-    if binders(node):
-        return _Frame(frame, variables + frame.bound)
-    return _Frame(frame, frame.bound, dict(zip(formals_of(node), variables, strict=True)))

@@ -1,8 +1,8 @@
-"""The meaning of builtins on floats, lane by lane.
+"""Defines what builtins mean for floats, lane by lane.
 
-The names are those of the builtins, with an underscore if Python has the name already. Operands
-outside of the domain of Python's or NumPy's function are replaced *before* it is called, as in the
-shaders, so that NaN never occurs.
+``functions.py`` has them in its table. The names are those of the builtins, with an underscore if
+Python already has the name. An operand outside of the domain of Python's or NumPy's function is
+replaced *before* the function is called, as in the shaders, so that NaN never occurs.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""The table of what every builtin means, on Python numbers or on arrays.
+"""The table of what every builtin means, for Python numbers and for arrays.
 
-Constant folding, the evaluator and the tests of builtins use it. Nothing here imports NumPy, so
-that compiling does not need it; the reference's pictures pass NumPy as ``xp``.
+``evaluate`` is called for constants while compiling, for pictures of the reference, and by the
+runtime for derived values. Nothing here imports NumPy, so that compiling does not need it; the
+reference's pictures pass NumPy as ``xp``.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""The meaning of the hyperbolic functions, lane by lane."""
+"""Defines what the hyperbolic functions mean, lane by lane.
+
+``functions.py`` has them in its table.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The meaning of builtins on 32-bit integers, lane by lane, before the result is wrapped."""
+"""Defines what builtins mean for 32-bit integers, lane by lane, before the result is wrapped.
+
+``functions.py`` has them in its table, and calls ``wrap``.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The meaning of comparisons, logic and choices."""
+"""Defines what comparisons, logic and choices mean; ``functions.py`` has them in its table."""
 
 from __future__ import annotations
 

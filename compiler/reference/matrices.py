@@ -1,4 +1,7 @@
-"""The meaning of builtins on matrices; a matrix is the tuple of its columns."""
+"""Defines what builtins mean for matrices, which are tuples of columns.
+
+``functions.py`` has them in its table.
+"""
 
 from __future__ import annotations
 

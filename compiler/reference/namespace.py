@@ -1,4 +1,4 @@
-"""The array library that the reference is written against, as a protocol.
+"""The array library that the reference is written for, as a protocol.
 
 NumPy implements it for pictures, and ``scalars`` for plain Python numbers. The names and their
 behaviour are NumPy's: no function raises, an undefined result is NaN, and overflow is infinite.

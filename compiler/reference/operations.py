@@ -1,17 +1,20 @@
-"""The value of one operation from the values of its operands; ``evaluate.py`` calls it."""
+"""Computes the value of one operation from the values of its operands; ``evaluate.py`` calls it."""
 
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any
 
 from ..ir.node import Node, Op
 from ..ir.operations import CALL, MEMBER, SWIZZLE
 from ..ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector, scalar_kind
 from . import scalars
-from .functions import evaluate as builtin
 from .namespace import Lane, Lanes, Namespace
+
+if TYPE_CHECKING:
+    from .functions import LaneKind
 
 
 class NotConstantError(Exception):
@@ -55,9 +58,18 @@ def _constant(node: Node, _operands: list[Lanes], _xp: Namespace) -> Lanes:
     return constant_lanes(node.type, node.data)
 
 
+@cache
+def builtins() -> Callable[[str, Sequence[Lanes], Namespace, LaneKind], Lanes]:
+    """What evaluates a builtin by name. Its table is loaded with ten modules when it is first asked
+    for: most compiles only fold operations of the graph."""
+    from .functions import evaluate
+
+    return evaluate
+
+
 def _call(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
     kind = scalar_kind(node.operands[0].type)
-    return builtin(CALL.data(node), operands, xp, kind or "float")
+    return builtins()(CALL.data(node), operands, xp, kind or "float")
 
 
 def _vector(_node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:

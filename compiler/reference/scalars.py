@@ -1,6 +1,7 @@
-"""The array library for plain Python numbers, so that constant folding needs no NumPy.
+"""The array library for plain Python numbers, so that evaluating constants needs no NumPy.
 
-Every function returns what NumPy's would, also where Python's own would raise: see ``namespace``.
+Every function returns what NumPy's function would, even where Python's own would raise; see
+``namespace``.
 """
 
 from __future__ import annotations

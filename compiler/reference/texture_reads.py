@@ -1,8 +1,8 @@
-"""The meaning of texture reads, which the texture's value itself defines.
+"""Defines what texture reads mean, by asking the value of the texture.
 
-How texels are found, blended and compared depends on the texture and its sampler. So the single
-lane of a texture is a ``Reader``, such as those of ``picture/sampler.py``. The rows of
-``stdlib/builtins/texture.py`` define what each read means.
+``functions.py`` has them in its table. How texels are found, blended and compared depends on the
+texture and its sampler. So the single lane of a texture is a ``Reader``, such as those of
+``picture/sampler.py``. The rows of ``stdlib/builtins/texture.py`` say what each read means.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The meaning of builtins on whole vectors."""
+"""Defines what builtins mean for whole vectors; ``functions.py`` has them in its table."""
 
 from __future__ import annotations
 

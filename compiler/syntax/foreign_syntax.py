@@ -14,7 +14,7 @@ from .ast import MEMBERS
 from .forms import DECLARATIONS
 
 _DECLARATORS = frozenset(("let", "var", "const", "auto", "local", "mut", "override"))
-_QUALIFIERS = _DECLARATORS | frozenset(
+QUALIFIERS = _DECLARATORS | frozenset(
     (
         "static", "inline", "precise", "highp", "mediump", "lowp", "invariant", "flat", "in", "out",
         "inout", "uniform", "varying", "public", "private", "pub", "export", "extern", "readonly",
@@ -34,13 +34,21 @@ def types() -> Mapping[str, str]:
     return {**{name: name for name in here}, **TYPES}
 
 
+def elsewhere(word: str) -> str:
+    """What to write instead of a statement of another language that begins with ``word``."""
+    from ...stdlib.builtins.elsewhere import KEYWORDS
+
+    return KEYWORDS.get(word, "")
+
+
 class Row(NamedTuple):
     """Several names in a row, with what follows them on the line."""
 
     words: Sequence[str]
     length: str
     """The number in brackets after them, which is the length of an array; may be empty."""
-    has_value: bool
+    value: str
+    """What is written behind ``=``, ``…`` if that is long; empty if there is no ``=``."""
     span: Span
     """Of the names and the brackets."""
 
@@ -53,11 +61,11 @@ def rewritten(row: Row, *, in_body: bool) -> Hint:
     word = f"{row.words[0]} " if row.words[0] in _WORDS_OF_MEMBERS else ""
     words = list(row.words[1:] if word else row.words)
     qualifiers: list[str] = []
-    while len(words) > 1 and words[0] in _QUALIFIERS:
+    while len(words) > 1 and words[0] in QUALIFIERS:
         qualifiers.append(words.pop(0))
     if len(words) == 1:
         declarator = next(filter(_DECLARATORS.__contains__, qualifiers), "")
-        said = f"equations need no `{declarator}`: write `{words[0]} = …`"
+        said = f"equations need no `{declarator}`: write `{words[0]} = {row.value or '…'}`"
         return fix_it(said, (row.span, words[0])) if declarator else ""
     if len(words) != 2:
         return ""
@@ -91,13 +99,11 @@ def _typed(word: str, type_: str, name: str, row: Row, *, is_uniform: bool) -> t
         instead = f"param {name} : {here}"
         return f"a value that the host sets is a parameter of a material: `{instead}`", instead
     may_have_value = not word or MEMBERS[word.rstrip()].has_default
-    value = " = …" if row.has_value and may_have_value else ""
+    value = f" = {row.value}" if row.value and may_have_value else ""
     instead = f"{word}{name} : {here}"
     return f"the type follows the name: write `{instead}{value}`", instead
 
 
 def _begins_elsewhere(word: str) -> bool:
     """Whether a word begins a declaration here or elsewhere, so that it is no type."""
-    from ...stdlib.builtins.elsewhere import KEYWORDS
-
-    return word in DECLARATIONS or word in KEYWORDS
+    return word in DECLARATIONS or bool(elsewhere(word))

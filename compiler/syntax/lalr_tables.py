@@ -30,6 +30,10 @@ class Production(NamedTuple):
     """Which parts to hand over (-1: an absent option), and whether to unpack each."""
     collapses: bool
     """Whether a single part stands for the whole."""
+    renames: bool
+    """Whether it has one part, which stands for the whole: only the state changes."""
+    as_read: bool
+    """Whether the plan hands all parts over as they are."""
 
 
 class Tables(NamedTuple):
@@ -41,7 +45,6 @@ class Tables(NamedTuple):
     """By state and origin of a finished production: the next state."""
     productions: list[Production]
     start: int
-    accept: int
     literals: frozenset[str]
     """Words and punctuation, which stand for themselves as symbols."""
     patterns: dict[str, str]
@@ -57,8 +60,18 @@ def load_tables() -> Tables:
     actions, gotos, productions, start, accept, literals, patterns = cached(
         "grammar", (_FORMAT, grammar), lambda: _compute(grammar)
     )
-    made = [Production(*production) for production in productions]
-    return Tables(actions, gotos, made, start, accept, frozenset(literals), patterns, {})
+    made = [_made(*production) for production in productions]
+    actions[accept] = {END: accept}
+    return Tables(actions, gotos, made, start, frozenset(literals), patterns, {})
+
+
+def _made(
+    origin: str, length: int, method: str, plan: tuple[tuple[int, bool], ...], collapses: bool
+) -> Production:
+    """A production, with what follows from the rest of its row."""
+    as_read = list(plan) == [(position, False) for position in range(length)]
+    renames = collapses and length == 1
+    return Production(origin, length, method, plan, collapses, renames, as_read)
 
 
 def _compute(grammar: str) -> tuple[Any, ...]:

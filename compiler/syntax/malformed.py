@@ -54,7 +54,6 @@ _SAME = frozenset(("&&", "||", "!", ":=", "<>", "===", "!=="))
 """Operators whose replacement means the same for all operands."""
 
 _HINTS = {
-    "?": "write `if condition then a else b`",
     "=>": "an equation is written `name = expression`",
     ":=": "an equation is written `name = expression`",
     "..=": "write `..`; a fold leaves out its upper bound",
@@ -139,10 +138,12 @@ def _instead_of_directive(line: str, span: Span) -> Hint:
     if constant:
         equation = f"{constant[1]} = {constant[2].strip()}"
         return fix_it(f"{said}: a constant is `{equation}`", (span, equation))
+    if line.split(maxsplit=1)[0] in ("#version", "#extension", "#pragma", "#line"):
+        return fix_it(f"{said}: remove this line", (span, ""))
     return f"{said}: a constant is `name = expression`, a file is imported"
 
 
-_BITS = re.compile(r"([0-9.]+)([iuf])(?:8|16|32|64)")
+_BITS = r"([0-9.]+)([iuf])(?:8|16|32|64)"
 """A number with its width, as in Rust."""
 
 
@@ -160,7 +161,7 @@ def _number(word: str, span: Span, report: Report) -> Token:
         better = f"{number[0]}deg"
         report.add(rules.BAD_NUMBER, span, text=word, hint=write(span, better, sure=True))
         return Token("NUMBER", better, span.start, span.end)
-    suffixed = _BITS.fullmatch(word)
+    suffixed = re.fullmatch(_BITS, word)
     digits = suffixed[1] if suffixed else word.rstrip("fFhHlL")
     better = f"{digits}0" if digits.endswith(".") else digits
     proper = better.replace(".", "", 1).isdigit()
@@ -187,6 +188,10 @@ def _foreign(word: str, span: Span, report: Report) -> Token:
     if instead:
         said = _HINTS.get(word, f"write `{instead}`")
         hint = fix_it(said, (span, _set_apart(instead, span)), sure=word in _SAME)
+    if word == "?":
+        from .foreign_choices import ternary_hint
+
+        hint = ternary_hint(span)
     if word == "++":
         hint = _joined_or_counted(span)
     report.add(rules.FOREIGN_OPERATOR, span, operator=word, hint=hint)

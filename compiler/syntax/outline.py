@@ -108,15 +108,15 @@ class Outline:
 
     def _split(self) -> None:
         named_until = 0
-        for index, token in enumerate(self.tokens):
-            if token.kind in _CLOSED_BY:
+        for index, (kind, word, _, _) in enumerate(self.tokens):
+            if kind in _CLOSED_BY:
                 self.depths.append(len(self._open))
                 self._enter(index)
                 continue
-            if token.kind in _CLOSERS:
-                self._leave(index, token.kind)
-            elif token.kind == "NAME" and index >= named_until:
-                header = self._header(index)
+            if kind in _CLOSERS:
+                self._leave(index, kind)
+            elif kind == "NAME" and index >= named_until:
+                header = self._header(index) if word in DECLARATIONS else 0
                 if self._open and not header and self._ends_parentheses(index):
                     self._abandon_open(index, down_to="{")
                 if header or (not self._open and self._begins_constant(index)):
@@ -136,9 +136,9 @@ class Outline:
         return begins and not is_placed  # `cbuffer Name : register(b0)`, as elsewhere.
 
     def _header(self, index: int) -> int:
-        """How many tokens a declaration's word and name take here; 0 where none begins."""
+        """How many tokens a declaration's word and name take; 0 where the word is a name."""
         word = self.tokens[index].text
-        if word not in DECLARATIONS or self._kind(index + 1) in ("=", ":"):
+        if self._kind(index + 1) in ("=", ":"):
             return 0
         in_line = not self.begins_line(index)
         if word == "import" and in_line and self._text_of(self.chunks[-1].start) == "from":
@@ -172,15 +172,15 @@ class Outline:
 
     def _ends_parentheses(self, index: int) -> bool:
         """Whether a member begins here, although parentheses are still open."""
-        if self.tokens[self._open[-1]].kind == "{":
-            return False
         following = self._kind(index + 1)
-        starts_member = self.tokens[index].text in MEMBERS and following == "NAME"
+        starts_member = following == "NAME" and self.tokens[index].text in MEMBERS
+        if not (following == "=" or starts_member) or self.tokens[self._open[-1]].kind == "{":
+            return False
         if self._text_of(index - 1) in ("(", ",") and not self.begins_line(index):
             return False  # An argument that is given by its name, as elsewhere.
         if self._text_of(self._open[-1] - 1) == "for" and not self.begins_line(index):
             return False  # A loop's head, as elsewhere.
-        return following == "=" or (starts_member and self._may_follow(index))
+        return following == "=" or self._may_follow(index)
 
     def _begin(self, index: int) -> None:
         """Begin a declaration here, even if brackets are still open."""
@@ -196,6 +196,9 @@ class Outline:
 
     def _leave(self, index: int, closer: str) -> None:
         """Close the innermost bracket of this kind; a brace also ends what is open inside it."""
+        if self._open and _CLOSED_BY[self.tokens[self._open[-1]].kind] == closer:
+            self._open.pop()
+            return
         kinds = [self.tokens[opener].kind for opener in self._open[-NESTING_LIMIT:]]
         while kinds and _CLOSED_BY[kinds[-1]] != closer:
             if kinds[-1] == "{":

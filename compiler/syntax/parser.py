@@ -94,7 +94,6 @@ class _Parser:
         self._outline = outline
         self._machine = machine
         self._report = report
-        self._words = load_tables().literals
         self.skipped: list[range] = []
         """Parts of the text that were skipped after a mistake."""
         self._given_up = 0
@@ -110,10 +109,11 @@ class _Parser:
             return 1, ()
         self._machine.reset()
         index, failed = chunk.start, -1
-        while index < chunk.end:
-            if self._machine.feed(self._symbol(index), self._tokens[index]):
-                index += 1
-            elif self._is_second_word(index):
+        while True:
+            index = self._machine.run(self._tokens, index, chunk.end, self._symbol)
+            if index == chunk.end:
+                break
+            if self._is_second_word(index):
                 self._errors.report(index, chunk, self._machine.expected(), chunk.start)
                 self.unread.update(self._words_of_name(index))
                 index += 1
@@ -145,10 +145,8 @@ class _Parser:
         return second, first + second, f"{first}_{second}"
 
     def _symbol(self, index: int) -> str:
-        """The grammar's symbol for a token: a word counts as one only in its place."""
+        """The grammar's symbol for a name that is a word elsewhere."""
         token = self._tokens[index]
-        if token.kind != "NAME" or token.text not in self._words:
-            return token.kind
         if self._outline.is_member(index):
             return token.text
         if not self._machine.knows(token.text) or self._names_something(index):
@@ -222,15 +220,15 @@ class _Parser:
         """End the chunk: a body that was left open is closed as if its brace were there."""
         last = self._tokens[chunk.end - 1].end
         end, brace = Token(END, "", last, last), Token("}", "}", last, last)
-        if self._machine.feed(END, end):
+        if self._machine.feed(end):
             return
         start = self._start(chunk.end)
         self._errors.report(chunk.end, chunk, self._machine.expected(), start)
         self._give_up(start, chunk.end, chunk.end)
-        if not self._machine.feed("}", brace):
+        if not self._machine.feed(brace):
             origins = _BODY_PARTS if self._machine.unwind(_BODY_PARTS) else _FILE_PARTS
             self._machine.unwind(origins)
-            self._machine.feed("}", brace)
-        if not self._machine.feed(END, end):
+            self._machine.feed(brace)
+        if not self._machine.feed(end):
             self._machine.unwind(_FILE_PARTS)
-            self._machine.feed(END, end)
+            self._machine.feed(end)

@@ -9,15 +9,13 @@ from ..diagnostics.fixes import Fix, FixIt, Hint, fix_it
 from ..diagnostics.source import Source, Span
 from .quoting import closed, operand, spanned
 
-_HEAD = re.compile(
-    r"""
+_HEAD = r"""(?x)
       (?P<kept> burnish[ \t]+[0-9]+ | //![^\n]*
               | import\s+ (?: "[^"\n]*" | [\w.]*\w ) (?: \s*\.\s*\{ [^}]* \} )? )
     | \ufeff | \s+ | [;,] | //(?!/)[^\n]* | /\*[\s\S]*?\*/
-    """,
-    re.VERBOSE,
-)
-"""What a file can begin with, in front of its own declarations."""
+"""
+"""What a file can begin with, in front of its own declarations. Like the patterns of all hints, it
+is compiled when a first mistake needs it."""
 
 
 def rewritten(span: Span, pattern: str, said: str = "write `{}`") -> FixIt:
@@ -46,7 +44,8 @@ def called_here(name: str, span: Span, here: str) -> Hint:
 def inserted_on_top(said: str, source: Source, declaration: str) -> FixIt:
     """A hint to add a declaration behind the imports of a file."""
     place = end = 0
-    while (found := _HEAD.match(source.text, end)) is not None:
+    head = re.compile(_HEAD)
+    while (found := head.match(source.text, end)) is not None:
         end = found.end()
         if found["kept"]:
             place = end

@@ -12,9 +12,10 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Label, Report
 from ..diagnostics.fixes import Hint, fix_it
 from ..diagnostics.source import Source, Span
-from .advice import STATEMENTS, Advice
+from .advice import Advice
 from .ast import MEMBERS, RECORD_KINDS
 from .expectations import describe_expected, describe_found, may_begin_member
+from .foreign_choices import STATEMENTS, statement_hint
 from .foreign_syntax import types
 from .forms import DECLARATIONS, FOLDS, FOREIGN_FILES
 from .lalr_tables import END
@@ -100,7 +101,8 @@ class SyntaxErrors:
         elif found.kind in _COMPARISONS and "and" in expected and found.kind not in expected:
             self._report.add(rules.CHAINED_COMPARISON, span)
         elif self._begins_statement(index, expected):
-            hint: Hint = STATEMENTS.get(found.kind, "") if may_begin_member(expected) else ""
+            is_statement = found.kind in STATEMENTS and may_begin_member(expected)
+            hint = statement_hint(self._advice, index) if is_statement else ""
             if self._token(index + 1).kind in ("=", ":"):
                 other = f"{found.text}_"
                 hint = fix_it(f"give it another name, such as `{other}`", (span, other))

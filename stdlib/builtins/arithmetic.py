@@ -1,4 +1,4 @@
-"""Operators on numbers: ``+ - * /``, ``mod`` and negation.
+"""Rows for the operators on numbers: ``+ - * /``, ``mod`` and negation.
 
 Integers are 32 bits wide and wrap. Division by zero has WGSL's result for integers, and is zero for
 floats. ``mod`` rounds the quotient down, so that its result has the sign of the divisor.

@@ -1,4 +1,4 @@
-"""Builtins that treat integers as 32 bits, and those that access the bits of floats."""
+"""Rows for builtins that treat integers as 32 bits, and for those that read the bits of floats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rounding, limits and blending: functions that are cheap on every device."""
+"""Rows for rounding, limits and blending: functions that are cheap on every device."""
 
 from __future__ import annotations
 

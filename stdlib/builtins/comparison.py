@@ -1,6 +1,6 @@
-"""Comparisons, logic and choices, lane by lane.
+"""Rows for comparisons, logic and choices, which work lane by lane.
 
-They have no range rules: the simplifier removes those whose result ranges decide.
+They have no range rules: if ranges decide a result, the simplifier replaces the operation.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Conversions between types of lanes; the language writes them as the type's name, ``int(x)``."""
+"""Rows for conversions between types of lanes, which the language writes as ``int(x)``."""
 
 from __future__ import annotations
 

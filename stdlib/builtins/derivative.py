@@ -1,4 +1,4 @@
-"""Derivatives: how a value changes from pixel to pixel."""
+"""Rows for derivatives: how a value changes from pixel to pixel."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""The names of other shading languages, and what to write here in their place.
+"""The names of functions in other shading languages, and what to write here instead of them.
 
 Every function of GLSL 4.50 and ES 3.00 (chapter 8), of HLSL (the list of intrinsics) and of WGSL
-(chapter "Built-in Functions") either is a builtin with the same name, or is in this table. Messages
-about unknown names and the manual read it.
+(chapter "Built-in Functions") either is a builtin with the same name, or is in this table. The
+hints for unknown names and docs/builtins.md are made from it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Powers, roots and logarithms."""
+"""Rows for powers, roots and logarithms."""
 
 from __future__ import annotations
 

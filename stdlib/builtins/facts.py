@@ -1,7 +1,7 @@
-"""``Fact``: what range analysis knows about a value: an interval, and the length of a vector.
+"""``Fact``: what range analysis knows about a value, namely an interval and the length of a vector.
 
-The range rules of builtins compute facts of results from facts of operands. Other compilers call
-this value ranges.
+The range rules of builtins compute the fact of a result from the facts of the operands. Other
+compilers call facts value ranges.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Builtins on geometric vectors: products, lengths, reflection, and lighting coefficients."""
+"""Rows for geometric vectors: products, lengths, reflection, and lighting coefficients."""
 
 from __future__ import annotations
 

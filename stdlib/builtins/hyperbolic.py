@@ -1,4 +1,4 @@
-"""The hyperbolic functions and their inverses."""
+"""Rows for the hyperbolic functions and their inverses."""
 
 from __future__ import annotations
 

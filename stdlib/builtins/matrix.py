@@ -1,4 +1,4 @@
-"""Builtins on square matrices. The product of matrices is a form of ``mul``."""
+"""Rows for square matrices. The product of matrices is a form of ``mul``."""
 
 from __future__ import annotations
 

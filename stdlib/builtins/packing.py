@@ -1,4 +1,4 @@
-"""Packing: several small numbers in the 32 bits of a ``uint``, the first in the lowest bits."""
+"""Rows for packing several small numbers into the 32 bits of a ``uint``, the first one lowest."""
 
 from __future__ import annotations
 

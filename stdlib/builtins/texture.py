@@ -1,4 +1,4 @@
-"""Texture reads.
+"""Rows for texture reads.
 
 The texture is the first operand. For arrays of textures, the layer follows the coordinate, and is
 clamped to the existing layers.

@@ -1,4 +1,4 @@
-"""Trigonometric functions; angles are in radians."""
+"""Rows for trigonometric functions; angles are in radians."""
 
 from __future__ import annotations
 

@@ -79,7 +79,7 @@ def _stretched(name: str, reflection: Mapping[str, Any], seed: int, clear: Color
 
 def _behind(reflection: Mapping[str, Any], seed: int) -> Case:
     """Back faces, and as few lights as possible."""
-    scene = Scene(eye=(0.9, 0.5, -2.4), target=(0.1, 0.0, 0.0), light_count=0)
+    scene = Scene(eye=(0.9, 0.5, -2.4), look_at=(0.1, 0.0, 0.0), light_count=0)
     return _case("behind", _sampled(reflection, seed), plane(4), scene)
 
 
@@ -87,7 +87,7 @@ def _inside(reflection: Mapping[str, Any], seed: int) -> Case:
     """Walls around the eye, which the near and the far plane cut."""
     scene = Scene(
         eye=(0.35, -0.2, 0.4),
-        target=(-0.5, 0.1, -0.6),
+        look_at=(-0.5, 0.1, -0.6),
         near=0.8,
         far=1.5,
         fov=math.radians(75),

@@ -1,4 +1,4 @@
-"""Compares the picture of a route with the reference's picture."""
+"""Compares the picture of a route with the reference's; ``conform`` calls it for each draw."""
 
 from __future__ import annotations
 

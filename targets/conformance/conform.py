@@ -1,4 +1,7 @@
-"""Runs ``conform``: draws materials with every route and compares with the reference."""
+"""Runs a conformance test: draws materials by every route, and compares with the reference.
+
+``burnish conform`` and the tests call it.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +20,7 @@ from ..runner.store import Store
 from ..runner.subject import Subject
 from ..toolchain import Toolchain
 from .plan import Plan
-from .rows import Result, Row, Status
+from .rows import CaseResult, Row, Status
 from .tolerances import PROVEN_SHARE
 
 Done = Callable[[int, int], None]
@@ -73,7 +76,7 @@ def _row(plan: Plan | tuple[str, str], route: Route, runner: Runner, toolchain: 
     try:
         device = runner.device(route)
         codes = compile_one(route, plan.subject.files, toolchain)
-        results: list[Result] = []
+        results: list[CaseResult] = []
         for series, draws in plan.work:
             shader = pipeline(plan.subject.reflection, route, codes, exact=series.exact)
             pictures = runner.draw(route, Job(shader, draws))
@@ -83,7 +86,7 @@ def _row(plan: Plan | tuple[str, str], route: Route, runner: Runner, toolchain: 
     return made(status=_status(results), device=device, results=tuple(results))
 
 
-def _status(results: Sequence[Result]) -> Status:
+def _status(results: Sequence[CaseResult]) -> Status:
     comparisons = [result.comparison for result in results]
     if any(comparison.wrong for comparison in comparisons):
         return "differs"

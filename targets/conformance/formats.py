@@ -1,4 +1,4 @@
-"""The errors that rounding to a render target's format may cause."""
+"""Computes the errors that rounding to a render target's format may cause."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The draws of one material and the expected pictures, made once and shared by all routes."""
+"""Plans the draws of one material with the expected pictures, which all routes share."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from ..runner.subject import Subject
 from .cases import Series, series_of
 from .compare import compare
 from .formats import as_stored, format_steps
-from .rows import Result
+from .rows import CaseResult
 from .tolerances import DRIVERS, Tolerance
 
 Floats = NDArray[np.float64]
@@ -53,7 +53,7 @@ class Plan:
 
     def compared(
         self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
-    ) -> Iterator[Result]:
+    ) -> Iterator[CaseResult]:
         """A result for each case of a series, from the pictures that a route has drawn."""
         driver = DRIVERS[route.driver]
         for case, picture in zip(series.cases, pictures, strict=True):
@@ -65,7 +65,7 @@ class Plan:
                 expected, got = replace(expected, targets=stored), as_stored(got, self._formats)
                 steps = format_steps(stored, self._formats)
             comparison = compare(got, expected, driver, steps)
-            yield Result(case.name, comparison, got, expected)
+            yield CaseResult(case.name, comparison, got, expected)
 
     def _wanted(self, state: SceneState, rules: RasterRules, exact: bool) -> Expected:
         key = id(state), rules

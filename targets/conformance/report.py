@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..runner.pictures import to_image
 from .compare import Comparison
-from .rows import Result, Row
+from .rows import CaseResult, Row
 from .summary import by_material, counted, details, devices, lacking, share, tools
 
 TEMPLATE = "report.html.j2"
@@ -105,7 +105,7 @@ def _references(rows: Sequence[Row]) -> Iterator[dict[str, str]]:
             yield {"name": name, "picture": _embedded(target)}
 
 
-def _pictures(result: Result) -> dict[str, str]:
+def _pictures(result: CaseResult) -> dict[str, str]:
     """The pictures that show a disagreement, of the target with the worst pixel."""
     worst = result.comparison.worst
     number = worst.target if worst else 0

@@ -27,7 +27,7 @@ lacks what the material needs."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Result:
+class CaseResult:
     """One case drawn by one route."""
 
     case: str
@@ -49,7 +49,7 @@ class Row:
     device: Device | None = None
     versions: Mapping[str, str] = field(default_factory=dict)
     """The versions of the route's tools."""
-    results: tuple[Result, ...] = ()
+    results: tuple[CaseResult, ...] = ()
 
     @property
     def max_difference(self) -> float:

@@ -1,4 +1,4 @@
-"""Random values for parameters, textures and vertex inputs, within what is declared.
+"""Makes random values for parameters, textures and vertex inputs, within what is declared.
 
 ``cases.py`` uses it. The value for a name depends only on the seed and on the name, so that a new
 parameter does not change the values of the others.

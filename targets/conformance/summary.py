@@ -1,4 +1,4 @@
-"""A conformance run in words and numbers, for the terminal and the report."""
+"""Describes a conformance run in words and numbers, for the terminal and for the report."""
 
 from __future__ import annotations
 

@@ -5,16 +5,13 @@ The emitter makes one ``Context`` for a program and a profile, and hands it to e
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import StageName
 from ..legalise.legal import Legal
 from ..legalise.resource_arguments import NOTHING, Passed
-from .description import PipelineInput, Spellings
+from .dialect import dialect
 from .names import Names
-from .precedence import Text
+from .precedence import Printed
 from .spelling import TypeSpeller
 from .texture_declarations import TextureSpeller
 
@@ -23,12 +20,13 @@ class Context:
     """A program, its language, and what was decided once for all of its texts."""
 
     def __init__(self, legal: Legal, names: Names, flip_y: bool) -> None:
-        program, target, profile = legal.program, legal.target, legal.profile
+        program, language, profile = legal.program, legal.language, legal.profile
         # Whether the picture's rows count upwards, against Burnish's own y.
-        framebuffer = profile.framebuffer
-        rows_up = framebuffer.rows_up and not flip_y
+        rows_up = profile.framebuffer.rows_up and not flip_y
         self.program = program
-        self.target = target
+        self.dialect = dialect(language, profile, rows_up)
+        """What is the same for all programs."""
+        self.language = language
         self.profile = profile
         self.names = names
         self.definitions = legal.definitions
@@ -40,20 +38,12 @@ class Context:
             if member.parameter is not None
         }
         """The block, the name there and the stored type of each parameter."""
-        self.read_parameters: dict[Parameter, Text] = {}
+        self.read_parameters: dict[Node, Printed] = {}
         """The texts of parameters that were printed before."""
-        self.types = TypeSpeller(target.types, names.structs)
+        self.types = TypeSpeller(language.types, names.structs, self.dialect.types)
         """Writes types, with the final names of structs."""
-        self.textures = TextureSpeller(target.textures, program)
+        self.textures = TextureSpeller(language.textures, program)
         """Writes the types of textures and samplers."""
-        self.natives: Spellings = {
-            **target.natives, **profile.natives, **(framebuffer.natives if rows_up else {})
-        }  # fmt: skip
-        """Spellings of builtins under the profile."""
-        self.inputs: Mapping[str, PipelineInput] = {
-            **target.inputs, **profile.inputs, **(framebuffer.inputs if rows_up else {})
-        }  # fmt: skip
-        """How the pipeline's values are read under the profile."""
         self._passed = legal.passed
 
     def passed(self, stage: StageName, body: Node) -> Passed:

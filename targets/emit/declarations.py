@@ -12,11 +12,11 @@ from functools import cached_property
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Stage, StoredMember
 from ...compiler.ir.types import Struct
+from ..description.shading_language import BindingKind
 from ..legalise.bindings import Bindings, BindingSlot
 from ..legalise.resource_arguments import Passed
 from .comments import comment_line
 from .context import Context
-from .description import BindingKind
 from .views import BlockView, MemberView, StructView, TextureView
 
 
@@ -52,7 +52,7 @@ class Declarations:
 
     def parameters(self, passed: Passed) -> list[str]:
         """What a function gets of a program's blocks, textures and samplers, as parameters."""
-        forms, declaration = self._context.target.forms, self._context.target.types.declaration
+        forms, declaration = self._context.language.forms, self._context.language.types.declaration
         declared = [self._blocks[name].argument for name in passed.blocks]
         declared += [
             declaration.format(type=view.type, name=view.name)
@@ -100,7 +100,7 @@ class Declarations:
         )
 
     def _argument(self, block: Block) -> str:
-        return self._context.target.forms.block_argument.format(
+        return self._context.language.forms.block_argument.format(
             type=self._names.blocks[block.name], name=self._names.variables.get(block.name, "")
         )
 
@@ -126,4 +126,4 @@ class Declarations:
             )
 
     def _register(self, kind: BindingKind, slot: BindingSlot) -> str:
-        return self._context.target.register(kind, slot.binding)
+        return self._context.language.register(kind, slot.binding)

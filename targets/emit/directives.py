@@ -1,6 +1,6 @@
 """``#line`` directives, which make a downstream compiler name lines of the material.
 
-They are put into a finished text. Where a target numbers its files, 0 is the text itself, and a
+They are put into a finished text. Where a language numbers its files, 0 is the text itself, and a
 comment at its end lists the others.
 """
 
@@ -13,7 +13,7 @@ from ...compiler.diagnostics.source import Source, Span
 from ...frozen import frozen
 from .comments import comment_line
 
-_NEUTRAL = re.compile(r"[{}\s]*(else[{}\s]*)?$")
+_NEUTRAL = r"[{}\s]*(else[{}\s]*)?$"
 """Lines that no compiler complains about."""
 
 
@@ -41,7 +41,7 @@ def directed(text: str, spans: Mapping[int, Span], form: str, name: str) -> Dire
         span = spans.get(number)
         if span is not None:
             wanted = (span.source.name, span.source.position(span.start)[0])
-        elif not expected[0] or _NEUTRAL.match(line):
+        elif not expected[0] or re.match(_NEUTRAL, line):
             wanted = expected
         else:
             wanted = ("", len(lines) + 2)

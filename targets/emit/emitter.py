@@ -1,7 +1,7 @@
 """Prints a program in one language: ``emit`` is what ``api.py`` calls after ``legalise``.
 
-Everything about the language is in the rows of its ``Target`` and in its skeleton. What is computed
-where has been decided before.
+What is particular to the language stands in the rows of its ``Language`` and in its skeleton. The
+passes and ``legalise`` have decided what is computed where.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
 from ...compiler.ir.shader import Notes
-from ...frozen import frozen
+from ...frozen import EMPTY, frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
 from .comments import comment_line, comment_lines
@@ -23,7 +23,7 @@ from .stage import StagePrinter
 from .templates import renderer
 from .texture_declarations import helpers, opening_lines
 from .views import EntryView, FileView
-from .wrapping import wrapped
+from .wrapping import Breaks, moved, wrapped
 
 
 @frozen
@@ -49,8 +49,13 @@ class EmittedFile:
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
-    origins: Mapping[int, Node]
-    """By 1-based line of ``text``, what the statement in it computes or is for."""
+    marks: Marks
+    breaks: Breaks
+    """Which lines were broken, as the marks know the text before that."""
+
+    def origins(self) -> dict[int, Node]:
+        """By 1-based line of ``text``, what the statement in it computes or is for."""
+        return moved(self.marks.origins(), self.breaks)
 
 
 @frozen
@@ -63,14 +68,14 @@ class Emission:
     host_uniforms: tuple[str, ...]
     """Names of plain float uniforms that the host has to set, besides the blocks."""
     notes: Notes | None = None
-    """What is noted of the nodes in ``EmittedFile.origins``, if not by the shader (``Legal``)."""
+    """What is noted of the nodes in ``EmittedFile.origins()``, if not by the shader (``Legal``)."""
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
     """Print a program; ``ValueError`` for one file where the profile cannot have that."""
     options = options or EmitOptions()
     if options.single_file and not legal.profile.single_file:
-        raise ValueError(f"{legal.target.name}:{legal.profile.name} has no single-file form")
+        raise ValueError(f"{legal.language.name}:{legal.profile.name} has no single-file form")
     return _Emitter(legal, options).emission()
 
 
@@ -79,10 +84,10 @@ class _Emitter:
 
     def __init__(self, legal: Legal, options: EmitOptions) -> None:
         self._program = legal.program
-        self._target = legal.target
+        self._language = legal.language
         self._profile = legal.profile
         self._options = options
-        self._names = name_program(legal.program, legal.target)
+        self._names = name_program(legal.program, legal.language)
         self._bindings = legal.bindings
         self._notes = legal.notes
         self._context = Context(legal, self._names, options.flip_y)
@@ -103,33 +108,34 @@ class _Emitter:
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
         single = len(stages) > 1
         names = {stage.name: self._entry_point(stage, single) for stage in stages}
-        marks = Marks(self._target.forms)
+        marks = Marks(self._language.forms)
         entries = [
             StagePrinter(self._context, self._declarations, stage, marks).entry(names[stage.name])
             for stage in stages
         ]
-        text, origins = marks.read(self._text(stages, entries))
-        if not (self._options.line_directives and self._target.line_directive):
+        text, breaks = marks.taken_out(self._text(stages, entries)), EMPTY
+        if not (self._options.line_directives and self._language.line_directive):
             # Behind a directive a statement stays in its one line, as compilers count on from it.
-            text, origins = wrapped(text, origins)
-        extension = self._target.extension
+            text, breaks = wrapped(text)
+        extension = self._language.extension
         first = stages[0].row
         return EmittedFile(
             suffix=extension if single else f"{first.suffix}.{extension}",
             stage="both" if single else first.name,
             entries=names,
             text=text,
-            origins=origins,
+            marks=marks,
+            breaks=breaks,
         )
 
     def _entry_point(self, stage: Stage, single: bool) -> str:
         entry = stage.row.entry
-        return entry if single else self._target.entry_point.format(entry=entry)
+        return entry if single else self._language.entry_point.format(entry=entry)
 
     def _text(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> str:
         view = self._view(stages, entries)
-        fill_in = renderer(self._target.folder / self._target.template)
-        return fill_in(view, self._target.forms, self._profile, self._options.flip_y)
+        fill_in = renderer(self._language.skeleton)
+        return fill_in(view, self._language.forms, self._profile, self._options.flip_y)
 
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))
@@ -140,7 +146,7 @@ class _Emitter:
             structs=self._declarations.structs(stages),
             blocks=self._declarations.blocks(stages),
             textures=self._declarations.textures(stages),
-            helpers=helpers(self._target, self._context.textures, reads),
+            helpers=helpers(self._language, self._context.textures, reads),
             host_uniforms=list(dict.fromkeys(uniforms)),
             entries=entries,
         )
@@ -153,5 +159,5 @@ class _Emitter:
         return [title, *comment_lines(program.doc, "//")]
 
     def _host_uniforms(self, stage: Stage) -> list[str]:
-        rows = (self._context.inputs[name] for name in stage.builtin_inputs)
+        rows = (self._context.dialect.inputs[name] for name in stage.builtin_inputs)
         return [row.host_uniform for row in rows if row.host_uniform]

@@ -6,7 +6,7 @@ statement has bound to a name is printed as that name, and every other node in p
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import ClassVar
 
 from ...compiler.ir.node import Formal, Node, Op
@@ -16,14 +16,15 @@ from ...compiler.ir.types import (
     Scalar,
     Struct,
     TallMatrix,
+    Type,
     Vector,
     scalar_kind,
 )
 from .context import Context
-from .leaves import Leaves
+from .leaves import LeafPrinter
 from .literals import literal
 from .natives import Callee, Natives
-from .precedence import Binding, Text, choice
+from .precedence import NAME, POSTFIX, Binding, Field, Printed, choice, within
 
 DEEPEST = 200
 """The printer calls itself for operands in place. The scheduler names deeper ones long before this;
@@ -36,18 +37,18 @@ class Expressions:
     def __init__(
         self,
         context: Context,
-        leaves: Leaves,
+        leaves: LeafPrinter,
         natives: Natives,
         functions: Mapping[Node, Callee],
     ) -> None:
-        self.bound: dict[int, str] = {}
-        """Names of bound nodes, by id."""
+        self.bound: dict[Node, Printed] = {}
+        """The names of bound nodes."""
         self.formals: dict[Formal, str] = {}
         """Names of the parameters, loop indices and states in scope."""
-        self.states: dict[tuple[int, str], str] = {}
-        """Names of the final states of loops with several, by the loop's id and the member."""
-        self._forms = context.target.forms
-        self._literals = context.target.literals
+        self.states: dict[tuple[Node, str], str] = {}
+        """Names of the final states of loops with several, by the loop and the member."""
+        self._forms = context.language.forms
+        self._literals = context.language.literals
         self._types = context.types
         self._names = context.names
         self._leaves = leaves
@@ -57,20 +58,25 @@ class Expressions:
 
     def text(self, node: Node) -> str:
         """The node as an operand of a statement."""
-        return self.operand(node).text
+        return self.operand(node)[0]
 
-    def operand(self, node: Node) -> Text:
+    def operand(self, node: Node) -> Printed:
         """The name of a bound node, or its expression."""
-        name = self.bound.get(node.id)
-        return self.expression(node) if name is None else Text(name, Binding.NAME)
+        (printed,) = self.operands((node,))
+        return printed
 
-    def expression(self, node: Node) -> Text:
-        """The node itself, even if it is bound."""
+    def operands(self, nodes: Iterable[Node]) -> list[Printed]:
+        """Several, each as above."""
         assert self._depth < DEEPEST, "the scheduler has to bind deep operands to names"
         self._depth += 1
-        text = self.PRINTERS[node.op](self, node)
+        bound, printers = self.bound.get, self.PRINTERS
+        printed = [bound(node) or printers[node.op](self, node) for node in nodes]
         self._depth -= 1
-        return text
+        return printed
+
+    def expression(self, node: Node) -> Printed:
+        """The node itself, even if it is bound."""
+        return self.PRINTERS[node.op](self, node)
 
     def accumulated(self, operator: str, name: str, value: Node) -> str:
         """The statement by which an iteration of a fold adds its value to a variable."""
@@ -78,30 +84,30 @@ class Expressions:
         if short is not None:
             return short.format(name=name, value=self.text(value))
         # The value comes first: `&&` and `||` may skip their second operand.
-        operands = self.operand(value), Text(name, Binding.NAME)
-        combined = self._natives.combined(operator, value.type, operands)
-        return self._forms.assign.format(name=name, value=combined.text)
+        operands = self.operand(value), (name, NAME)
+        combined, _binding = self._natives.combined(operator, value.type, operands)
+        return self._forms.assign.format(name=name, value=combined)
 
     def _arguments(self, nodes: tuple[Node, ...]) -> str:
-        return ", ".join(map(self.text, nodes))
+        return ", ".join([text for text, _binding in self.operands(nodes)])
 
-    def _parameter(self, node: Node) -> Text:
+    def _parameter(self, node: Node) -> Printed:
         return self._leaves.parameter(node)
 
-    def _resource(self, node: Node) -> Text:
+    def _resource(self, node: Node) -> Printed:
         return self._leaves.resource(node)
 
-    def _attribute(self, node: Node) -> Text:
+    def _attribute(self, node: Node) -> Printed:
         return self._leaves.attribute(node)
 
-    def _interpolated(self, node: Node) -> Text:
+    def _interpolated(self, node: Node) -> Printed:
         return self._leaves.interpolated(node)
 
-    def _constant(self, node: Node) -> Text:
+    def _constant(self, node: Node) -> Printed:
         kind = scalar_kind(node.type)
         assert kind is not None
         if isinstance(node.data, tuple):
-            return Text(f"{self._types.type(node.type)}({', '.join(self._lanes(node))})")
+            return self._constructed(node.type, ", ".join(self._lanes(node)))
         assert isinstance(node.data, int | float)
         return _number(literal(node.data, kind, self._literals))
 
@@ -117,82 +123,84 @@ class Expressions:
             return lanes
         return lanes[:1] if len(set(lanes)) == 1 and self._forms.splat_constant else lanes
 
-    def _input(self, node: Node) -> Text:
+    def _input(self, node: Node) -> Printed:
         text, type_ = self._leaves.input(INPUT.data(node).name)
-        return text if type_ == node.type else Text(f"{self._types.type(node.type)}({text.text})")
+        return (text if type_ == node.type else f"{self._types.type(node.type)}({text})"), POSTFIX
 
-    def _native(self, node: Node) -> Text:
-        if node.data == "mul" and self._forms.product_of_columns:
+    def _native(self, node: Node) -> Printed:
+        if self._forms.product_of_columns and node.data == "mul":
             made, vector = node.operands
-            if made.op == "matrix" and made.id not in self.bound and isinstance(node.type, Vector):
+            if made.op == "matrix" and made not in self.bound and isinstance(node.type, Vector):
                 return self._product_of_columns(made, vector)
-        return self._natives.print(node, list(map(self.operand, node.operands)))
+        return self._natives.print(node, self.operands(node.operands))
 
-    def _product_of_columns(self, made: Node, vector: Node) -> Text:
+    def _product_of_columns(self, made: Node, vector: Node) -> Printed:
         type_, columns = self._types.type(made.type), self._arguments(made.operands)
         form = self._forms.product_of_columns
-        return Text(form.format(vector=self.text(vector), type=type_, columns=columns))
+        return form.format(vector=self.text(vector), type=type_, columns=columns), POSTFIX
 
-    def _vector(self, node: Node) -> Text:
-        return Text(f"{self._types.type(node.type)}({self._arguments(node.operands)})")
+    def _vector(self, node: Node) -> Printed:
+        return self._constructed(node.type, self._arguments(node.operands))
 
-    def _splat(self, node: Node) -> Text:
+    def _constructed(self, type_: Type, parts: str) -> Printed:
+        form = self._forms.constructor
+        return form.format(type=self._types.type(type_), parts=parts), POSTFIX
+
+    def _splat(self, node: Node) -> Printed:
         return self._natives.splatted(self.operand(node.operands[0]), node.type)
 
-    def _matrix(self, node: Node) -> Text:
+    def _matrix(self, node: Node) -> Printed:
         type_ = self._types.type(node.type)
         columns = self._arguments(node.operands)
-        return Text(self._forms.matrix.format(type=type_, columns=columns))
+        return self._forms.matrix.format(type=type_, columns=columns), POSTFIX
 
-    def _array(self, node: Node) -> Text:
+    def _array(self, node: Node) -> Printed:
         type_, elements = self._types.type(node.type), self._arguments(node.operands)
-        return Text(self._forms.array.format(type=type_, elements=elements))
+        return self._forms.array.format(type=type_, elements=elements), POSTFIX
 
-    def _swizzle(self, node: Node) -> Text:
+    def _swizzle(self, node: Node) -> Printed:
         lanes = SWIZZLE.data(node)
         (source,) = node.operands
-        if source.op == "cross" and source.id not in self.bound:
+        if source.op == "cross" and source not in self.bound:
             return self._leaves.interpolated(source, lanes)
-        operand = self.operand(source).within(Binding.POSTFIX)
-        return Text(f"{operand}.{''.join(self._forms.lanes[lane] for lane in lanes)}")
+        return self._leaves.swizzle(self.operand(source), lanes, node.type)
 
-    def _index(self, node: Node) -> Text:
+    def _index(self, node: Node) -> Printed:
         aggregate, position = node.operands
-        form = "{matrix}[{position}]"
+        operand, place = self.operand(aggregate), self.text(position)
         if isinstance(aggregate.type, Matrix | TallMatrix):
             form = self._forms.column
-        operand = self.operand(aggregate).within(Binding.POSTFIX)
-        return Text(form.format(matrix=operand, position=self.text(position)))
+            return form.format(matrix=Field(*operand), position=place), POSTFIX
+        form = self._forms.element
+        return form.format(aggregate=Field(*operand), position=place), POSTFIX
 
-    def _member(self, node: Node) -> Text:
+    def _member(self, node: Node) -> Printed:
         (owner,) = node.operands
         assert isinstance(owner.type, Struct)
         member = MEMBER.data(node)
         if owner.op == "iterate":
-            return Text(self.states[owner.id, member], Binding.NAME)
+            return self.states[owner, member], NAME
         name = self._names.member(owner.type.name, member)
-        text = Text(f"{self.operand(owner).within(Binding.POSTFIX)}.{name}")
-        return self._leaves.loaded(text, node.type)
+        text = f"{within(self.operand(owner), POSTFIX)}.{name}"
+        return self._leaves.loaded((text, POSTFIX), node.type)
 
-    def _select(self, node: Node) -> Text:
+    def _select(self, node: Node) -> Printed:
         assert isinstance(node.operands[0].type, Scalar), "conditions are scalars"
         assert isinstance(node.type, Scalar | Vector), "matrices are chosen by a branch"
-        condition, then, otherwise = (self.operand(operand) for operand in node.operands)
-        if not self._forms.select:
+        condition, then, otherwise = self.operands(node.operands)
+        form = self._forms.select
+        if not form:
             return choice(condition, then, otherwise)
-        return Text(
-            self._forms.select.format(
-                condition=condition.text, then=then.text, otherwise=otherwise.text
-            )
-        )
+        text = form.format(condition=condition[0], then=then[0], otherwise=otherwise[0])
+        return text, POSTFIX
 
-    def _call(self, node: Node) -> Text:
-        return self._functions[node.operands[0]].call(map(self.text, node.operands[1:]))
+    def _call(self, node: Node) -> Printed:
+        return self._functions[node.operands[0]].call(self.operands(node.operands[1:]))
 
-    def _formal(self, node: Node) -> Text:
-        return Text(self.formals[FORMAL.data(node)], Binding.NAME)
+    def _formal(self, node: Node) -> Printed:
+        return self.formals[FORMAL.data(node)], NAME
 
-    PRINTERS: ClassVar[Mapping[Op, Callable[[Expressions, Node], Text]]] = {
+    PRINTERS: ClassVar[Mapping[Op, Callable[[Expressions, Node], Printed]]] = {
         "constant": _constant,
         "parameter": _parameter,
         "resource": _resource,
@@ -214,6 +222,6 @@ class Expressions:
     """The method that prints each operation; loops are not among them, as they are statements."""
 
 
-def _number(text: str) -> Text:
+def _number(text: str) -> Printed:
     """A literal: no literal takes a swizzle, and the lowest integer is a difference."""
-    return Text(text, Binding.SUM if " " in text else Binding.PREFIX)
+    return text, Binding.SUM if " " in text else Binding.PREFIX

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 
-from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import ATTRIBUTE, CROSS, PARAMETER, RESOURCE
 from ...compiler.ir.program import Stage, Varying
-from ...compiler.ir.types import Type, width
+from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width
 from ...stdlib.builtins import BUILTINS
 from .context import Context
-from .precedence import Binding, Text
+from .precedence import NAME, POSTFIX, Field, Printed
 
 
-class Leaves:
+class LeafPrinter:
     """Prints the leaves of the graph for one stage."""
 
     def __init__(
@@ -22,44 +21,45 @@ class Leaves:
         context: Context,
         stage: Stage,
     ) -> None:
-        self._forms = context.target.forms
-        self._texture = context.profile.samplers.joined or context.target.forms.texture
+        self._forms = context.language.forms
+        self._texture = context.profile.samplers.joined or context.language.forms.texture
         self._textures = context.textures
         self._types = context.types
-        self._stored = context.target.types.stored
+        self._stored = context.language.types.stored
         self._names = context.names
-        self._inputs = context.inputs
+        self._inputs = context.dialect.inputs
         self._members = context.members
         self._read_parameters = context.read_parameters
         self._crossings = dict(_crossings(context.program.entering(stage)))
 
-    def parameter(self, node: Node) -> Text:
+    def parameter(self, node: Node) -> Printed:
         """A member of a uniform block, in its stored type."""
-        parameter = PARAMETER.data(node)
-        text = self._read_parameters.get(parameter)
-        if text is None:
-            text = self._read_parameters[parameter] = self._parameter(node, parameter)
-        return text
+        printed = self._read_parameters.get(node)
+        if printed is None:
+            printed = self._read_parameters[node] = self._parameter(node)
+        return printed
 
-    def _parameter(self, node: Node, parameter: Parameter) -> Text:
+    def _parameter(self, node: Node) -> Printed:
+        parameter = PARAMETER.data(node)
         block, member, stored = self._members[parameter]
         assert node.type == stored, f"{parameter.name} is stored as {stored}, not {node.type}"
         text = self._forms.member.format(
             block=self._names.variables.get(block, ""), name=self._names.member(block, member)
         )
-        return self.loaded(Text(text, Binding.NAME), stored)
+        return self.loaded((text, NAME), stored)
 
-    def loaded(self, member: Text, type_: Type) -> Text:
+    def loaded(self, member: Printed, type_: Type) -> Printed:
         """A block's member as a plain value, where it is stored as something else."""
         if not self._stored or str(type_) not in self._stored:
             return member
-        return Text(self._forms.stored.format(value=member, type=self._types.type(type_)))
+        value, type_text = Field(*member), self._types.type(type_)
+        return self._forms.stored.format(value=value, type=type_text), POSTFIX
 
-    def resource(self, node: Node) -> Text:
+    def resource(self, node: Node) -> Printed:
         """A texture by its name."""
-        return Text(self._names.textures[RESOURCE.data(node).name], Binding.NAME)
+        return self._names.textures[RESOURCE.data(node).name], NAME
 
-    def texture(self, node: Node, builtin: str) -> Text:
+    def texture(self, node: Node, builtin: str) -> Printed:
         """A texture as ``builtin`` reads it: together with its sampler, if the read uses that."""
         if BUILTINS[builtin].sampler is None:
             return self.resource(node)
@@ -68,35 +68,46 @@ class Leaves:
             sampler=self.sampler(node),
             type=self._textures.combined(RESOURCE.data(node)),
         )
-        return Text(text)
+        return text, POSTFIX
 
     def sampler(self, node: Node) -> str:
         """The name of a texture's sampler; empty where it has none."""
         return self._names.samplers.get(RESOURCE.data(node).name, "")
 
-    def attribute(self, node: Node) -> Text:
+    def attribute(self, node: Node) -> Printed:
         """A vertex input."""
         return self._read(self._names.attributes[ATTRIBUTE.data(node).name])
 
-    def input(self, name: str) -> tuple[Text, Type]:
+    def input(self, name: str) -> tuple[str, Type]:
         """A value that the pipeline supplies, and its type in the language."""
         supplied = self._inputs[name]
-        return Text(supplied.read.format(name=name)), supplied.type
+        return supplied.read.format(name=name), supplied.type
 
-    def interpolated(self, node: Node, wanted: tuple[int, ...] | None = None) -> Text:
+    def interpolated(self, node: Node, wanted: tuple[int, ...] | None = None) -> Printed:
         """A value that crosses: the varying, or those of its lanes that hold the value.
 
         ``wanted`` are the lanes of the value that are used, if not all are.
         """
         slot, first, total = self._crossings[node.operands[0].id, CROSS.data(node).mode]
-        text = self._read(self._names.varyings[slot])
+        printed = self._read(self._names.varyings[slot])
         lanes = tuple(range(width(node.type))) if wanted is None else wanted
         if wanted is None and len(lanes) == total:
-            return text
-        return Text(f"{text.text}.{''.join(self._forms.lanes[first + lane] for lane in lanes)}")
+            return printed
+        kind = scalar_kind(node.type)
+        assert kind is not None
+        type_ = Vector(kind, len(lanes)) if len(lanes) > 1 else Scalar(kind)
+        return self.swizzle(printed, [first + lane for lane in lanes], type_)
 
-    def _read(self, name: str) -> Text:
-        return Text(self._forms.input.format(name=name), Binding.NAME)
+    def swizzle(self, vector: Printed, lanes: Sequence[int], type_: Type) -> Printed:
+        """Lanes of a vector, which have this type."""
+        forms = self._forms
+        form = forms.lane if len(lanes) == 1 else forms.swizzle
+        letters = "".join([forms.lanes[lane] for lane in lanes])
+        type_text = self._types.type(type_)
+        return form.format(vector=Field(*vector), lanes=letters, type=type_text), POSTFIX
+
+    def _read(self, name: str) -> Printed:
+        return self._forms.input.format(name=name), NAME
 
 
 def _crossings(

@@ -7,9 +7,10 @@ import struct
 from functools import lru_cache
 
 from ...compiler.ir.types import ScalarKind
-from .description import Literals
+from ..description.spellings import Literals
 
 _LOWEST = -(2**31)
+_SMALLEST_NORMAL = 2.0**-126
 
 
 def literal(value: float, kind: ScalarKind, style: Literals) -> str:
@@ -27,13 +28,17 @@ def literal(value: float, kind: ScalarKind, style: Literals) -> str:
 def decimal(value: float) -> str:
     """The shortest decimal that reads back as ``value`` rounded to float32, with a point in it."""
     # By its sign too, which 0.0 and -0.0 do not differ in as keys.
-    return _shortest(_rounded(value), math.copysign(1.0, value))
+    return _shortest(value, math.copysign(1.0, value))
 
 
-@lru_cache(maxsize=1024)
-def _shortest(single: float, _sign: float) -> str:
+@lru_cache(maxsize=8192)
+def _shortest(value: float, _sign: float) -> str:
+    single = _rounded(value)
+    # What has six digits or fewer survives being a float32, unless it is tiny: then it is found as
+    # the one with six digits.
+    counts = range(6 if abs(single) >= _SMALLEST_NORMAL else 1, 10)
     digits = next(
-        text for count in range(1, 10) if _rounded(float(text := f"{single:.{count}g}")) == single
+        text for count in counts if _rounded(float(text := f"{single:.{count}g}")) == single
     )
     mantissa, _, exponent = f"{float(digits)!r}".partition("e")
     if exponent:

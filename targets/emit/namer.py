@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from functools import lru_cache
 
-from .reserved import Reserved
+from ..description.reserved import Reserved
 
 _UNUSUAL = re.compile(r"[^A-Za-z0-9_]")
 _UNDERSCORES = re.compile(r"_{2,}")
@@ -17,26 +17,37 @@ _LONGEST = 128
 class Namer:
     """Hands out the names of one scope. A name that is taken or reserved gets a suffix."""
 
-    def __init__(self, reserved: Reserved, taken: Iterable[str] = ()) -> None:
+    def __init__(
+        self, reserved: Reserved, taken: Iterable[str] = (), outer: Set[str] = frozenset()
+    ) -> None:
         self._reserved = reserved
         self._taken = set(taken)
+        self._outer = outer
+        """The names of the scope around this one: not copied, as there may be many of both."""
         self._scopes: list[list[str]] = []
         self._numbers: dict[str, int] = {}
         """By stem, the last number that was tried: so a name that is wanted often stays cheap."""
 
     def declare(self, wanted: str) -> str:
         """A legal name that nothing visible has yet: ``wanted`` itself if possible."""
-        name = _base(wanted)
-        if name[:1].isdigit() or not self._free(name):
-            name = next(filter(self._free, self._others(name)))
+        name = _legal(wanted, self._reserved)
+        if name is None or name in self._taken or name in self._outer:
+            name = next(filter(self._free, self._others(_base(wanted))))
         self._taken.add(name)
         if self._scopes:
             self._scopes[-1].append(name)
         return name
 
-    def inner(self) -> Namer:
-        """A namer for an inner scope, which must not hide any name declared so far."""
-        return Namer(self._reserved, self._taken)
+    def take(self, name: str) -> None:
+        """Declare a name that another namer has made."""
+        self._taken.add(name)
+
+    def inner(self, taken: Iterable[str] = ()) -> Namer:
+        """A namer for an inner scope, whose names hide none of this one's, and none of ``taken``.
+
+        Only the outermost scope can be asked for inner ones.
+        """
+        return Namer(self._reserved, taken, self._taken)
 
     def enter(self) -> None:
         """Open a block; its names may be used again after ``leave``."""
@@ -48,7 +59,8 @@ class Namer:
         self._numbers.clear()
 
     def _free(self, name: str) -> bool:
-        return name not in self._taken and not self._reserved.refuses(name)
+        taken = name in self._taken or name in self._outer
+        return not taken and not self._reserved.refuses(name)
 
     def _others(self, base: str) -> Iterable[str]:
         """Names to try instead of ``base``, which is taken or reserved."""
@@ -63,7 +75,13 @@ class Namer:
             yield f"{stem}_{number}"
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=4096)
+def _legal(wanted: str, reserved: Reserved) -> str | None:
+    """``wanted`` in letters that are allowed; none if a language does not allow that name."""
+    name = _base(wanted)
+    return None if name[:1].isdigit() or reserved.refuses(name) else name
+
+
 def _base(wanted: str) -> str:
     """``wanted`` in letters that are allowed.
 

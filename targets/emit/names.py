@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Block, Field, Function, Program, Stage, StageName
 from ...compiler.ir.stages import TARGET
 from ...frozen import frozen
-from .description import Target
+from ..description.shading_language import Language
 from .namer import Namer
-from .reserved import Reserved
 
 
 @frozen
@@ -37,9 +37,8 @@ class Names:
     render_targets: Mapping[str, str]
     functions: Mapping[tuple[StageName, Node], str]
     """By stage and the function's body."""
-    common: frozenset[str]
-    """Names that locals of any stage must not hide."""
-    reserved: Reserved
+    common: Namer
+    """The scope around all functions: locals of any stage must not hide its names."""
 
     def member(self, block: str, member: str) -> str:
         """The identifier of a block's or struct's member."""
@@ -51,23 +50,22 @@ class Names:
 
     def locals(self, own: Iterable[str]) -> Namer:
         """A namer for the body of a function; ``own`` are its stage's global variables."""
-        return Namer(self.reserved, self.common.union(own))
+        return self.common.inner(own)
 
 
-def name_program(program: Program, target: Target) -> Names:
-    """Decide the names of ``program`` in the language of ``target``."""
-    return _Naming(program, target).names()
+def name_program(program: Program, language: Language) -> Names:
+    """Decide the names of ``program`` in a language."""
+    return _Naming(program, language).names()
 
 
 class _Naming:
     """Declares names in the order of the file."""
 
-    def __init__(self, program: Program, target: Target) -> None:
+    def __init__(self, program: Program, language: Language) -> None:
         self._program = program
-        self._target = target
-        self._reserved = target.reserved()
-        self._module = Namer(self._reserved, target.fixed_names)
-        self._common = set(target.fixed_names)
+        self._language = language
+        self._reserved = language.reserved()
+        self._module = Namer(self._reserved, language.fixed_names)
 
     def names(self) -> Names:
         """All names. Those that hosts see are declared first."""
@@ -77,10 +75,11 @@ class _Naming:
         members = dict(self._members())
         structs = {name: self._declare(name) for name in self._structs()}
         textures = {item.name: self._declare(item.name) for item in program.resources}
+        sampled = program.sampled
         samplers = {
             item.name: self._declare(f"{textures[item.name]}_sampler")
             for item in program.resources
-            if item in program.sampled
+            if item in sampled
         }
         fields = self._fields()
         return Names(
@@ -94,24 +93,21 @@ class _Naming:
             varyings=fields.varyings,
             render_targets=fields.render_targets,
             functions=self._functions(fields),
-            common=frozenset(self._common),
-            reserved=self._reserved,
+            common=self._module,
         )
 
     def _declare(self, wanted: str) -> str:
-        name = self._module.declare(wanted)
-        self._common.add(name)
-        return name
+        return self._module.declare(wanted)
 
     def _variables(self, blocks: Mapping[str, str]) -> dict[str, str]:
-        if self._target.global_members:
+        if self._language.global_members:
             return {}
         return {name: self._declare(_snake(final)) for name, final in blocks.items()}
 
     def _members(self) -> Iterator[tuple[tuple[str, str], str]]:
         for block in self._program.blocks:
             scope = Namer(self._reserved)
-            declare = self._declare if self._target.global_members else scope.declare
+            declare = self._declare if self._language.global_members else scope.declare
             for member in block.members:
                 yield (block.name, member.name), declare(member.name)
             yield from self._struct_members(block)
@@ -129,13 +125,13 @@ class _Naming:
 
     def _fields(self) -> _Fields:
         """Names of inputs and outputs, which are global variables or members of structs."""
-        target, program = self._target, self._program
-        shared = self._module.inner() if target.global_fields else None
+        language, program = self._language, self._program
+        shared = self._module.inner() if language.global_fields else None
         supplied = [name for stage in program.stages for name in stage.builtin_inputs]
         taken = () if shared else supplied
 
         def declare(fields: Iterable[Field], prefix: str = "") -> dict[str, str]:
-            namer = shared or Namer(self._reserved, (*taken, *target.fixed_names))
+            namer = shared or Namer(self._reserved, (*taken, *language.fixed_names))
             names = dict.fromkeys(field.name for field in fields)
             return {name: namer.declare(prefix + name) for name in names}
 
@@ -144,8 +140,8 @@ class _Naming:
         handed_on = [out.field for out in outputs if out.field and out.kind != TARGET]
         return _Fields(
             attributes=declare(program.vertex_inputs),
-            varyings=declare(handed_on, target.varying_prefix),
-            render_targets=declare(written, target.output_prefix),
+            varyings=declare(handed_on, language.varying_prefix),
+            render_targets=declare(written, language.output_prefix),
         )
 
     def _functions(self, fields: _Fields) -> dict[tuple[StageName, Node], str]:
@@ -154,12 +150,12 @@ class _Naming:
             *fields.varyings.values(),
             *fields.render_targets.values(),
         )
-        namer = Namer(self._reserved, (*self._common, *taken))
+        namer = self._module.inner(taken)
         found: dict[tuple[StageName, Node], str] = {}
         for stage, function in _all_functions(self._program):
             name = namer.declare(function.name)
             found[stage.name, function.body] = name
-            self._common.add(name)
+            self._module.take(name)
         return found
 
 
@@ -178,5 +174,6 @@ def _all_functions(program: Program) -> Iterator[tuple[Stage, Function]]:
             yield stage, function
 
 
+@lru_cache(maxsize=1024)
 def _snake(name: str) -> str:
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()

@@ -1,8 +1,8 @@
-"""Builtins as a target spells them."""
+"""Prints builtins as a language spells them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from ...compiler.ir.node import Node
@@ -18,10 +18,10 @@ from ...compiler.ir.types import (
     width,
 )
 from ...stdlib.builtins import BUILTINS
+from ..description.spellings import Read, Spelling, Spellings
 from .context import Context
-from .description import Read, Spelling, Spellings
-from .leaves import Leaves
-from .precedence import INFIX, PREFIX, Text, infix, prefix
+from .leaves import LeafPrinter
+from .precedence import POSTFIX, Field, Printed, call, writer
 
 
 def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
@@ -56,9 +56,9 @@ class Callee(NamedTuple):
     passed: Sequence[str]
     """The arguments in front of its own: blocks, textures and samplers."""
 
-    def call(self, arguments: Iterable[str]) -> Text:
+    def call(self, arguments: Sequence[Printed]) -> Printed:
         """The function called with arguments of its own."""
-        return Text(f"{self.name}({', '.join([*self.passed, *arguments])})")
+        return call(self.name, [*self.passed, *(text for text, _binding in arguments)])
 
 
 class Natives:
@@ -67,92 +67,86 @@ class Natives:
     def __init__(
         self,
         context: Context,
-        leaves: Leaves,
+        leaves: LeafPrinter,
         functions: Mapping[Node, Callee],
     ) -> None:
         self._definitions = context.definitions
+        self._defined = {builtin for builtin, _types in context.definitions}
         self._functions = functions
-        self._table = context.natives
-        self._fixed: dict[str, str] = {}
-        self._forms = context.target.forms
-        self._splats = context.target.splats
+        self._table = context.dialect.natives
+        # What is defined for some types is written otherwise for these, in this program.
+        self._writers = {} if context.definitions else context.dialect.writers
+        self._forms = context.language.forms
+        self._splats = context.language.splats
         self._spell_type = context.types.type
         self._leaves = leaves
 
-    def print(self, node: Node, printed: Sequence[Text]) -> Text:
+    def print(self, node: Node, operands: Sequence[Printed]) -> Printed:
         """The native ``node`` applied to printed operands."""
         builtin = NATIVE.data(node)
-        if node.operands and isinstance(node.operands[0].type, Texture):
-            printed = [self._leaves.texture(node.operands[0], builtin), *printed[1:]]
-        if self._definitions:
-            types = tuple([operand.type for operand in node.operands])
-            if (builtin, types) in self._definitions:
-                callee = self._functions[self._definitions[builtin, types].body]
-                return callee.call(operand.text for operand in printed)
-        operands = self._widened(node, printed) if builtin in self._splats else printed
-        spelled = self._fixed.get(builtin) or self._spelling(builtin, node)
+        if builtin in self._splats:
+            operands = self._widened(node, operands)
+        write = self._writers.get(builtin)
+        return write(operands) if write else self._print(node, builtin, operands)
+
+    def _print(self, node: Node, builtin: str, operands: Sequence[Printed]) -> Printed:
+        """A native whose spelling may depend on its operands."""
+        types = tuple([operand.type for operand in node.operands])
+        if (builtin, types) in self._definitions:
+            return self._functions[self._definitions[builtin, types].body].call(operands)
+        reads = bool(types) and isinstance(types[0], Texture)
+        if reads:
+            operands = [self._leaves.texture(node.operands[0], builtin), *operands[1:]]
+        spelled = spelling_of(builtin, types, self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
-        return _written(spelled, operands)
+        write = writer(spelled, len(operands))
+        always = isinstance(self._table.get(builtin, ""), str) and builtin not in self._defined
+        if always and not reads:
+            self._writers[builtin] = write
+        return write(operands)
 
-    def _spelling(self, builtin: str, node: Node) -> str:
-        """How the builtin is written for a node's operands; kept where these do not matter."""
-        spelled = spelling_of(builtin, [operand.type for operand in node.operands], self._table)
-        if isinstance(self._table.get(builtin, ""), str):
-            self._fixed[builtin] = spelled
-        return spelled
-
-    def combined(self, name: str, type_: Type, operands: Sequence[Text]) -> Text:
+    def combined(self, name: str, type_: Type, operands: Sequence[Printed]) -> Printed:
         """Builtin ``name`` of operands that are all of one plain type, which is the result's."""
         spelled = spelling_of(name, [type_] * len(operands), self._table)
         if "{" in spelled:
-            return Text(spelled.format(*operands, type=self._spell_type(type_)))
-        return _written(spelled, operands)
+            fields = [Field(*operand) for operand in operands]
+            return spelled.format(*fields, type=self._spell_type(type_)), POSTFIX
+        return writer(spelled, len(operands))(operands)
 
-    def splatted(self, operand: Text, type_: Type) -> Text:
+    def splatted(self, operand: Printed, type_: Type) -> Printed:
         """A scalar in every lane of a type."""
         lanes = self._forms.lanes[0] * width(type_)
-        return Text(
-            self._forms.splat.format(type=self._spell_type(type_), value=operand, lanes=lanes)
-        )
+        text, value = self._spell_type(type_), Field(*operand)
+        return self._forms.splat.format(type=text, value=value, lanes=lanes), POSTFIX
 
-    def _widened(self, node: Node, operands: Sequence[Text]) -> list[Text]:
+    def _widened(self, node: Node, operands: Sequence[Printed]) -> Sequence[Printed]:
         """The operands, scalars among them as vectors where the result is one."""
         if not isinstance(node.type, Vector):
-            return list(operands)
+            return operands
         return [
-            self.splatted(text, Vector(operand.type.kind, node.type.size))
+            self.splatted(printed, Vector(operand.type.kind, node.type.size))
             if isinstance(operand.type, Scalar)
-            else text
-            for text, operand in zip(operands, node.operands, strict=True)
+            else printed
+            for printed, operand in zip(operands, node.operands, strict=True)
         ]
 
-    def _template(self, form: str, node: Node, operands: Sequence[Text]) -> Text:
+    def _template(self, form: str, node: Node, operands: Sequence[Printed]) -> Printed:
         textures = (operand for operand in node.operands if isinstance(operand.type, Texture))
-        return Text(
-            form.format(
-                *operands,
-                type=self._spell_type(node.type),
-                lanes=width(node.type) if isinstance(node.type, Scalar | Vector) else 0,
-                sampler="".join(map(self._leaves.sampler, textures)),
-                lane=self._lane(node),
-            )
+        text = form.format(
+            *[Field(*operand) for operand in operands],
+            type=self._spell_type(node.type),
+            lanes=width(node.type) if isinstance(node.type, Scalar | Vector) else 0,
+            sampler="".join(map(self._leaves.sampler, textures)),
+            lane=self._lane(node),
         )
+        return text, POSTFIX
 
     def _lane(self, node: Node) -> str:
         """The language's word for the lane that a constant operand chooses."""
-        constants = BUILTINS[str(node.data)].constants
+        constants = BUILTINS[NATIVE.data(node)].constants
         if not constants or not self._forms.lane_words:
             return ""
         chosen = node.operands[constants[0]].data
         assert isinstance(chosen, int)
         return self._forms.lane_words[chosen]
-
-
-def _written(spelled: str, operands: Sequence[Text]) -> Text:
-    """A symbol between or before its operands, or a call."""
-    if len(operands) == 2 and spelled in INFIX:
-        return infix(spelled, *operands)
-    if len(operands) == 1 and spelled in PREFIX:
-        return prefix(spelled, operands[0])
-    return Text(f"{spelled}({', '.join(operand.text for operand in operands)})")

@@ -2,7 +2,8 @@
 
 While statements are printed, a mark is put into each: a number between two characters of the
 private use area, which neither names nor comments can contain. Marks pass through the skeleton with
-the statements, and are taken out of the finished text.
+the statements, and are taken out of the finished text. Only when somebody asks for the source map
+are they read.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from ...compiler.ir.node import Node
-from .forms import Forms
+from ..description.forms import Forms
 
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARK = re.compile(f"{_OPEN}([0-9]+){_CLOSE}")
@@ -23,26 +24,32 @@ class Marks:
     def __init__(self, forms: Forms) -> None:
         self._nodes: list[Node] = []
         self._forms = forms
+        self._text = ""
 
     def mark(self, text: str, node: Node) -> str:
         """``text`` with a mark which says that it computes ``node``."""
         self._nodes.append(node)
         return f"{_OPEN}{len(self._nodes) - 1}{_CLOSE}{text}"
 
-    def read(self, text: str) -> tuple[str, Mapping[int, Node]]:
-        """The text without its marks, and what each statement is for, by 1-based line.
+    def taken_out(self, text: str) -> str:
+        """The finished text without its marks, which are kept here."""
+        self._text = text
+        return _MARK.sub("", text)
+
+    def origins(self) -> dict[int, Node]:
+        """What each statement of the finished text is for, by 1-based line.
 
         Statements that skeletons add, such as ``return output;``, belong to what stands before them
         in their function, or else behind.
         """
-        lines = text.split("\n")
+        lines = self._text.split("\n")
         own = {
             number: self._nodes[int(found[1])]
             for number, line in enumerate(lines, start=1)
             if _OPEN in line and (found := _MARK.search(line))
         }
-        cleaned = _MARK.sub("", text)
-        return cleaned, dict(_completed(cleaned.split("\n"), own, self._forms))
+        plain = _MARK.sub("", self._text).split("\n")
+        return dict(_completed(plain, own, self._forms))
 
 
 def _completed(

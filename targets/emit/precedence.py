@@ -7,8 +7,9 @@ targets get them.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Sequence
 from enum import IntEnum
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 
 class Binding(IntEnum):
@@ -68,36 +69,70 @@ PREFIX = frozenset("-!~")
 _SPECS = {"": Binding.CHOICE, "and": Binding.AND, "p": Binding.POSTFIX}
 """How tightly a field of a form binds what stands there."""
 
+Printed: TypeAlias = tuple[str, Binding]
+"""A printed expression, and how tightly it binds. It is a plain tuple, since thousands are made."""
 
-class Text(NamedTuple):
-    """A printed expression."""
+Writer: TypeAlias = Callable[[Sequence[Printed]], Printed]
+"""Puts printed operands together."""
+
+# Enums look their members up by a slow descriptor, so those that are used all the time stand here.
+CHOICE, OR, POSTFIX, NAME = Binding.CHOICE, Binding.OR, Binding.POSTFIX, Binding.NAME
+PREFIXED = Binding.PREFIX
+
+
+class Field(NamedTuple):
+    """A printed expression as the field of a form: ``{0}``, ``{0:p}`` or ``{0:and}``."""
 
     text: str
-    binding: Binding = Binding.POSTFIX
-
-    def within(self, least: Binding) -> str:
-        """As an operand that has to bind at least as tightly as ``least``."""
-        return self.text if self.binding >= least else f"({self.text})"
+    binding: Binding
 
     def __format__(self, spec: str) -> str:
-        """As a form's field: ``{0}``, ``{0:p}`` or ``{0:and}``; see ``forms.py``."""
-        return self.within(_SPECS[spec])
+        """The expression with the parentheses that the form asks for; see ``forms.py``."""
+        text, binding = self
+        return text if binding >= _SPECS[spec] else f"({text})"
 
 
-def infix(symbol: str, left: Text, right: Text) -> Text:
-    """``left symbol right`` with the parentheses it needs."""
-    rule = INFIX[symbol]
-    chained = rule.chains and left.binding == rule.result
-    first = left.text if chained else left.within(rule.operands)
-    return Text(f"{first} {symbol} {right.within(rule.operands)}", rule.result)
+def within(printed: Printed, least: Binding) -> str:
+    """An expression as an operand that has to bind at least as tightly as ``least``."""
+    text, binding = printed
+    return text if binding >= least else f"({text})"
 
 
-def prefix(symbol: str, operand: Text) -> Text:
+def _infix(symbol: str, rule: Infix) -> Writer:
+    """What writes ``left symbol right`` with the parentheses that it needs."""
+    result, least, chains = rule
+
+    def write(operands: Sequence[Printed]) -> Printed:
+        (left, binding), (right, other) = operands
+        if binding < least and not (chains and binding == result):
+            left = f"({left})"
+        if other < least:
+            right = f"({right})"
+        return f"{left} {symbol} {right}", result
+
+    return write
+
+
+def prefix(symbol: str, operand: Printed) -> Printed:
     """``symbol`` before ``operand``; never two signs in a row, which would read as ``--``."""
-    return Text(f"{symbol}{operand.within(Binding.POSTFIX)}", Binding.PREFIX)
+    return f"{symbol}{within(operand, POSTFIX)}", PREFIXED
 
 
-def choice(condition: Text, then: Text, otherwise: Text) -> Text:
+def choice(condition: Printed, then: Printed, otherwise: Printed) -> Printed:
     """``condition ? then : otherwise``."""
-    parts = [part.within(Binding.OR) for part in (condition, then, otherwise)]
-    return Text("{} ? {} : {}".format(*parts), Binding.CHOICE)
+    parts = [within(part, OR) for part in (condition, then, otherwise)]
+    return "{} ? {} : {}".format(*parts), CHOICE
+
+
+def writer(spelled: str, count: int) -> Writer:
+    """What writes so many operands with a symbol between or before them, or as those of a call."""
+    if count == 2 and spelled in INFIX:
+        return _infix(spelled, INFIX[spelled])
+    if count == 1 and spelled in PREFIX:
+        return lambda operands: prefix(spelled, *operands)
+    return lambda operands: call(spelled, [text for text, _binding in operands])
+
+
+def call(function: str, arguments: Iterable[str]) -> Printed:
+    """``function(argument, …)``."""
+    return f"{function}({', '.join(arguments)})", POSTFIX

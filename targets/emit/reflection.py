@@ -12,14 +12,15 @@ from ...compiler.reflection.tables import (
     EmittedFile,
     VertexInputName,
 )
+from ..description.profile import Profile
+from ..description.shading_language import BindingKind, Language
 from ..legalise.bindings import BindingSlot
-from .description import BindingKind, Profile, Target
 from .emitter import Emission
 
 
 def backend_table(
     program: Program,
-    target: Target,
+    language: Language,
     profile: Profile,
     emission: Emission,
     files: Mapping[str, str],
@@ -29,9 +30,10 @@ def backend_table(
 ) -> BackendTable:
     """What a host has to know about an emission; ``files`` are file names by stage or ``both``."""
     names, bindings = emission.names, emission.bindings
+    sampled = program.sampled
     turned = flip_y and not profile.framebuffer.clip_y_down
     return BackendTable(
-        language=target.name,
+        language=language.name,
         files=tuple(
             EmittedFile(stage, files[file.stage], entry)
             for file in emission.files
@@ -39,14 +41,15 @@ def backend_table(
         ),
         blocks={
             block.name: _point(
-                target, profile, names.blocks[block.name], bindings.blocks[block.name], "block",
+                language, profile, names.blocks[block.name], bindings.blocks[block.name], "block",
                 {m.name: names.members[block.name, m.name] for m in _real(block)},
             )
             for block in program.blocks
         },
         textures={
             item.name: _point(
-                target, profile, names.textures[item.name], bindings.textures[item.name], "texture"
+                language, profile,
+                names.textures[item.name], bindings.textures[item.name], "texture",
             )
             for item in program.resources
         },
@@ -54,15 +57,16 @@ def backend_table(
         if profile.samplers.combined
         else {
             item.name: _point(
-                target, profile, names.samplers[item.name], bindings.samplers[item.name], "sampler"
+                language, profile,
+                names.samplers[item.name], bindings.samplers[item.name], "sampler",
             )
             for item in program.resources
-            if item in program.sampled
+            if item in sampled
         },
         vertex_inputs={
             field.name: VertexInputName(
                 names.attributes[field.name],
-                target.semantic("attribute", field.name, field.location),
+                language.semantic("attribute", field.name, field.location),
             )
             for field in program.vertex_inputs
         },
@@ -80,7 +84,7 @@ def _real(block: Block) -> list[StoredMember]:
 
 
 def _point(
-    target: Target,
+    language: Language,
     profile: Profile,
     identifier: str,
     slot: BindingSlot,
@@ -89,5 +93,5 @@ def _point(
 ) -> BindingPoint:
     if not profile.explicit_bindings:
         return BindingPoint(identifier, members=members or {})
-    register = target.register(kind, slot.binding)
+    register = language.register(kind, slot.binding)
     return BindingPoint(identifier, slot.set, slot.binding, register, members or {})

@@ -78,7 +78,7 @@ def _body(statements: Sequence[nodes.Node]) -> Lines:
     """The body of a function that returns what the statements put out."""
     yield f"{_INDENT}out = []"
     yield from _indented(statements)
-    yield f"{_INDENT}return ''.join(map(str, out))"
+    yield f"{_INDENT}return ''.join(out)"
 
 
 def _indented(statements: Sequence[nodes.Node]) -> Lines:
@@ -94,9 +94,7 @@ def _indented(statements: Sequence[nodes.Node]) -> Lines:
 def _statement(node: nodes.Node) -> Lines:
     match node:
         case nodes.Output(nodes=parts):
-            for part in parts:
-                text = repr(part.data) if isinstance(part, nodes.TemplateData) else _text(part)
-                yield f"out.append({text})"
+            yield f"out.append({_joined(parts)})"
         case nodes.For(target=target, iter=iterated, body=body, else_=[], test=None):
             yield f"for {_target(target)} in {_text(iterated)}:"
             yield from _indented(body)
@@ -116,6 +114,20 @@ def _statement(node: nodes.Node) -> Lines:
             yield from _body(body)
         case _:
             raise UnsupportedError(type(node).__name__)
+
+
+def _joined(parts: Sequence[nodes.Node]) -> str:
+    """An expression for several parts in a row: texts of the template, and values.
+
+    Python compiles a formatting by ``%`` of a literal text to the same as an f-string; but within
+    an f-string, quotation marks cannot be nested.
+    """
+    texts = [node.data if isinstance(node, nodes.TemplateData) else None for node in parts]
+    values = [_text(node) for node in parts if not isinstance(node, nodes.TemplateData)]
+    if not values:
+        return repr("".join(filter(None, texts)))
+    form = "".join("%s" if text is None else text.replace("%", "%%") for text in texts)
+    return f"{form!r} % ({', '.join(values)},)"
 
 
 def _target(node: nodes.Node) -> str:

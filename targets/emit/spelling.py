@@ -2,28 +2,62 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import NamedTuple
+
 from ...compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
-from .description import TypeNames
+from ..description.spellings import TypeNames
 
 _NAME = "\0"
 """Stands for the name in declarations that are kept; no text contains it."""
 
 
+class TypeTexts(NamedTuple):
+    """How types have been written, for all programs in a profile: those of which there are few."""
+
+    types: dict[Type, str]
+    declared: dict[Type, str]
+    """Declarations of something called ``_NAME``."""
+    stored: dict[Type, str]
+    """Likewise, as members of blocks."""
+
+
+class _Written(dict[Type, str]):
+    """The texts of types in one program, which are made when they are first asked for."""
+
+    def __init__(self, known: dict[Type, str], write: Callable[[Type], str]) -> None:
+        super().__init__(known)
+        self._known = known
+        self._write = write
+
+    def __missing__(self, type_: Type) -> str:
+        text = self[type_] = self._write(type_)
+        if not isinstance(type_, Struct | Array):
+            self._known[type_] = text
+        return text
+
+
 class TypeSpeller:
     """Writes types and declarations; struct names come from the program's names."""
 
-    def __init__(self, names: TypeNames, structs: dict[str, str]) -> None:
+    def __init__(self, names: TypeNames, structs: dict[str, str], known: TypeTexts) -> None:
         self._names = names
         self._structs = structs
-        self._written: dict[Type, str] = {}
-        self._declared: dict[tuple[Type, bool], str] = {}
+        self._types = _Written(known.types, self._type)
+        self._declared = _Written(known.declared, self._pattern)
+        self._stored = _Written(known.stored, self._stored_pattern)
 
     def type(self, type_: Type) -> str:
         """The type where no name stands beside it, as in a constructor or a result."""
-        written = self._written.get(type_)
-        if written is None:
-            written = self._written[type_] = self._type(type_)
-        return written
+        return self._types[type_]
+
+    def declare(self, name: str, type_: Type) -> str:
+        """The declaration of a variable, parameter or member of a struct."""
+        return self._declared[type_].replace(_NAME, name)
+
+    def declare_stored(self, name: str, type_: Type) -> str:
+        """The declaration of a block's member, whose type may be another one in memory."""
+        return self._stored[type_].replace(_NAME, name)
 
     def _type(self, type_: Type) -> str:
         match type_:
@@ -42,29 +76,22 @@ class TypeSpeller:
                 return form.format(element=self.type(element), count=count)
         raise TypeError(f"{type_} is no value's type")
 
-    def declare(self, name: str, type_: Type) -> str:
-        """The declaration of a variable, parameter or member of a struct."""
-        return self._declare(name, type_, stored=False)
-
-    def declare_stored(self, name: str, type_: Type) -> str:
-        """The declaration of a block's member, whose type may be another one in memory."""
-        return self._declare(name, type_, stored=True)
-
-    def _declare(self, name: str, type_: Type, stored: bool) -> str:
-        pattern = self._declared.get((type_, stored))
-        if pattern is None:
-            pattern = self._declared[type_, stored] = self._pattern(type_, stored)
-        return pattern.replace(_NAME, name)
-
-    def _pattern(self, type_: Type, stored: bool) -> str:
+    def _pattern(self, type_: Type) -> str:
         """A declaration of something called ``_NAME``."""
-        element, name = type_, _NAME
-        if isinstance(type_, Array) and not self._names.array:
-            element, name = type_.element, f"{_NAME}[{type_.count}]"
-        text = self.type(element)
-        if stored and self._names.stored:
-            text = self._names.stored.get(str(element), text)
+        element, name = self._element_and_name(type_)
+        return self._names.declaration.format(type=self.type(element), name=name)
+
+    def _stored_pattern(self, type_: Type) -> str:
+        """The same as a member of a block."""
+        element, name = self._element_and_name(type_)
+        text = self._names.stored.get(str(element)) or self.type(element)
         inner = element.element if isinstance(element, Array) else element
-        if stored and isinstance(inner, Matrix | TallMatrix):
+        if isinstance(inner, Matrix | TallMatrix):
             text = self._names.stored_matrix.format(type=text)
         return self._names.declaration.format(type=text, name=name)
+
+    def _element_and_name(self, type_: Type) -> tuple[Type, str]:
+        """What stands before a name, and the name, behind which an array's count may stand."""
+        if isinstance(type_, Array) and not self._names.array:
+            return type_.element, f"{_NAME}[{type_.count}]"
+        return type_, _NAME

@@ -9,12 +9,12 @@ from __future__ import annotations
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Output, Stage
 from ...compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET
+from ..description.shading_language import FieldRole
 from .comments import comment_line, comment_lines
 from .context import Context
 from .declarations import Declarations
-from .description import FieldRole
 from .expressions import Expressions
-from .leaves import Leaves
+from .leaves import LeafPrinter
 from .namer import Namer
 from .natives import Callee, Natives
 from .origins import Marks
@@ -36,10 +36,10 @@ class StagePrinter:
         self._context = context
         self._declarations = declarations
         self._stage = stage
-        self._target = context.target
+        self._language = context.language
         self._names = names
         self._types = context.types
-        self._leaves = Leaves(context, stage)
+        self._leaves = LeafPrinter(context, stage)
         is_first = stage.row == context.program.stages[0].row
         self._input_role: FieldRole = "attribute" if is_first else "varying"
         self._functions = {
@@ -85,7 +85,7 @@ class StagePrinter:
     def _discard(self, expressions: Expressions, condition: Node | None) -> list[str]:
         if condition is None:
             return []
-        forms = self._target.forms
+        forms = self._language.forms
         test = forms.if_.format(condition=expressions.text(condition))
         return [self._marks.mark(test, condition), INDENT + forms.discard, forms.end]
 
@@ -101,7 +101,7 @@ class StagePrinter:
     def _function(self, function: Function) -> FunctionView:
         namer = self._locals()
         expressions, statements = self._body(namer)
-        forms = self._target.forms
+        forms = self._language.forms
         names = [namer.declare(formal.name) for formal, _type in function.parameters]
         for name, (formal, _type) in zip(names, function.parameters, strict=True):
             expressions.formals[formal] = name
@@ -127,7 +127,7 @@ class StagePrinter:
 
     def _locals(self) -> Namer:
         """A namer for locals, which never hide what the stage's file declares."""
-        if not self._target.global_fields:
+        if not self._language.global_fields:
             return self._names.locals(())
         fields = [
             *(self._field_name(field, self._input_role) for field in self._stage.inputs),
@@ -154,14 +154,14 @@ class StagePrinter:
             type=self._types.type(field.type),
             typed=self._types.declare(name, field.type),
             location=field.location,
-            semantic=self._target.semantic(role, field.name, field.location),
+            semantic=self._language.semantic(role, field.name, field.location),
             crosses=role == "varying",
             flat=field.mode == "flat" and role == "varying",
             comment=comment_line(field.doc),
         )
 
     def _pipeline_inputs(self) -> list[InputView]:
-        inputs = self._context.inputs
+        inputs = self._context.dialect.inputs
         return [
             InputView(self._types.declare(name, row.type), row.semantic)
             for name in self._stage.builtin_inputs

@@ -20,6 +20,7 @@ from .expressions import Expressions
 from .literals import literal
 from .namer import Namer
 from .origins import Marks
+from .precedence import NAME, Field
 
 INDENT = "    "
 
@@ -33,8 +34,8 @@ class Statements:
     def __init__(
         self, context: Context, expressions: Expressions, namer: Namer, marks: Marks
     ) -> None:
-        self._forms = context.target.forms
-        self._literals = context.target.literals
+        self._forms = context.language.forms
+        self._literals = context.language.literals
         self._types = context.types
         self._expressions = expressions
         self._namer = namer
@@ -58,7 +59,8 @@ class Statements:
         for statement in region.statements:
             match statement:
                 case Let():
-                    yield from self._let(statement)
+                    yield from comment_lines(statement.doc, "//")
+                    yield self._let(statement)
                 case Branch():
                     yield from self._branch(statement)
                 case Loop():
@@ -66,14 +68,13 @@ class Statements:
                 case Iterate():
                     yield from self._iterate(statement)
 
-    def _let(self, let: Let) -> Lines:
-        yield from comment_lines(let.doc, "//")
-        value = self._expressions.expression(let.node).text
+    def _let(self, let: Let) -> str:
+        value = self._expressions.expression(let.node)[0]
         name = self._namer.declare(let.name)
-        self._expressions.bound[let.node.id] = name
+        self._expressions.bound[let.node] = name, NAME
         typed = self._types.declare(name, let.node.type)
         text = self._form(let.node).format(name=name, typed=typed, value=value)
-        yield self._mark(text, let.node)
+        return self._mark(text, let.node)
 
     def _form(self, node: Node) -> str:
         """The form that gives a name to a value that never changes."""
@@ -100,7 +101,7 @@ class Statements:
             yield self._forms.else_
             yield self._block(branch.otherwise, name, otherwise)
         yield self._forms.end
-        self._expressions.bound[branch.node.id] = name
+        self._expressions.bound[branch.node] = name, NAME
 
     def _loop(self, loop: Loop) -> Lines:
         count = self._count(loop)
@@ -111,7 +112,7 @@ class Statements:
         yield self._turn(loop, name)
         yield self._forms.end
         self._namer.leave()
-        self._expressions.bound[loop.node.id] = name
+        self._expressions.bound[loop.node] = name, NAME
 
     def _variable(self, name: str, node: Node, value: str, owner: Node | None = None) -> str:
         """A variable with its first value.
@@ -140,7 +141,7 @@ class Statements:
             index_typed=self._types.declare(index, loop.count.type),
             zero=literal(0, kind, self._literals),
             count=count,
-            going=None if going is None else self._expressions.operand(going),
+            going=None if going is None else Field(*self._expressions.operand(going)),
         )
         return self._mark(text, loop.node)
 
@@ -167,9 +168,9 @@ class Statements:
         yield self._forms.end
         self._namer.leave()
         if len(names) == 1:
-            expressions.bound[loop.node.id] = names[0]
+            expressions.bound[loop.node] = names[0], NAME
         for position, name in zip(loop.positions, names, strict=True):
-            expressions.states[loop.node.id, str(position)] = name
+            expressions.states[loop.node, str(position)] = name
 
     def _step(self, loop: Iterate, names: list[str]) -> Lines:
         """The body of such a loop: the condition that leaves it, and the states' new values."""
@@ -177,7 +178,7 @@ class Statements:
         with self._inside():
             yield from self._region(loop.head)
             if loop.head.statements:
-                left = self._forms.leave.format(going=expressions.operand(loop.going))
+                left = self._forms.leave.format(going=Field(*expressions.operand(loop.going)))
                 yield self._mark(left, loop.going)
             yield from self._region(loop.body)
             kept: list[tuple[str, str, Node]] = []

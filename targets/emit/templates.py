@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from jinja2.nodes import Block, Node
     from jinja2.nodes import Template as Tree
 
-    from .description import Profile
-    from .forms import Forms
+    from ..description.forms import Forms
+    from ..description.profile import Profile
     from .views import FileView
 
 _HERE = Path(__file__).parent

@@ -7,8 +7,10 @@ from collections.abc import Iterable
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Program, TextureRead
 from ...compiler.ir.types import Texture
+from ..description.profile import Profile
+from ..description.shading_language import Language
+from ..description.spellings import TextureNames
 from ..legalise.samplers import sampler_use, texture_type
-from .description import Profile, Target, TextureNames
 
 
 class TextureSpeller:
@@ -53,11 +55,13 @@ def opening_lines(
     return [line for line in found if line not in profile.preamble]
 
 
-def helpers(target: Target, textures: TextureSpeller, reads: Iterable[TextureRead]) -> list[str]:
+def helpers(
+    language: Language, textures: TextureSpeller, reads: Iterable[TextureRead]
+) -> list[str]:
     """The helper functions that the reads call, each a text of several lines."""
     found: dict[str, None] = {}
     for read in reads:
-        forms = target.helpers.get(read.builtin)
+        forms = language.helpers.get(read.builtin)
         if forms is not None:
             form = forms[texture_type(read.resource).dimension]
             found[form.format(texture=textures.texture(read.resource))] = None

@@ -6,27 +6,29 @@ a list, or around them, is the skeleton's business.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from ...compiler.ir.program import StageName
+from ...frozen import frozen
 from ..legalise.bindings import BindingSlot
 
 
-class MemberView(NamedTuple):
+@frozen
+class MemberView:
     """A member of a struct or block."""
 
     typed: str
     comment: str = ""
 
 
-class StructView(NamedTuple):
+@frozen
+class StructView:
     """A struct that members of blocks use."""
 
     name: str
     members: tuple[MemberView, ...]
 
 
-class BlockView(NamedTuple):
+@frozen
+class BlockView:
     """A uniform block."""
 
     name: str
@@ -40,7 +42,8 @@ class BlockView(NamedTuple):
     members: tuple[MemberView, ...]
 
 
-class TextureView(NamedTuple):
+@frozen
+class TextureView:
     """A texture or a sampler, or both in one."""
 
     name: str
@@ -49,7 +52,8 @@ class TextureView(NamedTuple):
     register: str
 
 
-class FieldView(NamedTuple):
+@frozen
+class FieldView:
     """A stage's input or output."""
 
     name: str
@@ -63,14 +67,16 @@ class FieldView(NamedTuple):
     comment: str
 
 
-class InputView(NamedTuple):
+@frozen
+class InputView:
     """A value from the pipeline that the text has to declare."""
 
     typed: str
     semantic: str
 
 
-class FunctionView(NamedTuple):
+@frozen
+class FunctionView:
     """A function."""
 
     comments: list[str]
@@ -78,14 +84,16 @@ class FunctionView(NamedTuple):
     lines: list[str]
 
 
-class StoreView(NamedTuple):
+@frozen
+class StoreView:
     """An output's final value."""
 
     name: str
     value: str
 
 
-class EntryView(NamedTuple):
+@frozen
+class EntryView:
     """One stage's entry point and what belongs to it alone."""
 
     stage: StageName
@@ -106,7 +114,8 @@ class EntryView(NamedTuple):
     """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
 
 
-class FileView(NamedTuple):
+@frozen
+class FileView:
     """One file."""
 
     opening: list[str]

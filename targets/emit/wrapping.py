@@ -10,9 +10,10 @@ brackets are those of C, in every language.
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
-from typing import TypeVar
+from typing import TypeAlias, TypeVar
 
 from .precedence import INFIX, Binding
 
@@ -41,26 +42,38 @@ _WORD_END = re.compile(r"(?<![\\\s]) +")
 """Not behind a backslash, which would swallow the next line."""
 
 Place = TypeVar("Place")
+Breaks: TypeAlias = Mapping[int, int]
+"""How many lines were made of a line that was too long, by its 1-based number; in order."""
 
 
-def wrapped(text: str, places: Mapping[int, Place]) -> tuple[str, dict[int, Place]]:
-    """``text`` with its long lines broken, and ``places`` by the 1-based lines of the result."""
-    given = text.split("\n")
-    if max(map(len, given)) <= WIDTH:
-        return text, dict(places)
-    lines: list[str] = []
-    moved: dict[int, Place] = {}
-    for number, line in enumerate(given, start=1):
+def wrapped(text: str) -> tuple[str, Breaks]:
+    """``text`` with its long lines broken, and which lines these are."""
+    lines = text.split("\n")
+    if max(map(len, lines)) <= WIDTH:
+        return text, {}
+    breaks: dict[int, int] = {}
+    for place, line in enumerate(lines):
         if len(line) > WIDTH:
-            before = len(lines) + 1
-            lines += broken(line)
-            if number in places:
-                moved.update(dict.fromkeys(range(before, len(lines) + 1), places[number]))
-        else:
-            lines.append(line)
-            if number in places:
-                moved[len(lines)] = places[number]
-    return "\n".join(lines), moved
+            parts = broken(line)
+            breaks[place + 1] = len(parts)
+            lines[place] = "\n".join(parts)
+    return "\n".join(lines), breaks
+
+
+def moved(places: Mapping[int, Place], breaks: Breaks) -> dict[int, Place]:
+    """What belongs to lines of a text, in order, by the lines after ``wrapped``.
+
+    All lines that were made of one line get what belongs to it.
+    """
+    found: dict[int, Place] = {}
+    pending = deque(breaks.items())
+    further = 0
+    for number, place in places.items():
+        while pending and pending[0][0] < number:
+            further += pending.popleft()[1] - 1
+        first = number + further
+        found.update(dict.fromkeys(range(first, first + breaks.get(number, 1)), place))
+    return found
 
 
 def broken(line: str) -> list[str]:
@@ -158,11 +171,17 @@ def _filled_lines(words: Iterable[str], room: int) -> Iterator[str]:
 
 def _operands(text: str) -> list[str]:
     """``text`` split in front of each of its loosest operators; each part begins with its own."""
-    found = [token for token in _outermost(text) if token.lastgroup == "operator"]
-    if all(token[0] != "?" for token in found):
-        found = [token for token in found if token[0] != ":"]
-    loosest = min((_BINDINGS[token[0]] for token in found), default=Binding.NAME)
-    starts = [token.start() for token in found if _BINDINGS[token[0]] == loosest]
+    found = [
+        (token[0], token.start()) for token in _outermost(text) if token.lastgroup == "operator"
+    ]
+    symbols = {symbol for symbol, _start in found}
+    if "?" not in symbols:
+        symbols.discard(":")
+    if not symbols:
+        return [text.strip()]
+    loosest = min(_BINDINGS[symbol] for symbol in symbols)
+    breaking = {symbol for symbol in symbols if _BINDINGS[symbol] == loosest}
+    starts = [start for symbol, start in found if symbol in breaking]
     bounds = zip([0, *starts], [*starts, len(text)], strict=True)
     return [text[first:last].strip() for first, last in bounds]
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from ...compiler.expansion_templates import definition
-from ...compiler.ir.node import Formal, Graph
+from ...compiler.ir.node import Formal, Graph, Roots, reachable
 from ...compiler.ir.program import Function, NativeUse, Program, Stage, native_uses
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.shader import Notes
@@ -20,11 +20,12 @@ from ...compiler.passes.guard import Guarding
 from ...compiler.passes.naming import Naming
 from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.schedule import Scheduler
+from ...compiler.passes.uniformity import needing_uniform_flow
 from ...compiler.passes.walks import visible
 from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN
-from ..emit.description import Profile
+from ..description.profile import Profile
 
 Use = tuple[str, tuple[Type, ...]]
 """A builtin, and the types of its operands."""
@@ -85,13 +86,14 @@ def _function(use: Use, profile: Profile) -> Function:
     name, types = use
     found = definition(name, types)
     graph, notes, ranges = Graph(), Notes(), Ranges(())
-    guarding = Guarding(graph, ranges, notes, PathConditions((), ranges), profile.agrees)
+    guarding = Guarding(graph, ranges, notes, PathConditions(Roots(), ranges), profile.agrees)
     formals = tuple(Formal(parameter) for parameter in found.parameters)
     leaves = tuple(
         graph.node("formal", type_, (), formal)
         for type_, formal in zip(types, formals, strict=True)
     )
     body = guarding.written_out(found, leaves)
-    region = Scheduler((body,), notes, Naming(notes)).schedule()
+    together = needing_uniform_flow(reachable((body,)))
+    region = Scheduler((body,), notes, Naming(notes), together).schedule()
     parameters = tuple(zip(formals, types, strict=True))
     return Function(found.name, found.doc, parameters, body, region, body)

@@ -10,9 +10,8 @@ placed and named like all others.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
-from ...compiler.ir.node import Graph, Node
+from ...compiler.ir.node import Graph, Node, Roots
 from ...compiler.ir.program import Program
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.rewrite import rewrite
@@ -26,15 +25,15 @@ from ...compiler.passes.split_stages import split_stages
 from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import Domain
-from ..emit.description import Profile
+from ..description.profile import Profile
 
 
 def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]:
     """The program with the guards that the profile needs, and what is noted of its nodes."""
     # Each profile adds nodes of its own, whose ids do not depend on other profiles.
     graph, notes = undecided.shader.graph.copy(), undecided.shader.notes.copy()
-    shader = replace(undecided.shader, graph=graph, notes=notes)
-    given = [result.value for result in undecided.results]
+    shader = changed(undecided.shader, graph=graph, notes=notes)
+    given = Roots([result.value for result in undecided.results])
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
     roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
     roots = passed("guards of a profile", "stored", inline(graph, roots, notes, deciding))
@@ -56,7 +55,7 @@ class _Deciding(Guarding):
         self, graph: Graph, notes: Notes, known: Ranges, domains: Mapping[str, Domain]
     ) -> None:
         ranges = Ranges(())
-        super().__init__(graph, ranges, notes, PathConditions((), ranges), domains)
+        super().__init__(graph, ranges, notes, PathConditions(Roots(), ranges), domains)
         self._known = known
 
     def decided(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:

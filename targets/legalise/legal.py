@@ -5,7 +5,8 @@ from __future__ import annotations
 from ...compiler.ir.program import Program
 from ...compiler.ir.shader import Notes
 from ...frozen import frozen
-from ..emit.description import Profile, Target
+from ..description.profile import Profile
+from ..description.shading_language import Language
 from .bindings import Bindings
 from .definitions import Definitions
 from .resource_arguments import ResourceArguments
@@ -16,7 +17,7 @@ class Legal:
     """A program that ``emit`` only has to print, with what was decided for the profile."""
 
     program: Program
-    target: Target
+    language: Language
     profile: Profile
     definitions: Definitions
     """The function that stands for each builtin that the profile does not have as it is meant."""

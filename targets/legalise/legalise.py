@@ -12,7 +12,8 @@ from __future__ import annotations
 
 from ...compiler.ir.program import Program
 from ...compiler.passes.pipeline import Undecided
-from ..emit.description import Profile, Target
+from ..description.profile import Profile
+from ..description.shading_language import Language
 from .bindings import assign_bindings
 from .definitions import with_definitions
 from .guards import with_guards
@@ -21,7 +22,7 @@ from .resource_arguments import resource_arguments
 
 
 def legalise(
-    program: Program, target: Target, profile: Profile, undecided: Undecided | None = None
+    program: Program, language: Language, profile: Profile, undecided: Undecided | None = None
 ) -> Legal:
     """``program`` as ``profile`` prints it; ``undecided`` if it has calls to decide about."""
     notes = None
@@ -30,10 +31,10 @@ def legalise(
     program, definitions = with_definitions(program, profile)
     return Legal(
         program,
-        target,
+        language,
         profile,
         definitions,
         assign_bindings(program, profile),
-        resource_arguments(program, target),
+        resource_arguments(program, language),
         notes,
     )

@@ -8,7 +8,7 @@ from ...compiler.ir.program import NativeUse, Program, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture
 from ...frozen import frozen
-from ..emit.description import Lack, Limits, Profile
+from ..description.profile import Lack, Limits, Profile
 from .samplers import sampler_use
 
 

@@ -1,6 +1,6 @@
 """Which blocks and textures every function reads, for languages without global resources.
 
-In such a language (``Target.resource_arguments``) an entry point gets all that its stage reads as
+In such a language (``Language.resource_arguments``) an entry point gets all that its stage reads as
 arguments. A function gets what it reads itself, or hands on to the functions that it calls.
 Samplers go with their textures.
 """
@@ -14,7 +14,7 @@ from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program, Stage, StageName
 from ...compiler.passes.walks import visible
 from ...frozen import frozen
-from ..emit.description import Target
+from ..description.shading_language import Language
 
 
 @frozen
@@ -31,9 +31,9 @@ ResourceArguments = Mapping[tuple[StageName, Node], Passed]
 """By stage and the function's body; a function that reads nothing is not among them."""
 
 
-def resource_arguments(program: Program, target: Target) -> ResourceArguments:
+def resource_arguments(program: Program, language: Language) -> ResourceArguments:
     """What each function of ``program`` gets, where the language has no global resources."""
-    if not target.resource_arguments:
+    if not language.resource_arguments:
         return {}
     return {
         (stage.name, body): passed

@@ -1,1 +1,1 @@
-"""The Metal Shading Language, never compiled by Apple's compiler: see `target.py`."""
+"""The Metal Shading Language, never compiled by Apple's compiler: see `language.py`."""

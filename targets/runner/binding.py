@@ -1,4 +1,7 @@
-"""Makes a driver's pipeline from a reflection: formats, bindings and names for one route."""
+"""Makes a driver's pipeline from a reflection: formats, bindings and names for one route.
+
+``render`` and ``conform`` call ``pipeline`` before they send jobs to the driver.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from .drivers.draw import (
     Cull,
     Pipeline,
     Place,
-    Target,
+    RenderTarget,
     TargetFormat,
     TextureSlot,
     VertexFormat,
@@ -80,7 +83,7 @@ def pipeline(
         ),
         textures=_textures(reflection, backend),
         targets=tuple(
-            Target(target_format(row, exact=exact), "none" if exact else row["blend"])
+            RenderTarget(target_format(row, exact=exact), "none" if exact else row["blend"])
             for row in reflection["targets"]
         ),
         cull=cull,

@@ -1,7 +1,7 @@
-"""Makes what a route's driver takes from a material's texts: SPIR-V by real compilers, or text.
+"""Turns a material's texts into what a route's driver takes: SPIR-V by real compilers, or text.
 
 ``render`` and ``conform`` call it before they draw. Compilers run in parallel, and a store keeps
-what they made: the same text, flags and tools give the same module. Nothing is kept of a text that
+their results: the same text, flags and tools give the same module. Nothing is kept of a text that
 was refused.
 """
 

@@ -1,7 +1,8 @@
 """The type of meshes, and the meshes that come with the runner.
 
-They lie in the unit ball around the origin (the corners of the cube and the plane a little
-outside), with y upwards and triangles counter-clockwise as seen from outside.
+``render`` and ``conform`` offer them by name. They lie in the unit ball around the origin (the
+corners of the cube and of the plane lie a little outside), with y upwards and triangles
+counter-clockwise as seen from outside.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The table of routes that can draw a material here: an emitted text, a compiler, a driver.
+"""The table of routes by which a material can be drawn here: an emitted text, a compiler, a driver.
 
 Direct3D is not among them, because nothing here runs it. Its texts are drawn on Vulkan; DXC also
 compiles them to DXIL, which is not drawn.

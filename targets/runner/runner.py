@@ -1,4 +1,7 @@
-"""Sends jobs to the drivers' worker processes, and keeps the pictures in a store."""
+"""Sends jobs to the drivers' worker processes, and keeps the pictures in a store.
+
+``render`` and ``conform`` draw through one ``Runner``.
+"""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class Scene:
     """The positions of camera, object and lights."""
 
     eye: Vector = (0.9, 0.8, 3.0)
-    target: Vector = (0.0, 0.0, 0.0)
+    look_at: Vector = (0.0, 0.0, 0.0)
     fov: float = math.radians(38)
     """The vertical angle of view from bottom to top."""
     near: float = 0.1
@@ -68,7 +68,9 @@ class Scene:
 
     def world_to_clip(self, aspect: float) -> Matrix:
         """The projection times the view transform."""
-        return _perspective(self.fov, aspect, self.near, self.far) @ _look_at(self.eye, self.target)
+        return _perspective(self.fov, aspect, self.near, self.far) @ _look_at(
+            self.eye, self.look_at
+        )
 
     def _place_lights(self, instance: Instance, roles: Mapping[str, str]) -> None:
         """Set the parameters of all lights, including those of an array beyond its current count.
@@ -281,8 +283,8 @@ def _columns(matrix: Matrix) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(column) for column in matrix.T.tolist())
 
 
-def _look_at(eye: Vector, target: Vector) -> Matrix:
-    back = np.subtract(eye, target)
+def _look_at(eye: Vector, look_at: Vector) -> Matrix:
+    back = np.subtract(eye, look_at)
     back = back / np.linalg.norm(back)
     right = np.cross([0.0, 1.0, 0.0], back)
     right = right / np.linalg.norm(right)

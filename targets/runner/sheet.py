@@ -1,4 +1,4 @@
-"""Makes contact sheets: several pictures in one, each with a caption below it."""
+"""Makes contact sheets for ``burnish render``: several pictures in one, each above its caption."""
 
 from __future__ import annotations
 

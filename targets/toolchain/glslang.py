@@ -1,4 +1,4 @@
-"""Runs glslangValidator on jobs; it starts slowly, so one process checks many texts if it can."""
+"""Runs glslangValidator on jobs. It starts slowly, so one process checks many texts if possible."""
 
 from __future__ import annotations
 

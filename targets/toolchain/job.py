@@ -1,4 +1,4 @@
-"""A request to a downstream compiler, and its answer; the types that all checkers share."""
+"""The types of a request to a downstream compiler and of its answer, which all checkers share."""
 
 from __future__ import annotations
 

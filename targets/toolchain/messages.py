@@ -1,4 +1,4 @@
-"""Parses the output of each tool into ``Message`` rows."""
+"""Parses the output of each tool into ``Message`` records."""
 
 from __future__ import annotations
 

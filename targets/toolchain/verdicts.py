@@ -1,4 +1,4 @@
-"""Makes verdicts from what tools answered; the checkers share these functions."""
+"""Functions that turn the answers of tools into verdicts; all checkers use them."""
 
 from __future__ import annotations
 

@@ -267,8 +267,8 @@ def test_compiling_loads_no_more_than_it_needs(tmp_path: Path) -> None:
     loaded(tmp_path, *command)
     modules = loaded(tmp_path, *command)
     assert not modules & NEVER
-    assert "burnish.targets.wgsl.target" in modules
-    assert "burnish.targets.hlsl.target" not in modules
+    assert "burnish.targets.wgsl.language" in modules
+    assert "burnish.targets.hlsl.language" not in modules
 
 
 @pytest.mark.parametrize("arguments", [("--help",), ("--version",), ("compile", "--help")])

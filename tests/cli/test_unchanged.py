@@ -2,111 +2,21 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
-import subprocess
-import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import NamedTuple
 
 import pytest
 
-from burnish.commands import results
-from burnish.commands.group import burnish
-from burnish.commands.results import answer, ask
-from burnish.compiler import cache
-
 from .kit import PLAIN, tree
+from .place import Place
 
 ROOT = Path(__file__).parents[2]
 IMPORTING = 'import "shades.burnish".{shade}\nmaterial Main { color = vec3(shade) }\n'
 DOUBTFUL = "material Main { colour = vec3(1) }\n"
 """Compiles with a warning, as the slot is nearly called like an inherited one."""
-
-TOLD = """
-import sys
-from burnish.cli import main
-try:
-    main()
-finally:
-    print("COMPILED" if "burnish.api" in sys.modules else "KNOWN", file=sys.stderr)
-"""
-
-
-class Run(NamedTuple):
-    """What came of a command."""
-
-    how: str
-    """``KNOWN`` if it was done before, else ``COMPILED``."""
-    code: int
-    output: str
-    errors: str
-
-
-class Place:
-    """A folder with a file to compile, and a cache of its own."""
-
-    def __init__(
-        self, folder: Path, patch: pytest.MonkeyPatch, captured: pytest.CaptureFixture[str]
-    ) -> None:
-        self.folder = folder / "place"
-        self.folder.mkdir()
-        self.cache = folder / "cache"
-        self._patch = patch
-        self._captured = captured
-        self.environment({"BURNISH_CACHE": str(self.cache)})
-        patch.delenv("BURNISH_VERIFY")
-        patch.chdir(self.folder)
-
-    def environment(self, variables: Mapping[str, str]) -> None:
-        """Set variables of the environment."""
-        for name, value in variables.items():
-            self._patch.setenv(name, value)
-
-    def write(self, **texts: str) -> None:
-        """Write files: ``main="…"`` is ``main.burnish``."""
-        for name, text in texts.items():
-            (self.folder / f"{name}.burnish").write_text(text, "utf-8")
-
-    def run(self, *options: str, output: str = "out") -> Run:
-        """Compile in this process, as ``cli.main`` does."""
-        command = ["compile", "main.burnish", "-t", "wgsl", "-o", output, *options]
-        question = ask(command)
-        if question is not None and answer(question):
-            return Run("KNOWN", 0, *self._captured.readouterr())
-        with pytest.raises(SystemExit) as ended:
-            burnish.main(command, obj=question)
-        code = ended.value.code
-        assert isinstance(code, int)
-        return Run("COMPILED", code, *self._captured.readouterr())
-
-    def process(self, *options: str, output: str = "out") -> Run:
-        """Compile in a process of its own."""
-        command = ["compile", "main.burnish", "-t", "wgsl", "-o", output, *options]
-        run = subprocess.run(
-            [sys.executable, "-c", TOLD, *command], cwd=self.folder,
-            capture_output=True, encoding="utf-8", timeout=60, check=False,
-        )  # fmt: skip
-        *errors, how = run.stderr.splitlines(keepends=True)
-        return Run(how.strip(), run.returncode, run.stdout, "".join(errors))
-
-    def results(self) -> list[Path]:
-        """The answers that are kept."""
-        return sorted(self.cache.glob("result-*"))
-
-    def fragment(self, output: str = "out") -> str:
-        """The shader that was written."""
-        return (self.folder / output / "Main.frag.wgsl").read_text("utf-8")
-
-
-@pytest.fixture
-def place(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> Place:
-    return Place(tmp_path, monkeypatch, capsys)
 
 
 def written(folder: Path) -> dict[str, bytes]:
@@ -316,17 +226,6 @@ def test_a_pipe_is_read_by_the_compile_alone(place: Place) -> None:
             writing.result(timeout=10)
 
 
-def test_an_answer_names_no_files_elsewhere(place: Place) -> None:
-    place.write(main="material Main { color = vec3(1) }\n")
-    place.run()
-    (kept,) = place.cache.glob("result-*")
-    entry = json.loads(cache.load("result", kept.stem.removeprefix("result-")) or b"")
-    entry["texts"] = {"../elsewhere": "x"}
-    cache.store("result", kept.stem.removeprefix("result-"), json.dumps(entry).encode())
-    assert place.run().how == "COMPILED"
-    assert not (place.folder / "elsewhere").exists()
-
-
 def test_switched_off(place: Place) -> None:
     place.write(main="material Main { }")
     assert [place.run("--no-cache")[0] for _ in range(2)] == ["COMPILED"] * 2
@@ -347,101 +246,3 @@ def test_what_cannot_be_written_as_before_is_told(place: Place) -> None:
     how, code, output, errors = place.run()
     assert (how, code) == ("COMPILED", 1)
     assert tree(place.folder) == before
-
-
-def _is_file(folder: Path) -> Mapping[str, str]:
-    (folder / "file").touch()
-    return {"BURNISH_CACHE": str(folder / "file")}
-
-
-def _is_device(_: Path) -> Mapping[str, str]:
-    return {"BURNISH_CACHE": os.devnull}
-
-
-def _is_too_long(folder: Path) -> Mapping[str, str]:
-    return {"BURNISH_CACHE": str(folder / ("x" * 5000))}
-
-
-def _is_circular(folder: Path) -> Mapping[str, str]:
-    (folder / "circle").symlink_to("circle")
-    return {"BURNISH_CACHE": str(folder / "circle")}
-
-
-def _is_nowhere(_: Path) -> Mapping[str, str]:
-    """As where there is no ``HOME``, and the user has none."""
-    return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "", "HOME": "~"}
-
-
-@pytest.mark.parametrize("odd", [_is_file, _is_device, _is_too_long, _is_circular, _is_nowhere])
-def test_an_odd_cache_folder(
-    place: Place, odd: Callable[[Path], Mapping[str, str]], tmp_path: Path
-) -> None:
-    place.environment(odd(tmp_path))
-    place.write(main="material Main { }")
-    assert [place.run() for _ in range(2)] == [
-        ("COMPILED", 0, "Main: 2 shaders and Main.json in out\n", "")
-    ] * 2
-    assert tree(place.folder) == {
-        "main.burnish", "out", "out/Main.frag.wgsl", "out/Main.vert.wgsl", "out/Main.json"
-    }  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    "damage",
-    [
-        b"",
-        b"x",
-        b"x" * 200,
-        cache.digest(b"[]").encode(),
-        bytes.fromhex(cache.digest(b"[]")) + b"[]",
-    ],
-)
-def test_a_damaged_answer(place: Place, damage: bytes) -> None:
-    place.write(main="material Main { }")
-    first = place.run()
-    (result,) = place.results()
-    result.write_bytes(damage)
-    assert place.run() == first
-    assert place.run()[0] == "KNOWN"
-
-
-def test_only_texts_are_kept(place: Place) -> None:
-    place.write(main="material Main { }")
-    place.run()
-    (result,) = place.results()
-    kept: dict[str, object] = json.loads(result.read_bytes()[8:])
-    assert kept.keys() == {
-        "circumstances", "folder", "folders", "links", "printed", "sources", "texts", "warnings"
-    }  # fmt: skip
-
-
-def test_many_at_once(place: Place) -> None:
-    place.write(main="material Main { alpha = sin(uv.x) }")
-    with ThreadPoolExecutor(6) as pool:
-        runs = list(pool.map(lambda _: place.process(), range(6)))
-    assert [run.code for run in runs] == [0] * 6
-    assert len(place.results()) == 1
-    before = place.fragment()
-    assert place.run()[:2] == ("KNOWN", 0)
-    assert place.fragment() == before
-
-
-def test_many_answers(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cache, "KEPT", 2)
-    place.cache.mkdir()
-    other = place.cache / "library-0123456789abcdef.bin"
-    other.touch()
-    os.utime(other, (0, 0))
-    for number in range(4):
-        place.write(main=f"material Main {{ alpha = 0.{number} }}")
-        place.run(output=f"out{number}")
-    assert len(place.results()) == 2
-    assert other.exists()
-    assert place.run(output="out3").how == "KNOWN"
-
-
-def test_large_answers_take_no_room(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(results, "LARGEST", 1000)
-    place.write(main="material Main { }")
-    assert [place.run().how for _ in range(2)] == ["COMPILED"] * 2
-    assert place.results() == []

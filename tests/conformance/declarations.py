@@ -18,7 +18,7 @@ from ..layout.declarations import ELEMENTS, KINDS
 
 Value = Any
 """A value in the form that ``Instance.set`` takes."""
-Lanes = tuple[float, ...]
+Numbers = tuple[float, ...]
 
 PLAIN: Sequence[Type] = [
     *map(Scalar, KINDS),
@@ -35,7 +35,7 @@ class Unit:
 
     name: str
     """The expression that it shows, such as ``p2[3].m1[0]``."""
-    lanes: Lanes
+    lanes: Numbers
 
 
 class Declarations:

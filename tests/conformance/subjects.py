@@ -8,6 +8,7 @@ import burnish
 from burnish import api
 from burnish.api import CompiledMaterial
 from burnish.compiler.ir.node import reachable
+from burnish.compiler.ir.operations import CALL
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.routes import ROUTES
@@ -57,4 +58,4 @@ def row(studio: Studio, name: str, route: str) -> Row:
 def called(name: str) -> frozenset[str]:
     """The builtins that one of ``NAMES`` uses."""
     shader = compiled(name).shader
-    return frozenset(str(node.data) for node in reachable(shader.roots) if node.op == "call")
+    return frozenset(CALL.data(node) for node in reachable(shader.roots) if node.op == "call")

@@ -30,7 +30,7 @@ from .drawings import (
 from .kit import REFERENCE, Floats, Studio
 from .matrices import PIXELS
 
-Lanes = tuple[float | None, float | None, float | None, float | None]
+Pixel = tuple[float | None, float | None, float | None, float | None]
 """What a pixel holds; None where it does not matter."""
 
 HALF = 0.5
@@ -46,10 +46,10 @@ class Expectation:
     drawing: str
     pixel: tuple[int, int]
     """From the left and from the top."""
-    lanes: Lanes
+    lanes: Pixel
     target: int = 0
     tolerance: float = 0.0
-    flipped: Lanes | None = None
+    flipped: Pixel | None = None
     """What it is instead in a flipped text whose first row in memory is the bottom one."""
 
 
@@ -249,7 +249,7 @@ def test_convention_in_a_flipped_text(drawn: Drawn, route: str, expectation: Exp
     _check(targets, expectation, expectation.flipped if from_below else expectation.lanes)
 
 
-def _check(targets: Sequence[Floats], expectation: Expectation, lanes: Lanes | None) -> None:
+def _check(targets: Sequence[Floats], expectation: Expectation, lanes: Pixel | None) -> None:
     assert lanes is not None
     x, y = expectation.pixel
     got = targets[expectation.target][y, x]

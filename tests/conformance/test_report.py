@@ -11,7 +11,7 @@ import numpy as np
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.compare import compare
 from burnish.targets.conformance.report import as_json, page
-from burnish.targets.conformance.rows import Result, Row
+from burnish.targets.conformance.rows import CaseResult, Row
 from burnish.targets.conformance.summary import cells, counted, details
 from burnish.targets.conformance.tolerances import Tolerance
 from burnish.targets.runner.drivers.draw import Device
@@ -24,7 +24,7 @@ VERSIONS = {"glslang": "12 <beta>"}
 PROBLEM = "glslang rejects Odd.frag.glsl\n  3:7: '<' : syntax error & more"
 
 
-def _result(case: str, value: float = 1.0, undecided: int = 0, wanted_: float = 1.0) -> Result:
+def _result(case: str, value: float = 1.0, undecided: int = 0, wanted_: float = 1.0) -> CaseResult:
     """A picture of ones against one with another value in one lane."""
     wanted, got = np.ones((*SIZE, 4)), np.ones((*SIZE, 4))
     got[1, 2, 0] = value
@@ -34,10 +34,10 @@ def _result(case: str, value: float = 1.0, undecided: int = 0, wanted_: float = 
     covered = np.ones(SIZE, dtype=np.bool_)
     expected = Expected((wanted,), covered, unsure, (np.zeros_like(wanted),))
     comparison = compare((got,), expected, Tolerance(0.01, 0.0, "for tests"), [0.0])
-    return Result(case, comparison, (got,), expected)
+    return CaseResult(case, comparison, (got,), expected)
 
 
-def _row(route: str, status: str, *results: Result, problem: str = "") -> Row:
+def _row(route: str, status: str, *results: CaseResult, problem: str = "") -> Row:
     assert status in ("agrees", "differs", "overflows", "undecided", "failed", "not run")
     device = DEVICE if results else None
     return Row(NAME, ROUTES[route], status, problem, device, VERSIONS, results)  # type: ignore[arg-type]

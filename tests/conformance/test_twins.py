@@ -27,7 +27,14 @@ from burnish.targets.conformance.plan import rules_of
 from burnish.targets.conformance.tolerances import DRIVERS
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Codes, compile_one
-from burnish.targets.runner.drivers.draw import BlockSlot, Job, Pipeline, Place, Target, VertexInput
+from burnish.targets.runner.drivers.draw import (
+    BlockSlot,
+    Job,
+    Pipeline,
+    Place,
+    RenderTarget,
+    VertexInput,
+)
 from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES, Route
@@ -104,7 +111,7 @@ SCENES: Mapping[str, tuple[Mesh, Scene]] = {
         torus(24, 16), Scene(eye=(-0.7, 1.1, 2.6), object_to_world=STRETCHED)
     ),
     "inside": (
-        cube(), Scene(eye=(0.35, -0.2, 0.4), target=(-0.5, 0.1, -0.6), fov=math.radians(75))
+        cube(), Scene(eye=(0.35, -0.2, 0.4), look_at=(-0.5, 0.1, -0.6), fov=math.radians(75))
     ),
 }  # fmt: skip
 
@@ -181,7 +188,7 @@ def by_hand(route: Route, codes: Codes) -> Pipeline:
         inputs=(VertexInput("aPos", 0, "float32x3"), VertexInput("aNrm", 1, "float32x3")),
         blocks=(BlockSlot(place, BLOCK_SIZE),),
         textures=(),
-        targets=(Target("rgba32float"),),
+        targets=(RenderTarget("rgba32float"),),
         first_row="bottom" if in_gl else "top",
     )
 

@@ -83,7 +83,7 @@ def test_groups_of_the_users_share_a_set(selected: Selected) -> None:
         color = vec3(split * row * uv.x) * sin(split) * cos(row) + shadows(uv).rgb
     }
     """
-    name = f"{selected.target.name}:{selected.profile.name}"
+    name = f"{selected.language.name}:{selected.profile.name}"
     (compiled,) = burnish.compile(text, (name,))
     (backend,) = compiled.reflection["backends"].values()
     blocks = {name: (row["group"], row["binding"]) for name, row in backend["blocks"].items()}

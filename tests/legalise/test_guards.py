@@ -11,7 +11,7 @@ from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.passes.pipeline import Staged
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.row import Domain
-from burnish.targets.emit.description import Profile
+from burnish.targets.description.profile import Profile
 from burnish.targets.legalise.legal import Legal
 from burnish.targets.legalise.legalise import legalise
 from burnish.targets.registry import select

@@ -7,7 +7,7 @@ import pytest
 import burnish
 from burnish.frozen import changed
 from burnish.targets import registry
-from burnish.targets.emit.description import Lack
+from burnish.targets.description.profile import Lack
 from burnish.targets.legalise.limits import lacks
 
 from .kit import staged

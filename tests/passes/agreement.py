@@ -9,20 +9,22 @@ from __future__ import annotations
 
 import math
 
+from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
+from burnish.compiler.ir.operations import CALL
 from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import FLOAT, Matrix, Scalar, Vector, scalar_kind
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.evaluate import Evaluator
+from burnish.stdlib.builtins import BUILTINS
 
 from .hardware import flat, hardware
 from .kit import World, history
 
 TOLERANCE = 1e-9
 NOISE = 1e-13
-REPEATS = 3
 AMPLIFIED = 1e3
 """By how many times the spread of the results a value may differ."""
 
@@ -32,9 +34,12 @@ EXACT = frozenset(
 )  # fmt: skip
 """Operations that do not round."""
 
+NOISES = tuple(NOISE * factor for factor in (1, -2, 3))
+"""Of each repeat: a jump may be on either side of a value."""
+
 
 def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
-    """The roots, in which every rounding operation is multiplied by a parameter close to one."""
+    """The roots with an error in every operation that rounds, set by a parameter close to one."""
 
     def rule(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op != "call" or scalar_kind(node.type) != "float" or node.data in EXACT:
@@ -46,9 +51,16 @@ def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
             first, second = operands
             operands = graph.node("call", first.type, (first, factor), "mul"), second
         result = graph.node(node.op, node.type, operands, node.data)
-        return graph.node("call", node.type, (result, factor), "mul")
+        noisy = graph.node("call", node.type, (result, factor), "mul")
+        if not BUILTINS[CALL.data(node)].expansion or isinstance(node.type, Matrix):
+            return noisy
+        # An expansion may lose what is much smaller than the terms of its sums.
+        lost = graph.node("call", FLOAT, (factor, build.floating(graph, 1.0)), "sub")
+        if isinstance(node.type, Vector):
+            lost = build.splat(graph, lost, node.type.size)
+        return graph.node("call", node.type, (noisy, lost), "add")
 
-    return rewrite(graph, roots, rule)
+    return list(rewrite(graph, roots, rule))
 
 
 def lanes(roots: list[Node], world: World) -> list[float]:
@@ -59,9 +71,7 @@ def lanes(roots: list[Node], world: World) -> list[float]:
 
 def tolerances(shaken: list[Node], expected: list[float], world: World) -> list[float]:
     """The tolerance of each lane."""
-    repeats = [
-        lanes(shaken, World(world.seed, world.traps, noise=NOISE * (1 + i))) for i in range(REPEATS)
-    ]
+    repeats = [lanes(shaken, World(world.seed, world.traps, noise=noise)) for noise in NOISES]
     found = []
     for value, *others in zip(expected, *repeats, strict=True):
         spread = max(abs(other - value) for other in others)

@@ -14,6 +14,7 @@ from typing import Any
 from unittest.mock import patch
 
 from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.operations import NATIVE
 from burnish.compiler.ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from burnish.compiler.reference import operations
 from burnish.compiler.reference.namespace import Lanes, Namespace
@@ -48,7 +49,7 @@ def _native(
 ) -> Lanes:
     known = [fact(o.type, value) for o, value in zip(node.operands, operands, strict=True)]
     facts = tuple(fact for fact in known if fact is not None)
-    name = str(node.data)
+    name = NATIVE.data(node)
     domain = domains.get(name, BUILTINS[name].domain)
     if len(facts) < len(known) or domain(facts):
         return operations._call(node, operands, xp)

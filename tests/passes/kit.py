@@ -13,7 +13,7 @@ from unittest.mock import patch
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.leaves import Attribute, Parameter
-from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.node import Node, Roots, reachable
 from burnish.compiler.ir.operations import builtin_of
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.ir.shader import Shader
@@ -82,7 +82,7 @@ def history(given: Shader, options: Options | None = None) -> History:
     """The roots of a shader after every pass; each graph is verified."""
     roots: dict[str, list[Node]] = {}
 
-    def record(name: str, form: Any, found: list[Node]) -> list[Node]:
+    def record(name: str, form: Any, found: Roots) -> Roots:
         roots[name] = list(found)
         return passed(name, form, found)
 

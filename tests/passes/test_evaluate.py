@@ -14,7 +14,7 @@ from burnish.compiler.ir.node import Folding, Formal, Graph, Node
 from burnish.compiler.ir.stages import SMOOTH
 from burnish.compiler.ir.types import FLOAT, INT, VEC2, Array, Struct, Type
 from burnish.compiler.passes.pipeline import Options
-from burnish.compiler.reference.evaluate import Evaluator, Leaves, NotConstantError, evaluate
+from burnish.compiler.reference.evaluate import Evaluator, LeafValues, NotConstantError, evaluate
 from burnish.compiler.reference.namespace import Lanes
 
 from .hardware import flat
@@ -27,7 +27,7 @@ def leaf(graph: Graph, name: str, type_: Type = FLOAT) -> Node:
     return graph.node("parameter", type_, (), Parameter(name, type_, "material"))
 
 
-def named(**values: Lanes) -> Leaves:
+def named(**values: Lanes) -> LeafValues:
     """Leaves by name."""
     return lambda node: values.get(node.data.name) if hasattr(node.data, "name") else None
 

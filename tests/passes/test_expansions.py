@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from burnish.compiler.expansion_templates import definition, template
 from burnish.compiler.ir.leaves import Parameter
-from burnish.compiler.ir.node import Graph, Node
+from burnish.compiler.ir.node import Graph, Node, Roots
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.signatures import result_type
@@ -70,7 +70,7 @@ def expanded(name: str, types: tuple[Type, ...]) -> tuple[Node, list[Node]]:
     result = result_type(name, types)
     assert result is not None
     ranges = Ranges(())
-    guarding = Guarding(graph, ranges, Notes(), PathConditions((), ranges))
+    guarding = Guarding(graph, ranges, Notes(), PathConditions(Roots(), ranges))
     return guarding.make("call", result, tuple(leaves), name), leaves
 
 
@@ -81,7 +81,7 @@ def defined(name: str, types: tuple[Type, ...]) -> tuple[Node, list[Node]]:
         graph.node("parameter", type_, (), Parameter(f"x{i}", type_, "material"))
         for i, type_ in enumerate(types)
     ]
-    guarding = Guarding(graph, ranges, Notes(), PathConditions((), ranges))
+    guarding = Guarding(graph, ranges, Notes(), PathConditions(Roots(), ranges))
     return guarding.written_out(definition(name, types), tuple(leaves)), leaves
 
 

@@ -10,7 +10,7 @@ from typing import get_args
 
 import pytest
 
-from burnish.compiler.ir import build, ranges
+from burnish.compiler.ir import build, range_rules
 from burnish.compiler.ir.node import Binder, Graph, Op
 from burnish.compiler.ir.operations import (
     BINDING,
@@ -65,7 +65,7 @@ def test_only_leaves_are_constants_variables_or_from_outside() -> None:
     ("table", "needed"),
     [
         (reference._STEPS, OPS - BINDING - OUTSIDE - with_role("variable")),
-        (ranges._RULES, OPS - UNKNOWN_RANGE),
+        (range_rules.RULES, OPS - UNKNOWN_RANGE),
         (meanings._RULES, OPS - BARE - {"iterate"}),
         (Expressions.PRINTERS, standing_in("stored") & WITHOUT_STATEMENT),
     ],

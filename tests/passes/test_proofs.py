@@ -57,11 +57,11 @@ def test_every_rule_shows_in_a_material(rule: str) -> None:
 
 @pytest.mark.parametrize("name", PROVABLE)
 def test_every_domain_shows_in_a_material(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    plain = [usual(path) for path in MATERIALS]
+    plain = {path: usual(path) for path in MATERIALS}
     domain = BUILTINS[name].domain
     row = changed(BUILTINS[name], domain=lambda facts: domain(unknown(*facts)))
     monkeypatch.setattr(guard, "BUILTINS", {**BUILTINS, name: row})
-    assert [snapshot(path) for path in MATERIALS] != plain
+    assert any(snapshot(path) != plain[path] for path in MATERIALS)
 
 
 @pytest.mark.parametrize("path", MATERIALS, ids=lambda path: path.stem)

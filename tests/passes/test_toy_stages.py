@@ -47,7 +47,7 @@ from burnish.compiler.reflection import reflect
 from burnish.compiler.reflection.schema import validate
 from burnish.frozen import changed
 from burnish.targets import registry
-from burnish.targets.emit.description import PipelineInput
+from burnish.targets.description.spellings import PipelineInput
 from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise
 from burnish.targets.legalise.limits import lacks

@@ -8,7 +8,7 @@ import pytest
 
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter
-from burnish.compiler.ir.node import Folding, Formal, Graph, Node
+from burnish.compiler.ir.node import Folding, Formal, Graph, Node, Roots
 from burnish.compiler.ir.operations import Form
 from burnish.compiler.ir.stages import FLAT, SMOOTH
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, VEC4, Matrix, TallMatrix
@@ -119,7 +119,7 @@ def test_deep_graphs_are_verified_without_recursion() -> None:
 
 def test_the_error_names_the_pass(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InvalidGraphError) as caught:
-        checkpoint.passed("fuse", "opened", [free(Graph())])
+        checkpoint.passed("fuse", "opened", Roots([free(Graph())]))
     assert caught.value.__notes__ == ["after fuse"]
     monkeypatch.delenv(checkpoint.VARIABLE)
-    checkpoint.passed("fuse", "opened", [free(Graph())])
+    checkpoint.passed("fuse", "opened", Roots([free(Graph())]))

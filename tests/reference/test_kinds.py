@@ -14,7 +14,7 @@ from burnish.compiler.ir.leaves import Resource
 from burnish.compiler.ir.types import Dimension, Sample, Texture
 from burnish.compiler.reference.picture.cube import across_edges, met
 from burnish.compiler.reference.picture.margins import Margins
-from burnish.compiler.reference.picture.sampler import Reader
+from burnish.compiler.reference.picture.sampler import QuadReader
 from burnish.compiler.reference.picture.scene import RasterRules, Texels
 from burnish.compiler.reference.picture.texels import Image
 from burnish.compiler.reference.picture.variants import EXACT, Variants, variants
@@ -39,7 +39,9 @@ class Read:
         resource = Resource("t", Texture(dimension, sample), "material", "white", whole)
         arrays = tuple(np.asarray(level) for level in levels)
         self.margins = Margins((1, 1, 1))
-        self._reader = Reader(Image(Texels(arrays), resource, rules), ways, self.margins, count())
+        self._reader = QuadReader(
+            Image(Texels(arrays), resource, rules), ways, self.margins, count()
+        )
 
     def __call__(self, name: str, *operands: Any) -> list[Any]:
         """The lanes of a read, in its exact variant."""

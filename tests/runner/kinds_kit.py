@@ -22,8 +22,8 @@ from burnish.targets.runner.drivers.draw import (
     Job,
     Pipeline,
     Place,
+    RenderTarget,
     Sample,
-    Target,
     TextureFormat,
     TextureSlot,
 )
@@ -169,7 +169,7 @@ def _textual_pipeline(api: str, slots: Sequence[TextureSlot], glsl: str, wgsl: s
             replace(slot, texture=Place(slot.texture.identifier, None, None), sampler=None)
             for slot in slots
         ]
-    made = textual_kit.pipeline(api, targets=(Target("rgba32float"),))
+    made = textual_kit.pipeline(api, targets=(RenderTarget("rgba32float"),))
     return replace(vulkan_kit.shading(made, Code("main", text)), textures=tuple(slots))
 
 

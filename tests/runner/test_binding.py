@@ -15,7 +15,7 @@ from burnish.targets.runner.drivers.draw import (
     BlockSlot,
     Code,
     Place,
-    Target,
+    RenderTarget,
     TextureSlot,
     VertexInput,
 )
@@ -68,7 +68,10 @@ def test_where_places_are_numbers() -> None:
             Place("albedo", 2, 1), Place("albedo_sampler", 2, 2), "nearest", "linear", "mirror"
         ),
     )
-    assert made.targets == (Target("r16float", "add"), Target("rgba8unorm-srgb", "alpha"))
+    assert made.targets == (
+        RenderTarget("r16float", "add"),
+        RenderTarget("rgba8unorm-srgb", "alpha"),
+    )
     assert (made.cull, made.front_face, made.first_row) == ("none", "ccw", "top")
     assert made.host_uniforms == ()
 
@@ -113,7 +116,7 @@ def test_what_hosts_of_flipped_texts_are_told() -> None:
 def test_exact_targets_keep_what_is_written(route: Any) -> None:
     described = reflection()
     made = pipeline(described, route, CODES, exact=True)
-    assert made.targets == (Target("r32float"), Target("rgba32float"))
+    assert made.targets == (RenderTarget("r32float"), RenderTarget("rgba32float"))
     assert [slot.size for slot in made.blocks] == [row["size"] for row in described["blocks"]]
     identifiers = [slot.place.identifier for slot in made.blocks]
     assert identifiers == [

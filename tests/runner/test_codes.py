@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.frozen import changed
 from burnish.targets.runner.codes import CodeError, Codes, Request, compile_all, compile_one
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.toolchain import Job, Toolchain, Verdict, count_instructions, optimise
@@ -120,7 +121,7 @@ def test_a_module_is_kept_for_one_version_of_the_tools(monkeypatch: pytest.Monke
 def broken(emitted: Sequence[burnish.OutputFile]) -> list[burnish.OutputFile]:
     """The texts with a mistake where the fragment shader reads ``frag_coord``."""
     return [
-        replace(file, text=file.text.replace("gl_FragCoord", "gl_Nonsense")) for file in emitted
+        changed(file, text=file.text.replace("gl_FragCoord", "gl_Nonsense")) for file in emitted
     ]
 
 

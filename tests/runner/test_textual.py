@@ -13,7 +13,7 @@ from burnish.targets.runner.drivers.draw import (
     Blend,
     Cull,
     Job,
-    Target,
+    RenderTarget,
     TargetFormat,
 )
 
@@ -113,16 +113,16 @@ def test_beyond_the_clip_volume(api: str) -> None:
         assert not shoot(api, Job(pipeline(api), (outside,))).any()
 
 
-Lanes = npt.NDArray[np.float64]
+Floats = npt.NDArray[np.float64]
 
 SOURCE = np.array([0.5, 0.25, 1.0, 0.25])
 TARGET = np.array([0.25, 1.0, 0.5, 0.5])
 
 
-def blended(mode: Blend) -> Lanes:
+def blended(mode: Blend) -> Floats:
     alpha = SOURCE[3]
     color = SOURCE[:3] * alpha + TARGET[:3] * (1 - alpha)
-    results: dict[Blend, Lanes] = {
+    results: dict[Blend, Floats] = {
         "alpha": np.array([*color, alpha + TARGET[3] * (1 - alpha)]),
         "none": SOURCE,
         "premultiplied": SOURCE + TARGET * (1 - alpha),
@@ -135,7 +135,7 @@ def blended(mode: Blend) -> Lanes:
 @pytest.mark.parametrize("format", ["rgba32float", "rgba16float"])
 @pytest.mark.parametrize("mode", get_args(Blend))
 def test_blending(api: str, mode: Blend, format: TargetFormat) -> None:
-    chosen = pipeline(api, targets=[Target(format, mode)])
+    chosen = pipeline(api, targets=[RenderTarget(format, mode)])
     draw = replace(full(SOURCE), clear=(tuple(TARGET),))
     assert (shoot(api, Job(chosen, (draw,))) == blended(mode)).all()
 
@@ -143,7 +143,7 @@ def test_blending(api: str, mode: Blend, format: TargetFormat) -> None:
 @pytest.mark.parametrize("format", get_args(TargetFormat))
 def test_target_formats(api: str, format: TargetFormat) -> None:
     paint = np.array([0.2, 0.4, 0.6, 0.8], np.float32)
-    picture = shoot(api, Job(pipeline(api, targets=[Target(format)]), (full(paint),)))
+    picture = shoot(api, Job(pipeline(api, targets=[RenderTarget(format)]), (full(paint),)))
     lanes = next(n for n, letter in enumerate(format) if letter.isdigit())
     expected = np.array([0, 0, 0, 1], np.float32)
     expected[:lanes] = paint[:lanes]
@@ -159,7 +159,7 @@ def test_target_formats(api: str, format: TargetFormat) -> None:
 def test_srgb_target_is_encoded(api: str) -> None:
     """Near black a step of sRGB is 1/(255 · 12.92), far below one of linear 8 bits."""
     dark = shoot(
-        api, Job(pipeline(api, targets=[Target("rgba8unorm-srgb")]), (full((0.001,) * 4),))
+        api, Job(pipeline(api, targets=[RenderTarget("rgba8unorm-srgb")]), (full((0.001,) * 4),))
     )
     np.testing.assert_allclose(dark[..., :3], 0.001, atol=0.5 / 255 / 12.92 + 1e-6)
     assert (dark[..., 3] == 0).all()
@@ -167,7 +167,7 @@ def test_srgb_target_is_encoded(api: str) -> None:
 
 def test_two_targets_each_with_its_own(api: str) -> None:
     """Format, clear colour and blending."""
-    targets = [Target("rgba8unorm"), Target("rg32float", "add")]
+    targets = [RenderTarget("rgba8unorm"), RenderTarget("rg32float", "add")]
     draw = mesh(TOP_LEFT, (1, 0, 0.25, 1))
     draw = replace(draw, clear=((0, 1, 0, 1), (0.5, 8, 0, 0)))
     (picture,) = kit.asker(api).draw(

@@ -10,7 +10,7 @@ from burnish.targets.runner.drivers.draw import (
     BlockSlot,
     DriverError,
     Job,
-    Target,
+    RenderTarget,
     VertexInput,
 )
 
@@ -151,7 +151,7 @@ def test_texels_that_do_not_fit(api: str) -> None:
 
 
 def test_unknown_target_format(api: str) -> None:
-    wrong(api, Job(pipeline(api, targets=[Target("rgb9float")]), (full(RED),)), "rgb9float")  # type: ignore[arg-type]
+    wrong(api, Job(pipeline(api, targets=[RenderTarget("rgb9float")]), (full(RED),)), "rgb9float")  # type: ignore[arg-type]
 
 
 def test_huge_pictures(api: str) -> None:

@@ -14,12 +14,12 @@ from burnish.targets.runner.drivers.draw import (
     BlockSlot,
     Job,
     Place,
-    Target,
+    RenderTarget,
     TargetFormat,
     VertexFormat,
     VertexInput,
 )
-from burnish.targets.runner.drivers.readback import LANES
+from burnish.targets.runner.drivers.readback import TEXEL_LANES
 
 from .vulkan_kit import (
     PLACE,
@@ -155,7 +155,7 @@ BLENDED = {
 
 @pytest.mark.parametrize("blend", get_args(Blend))
 def test_blend_modes(vulkan: Asker, blend: Blend) -> None:
-    pipeline = painted_pipeline(Target("rgba16float", blend))
+    pipeline = painted_pipeline(RenderTarget("rgba16float", blend))
     draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
     picture = vulkan.one(pipeline, draw)
     assert picture[0, 0].tolist() == list(BLENDED[blend])
@@ -168,8 +168,8 @@ def test_blend_modes(vulkan: Asker, blend: Blend) -> None:
 @pytest.mark.parametrize("target", get_args(TargetFormat))
 def test_every_target_format(vulkan: Asker, target: TargetFormat) -> None:
     paint = [0.2, 0.4, 0.6, 0.8]
-    picture = vulkan.one(painted_pipeline(Target(target)), draw_of(TOP_LEFT, [paint] * 6))
-    lanes = LANES[target][0]
+    picture = vulkan.one(painted_pipeline(RenderTarget(target)), draw_of(TOP_LEFT, [paint] * 6))
+    lanes = TEXEL_LANES[target][0]
     tolerance = {"32float": 0.0, "16float": 2**-11, "8unorm": 0.5 / 255, "8unorm-srgb": 0.006}
     kind = target.lstrip("rgba")
     near = pytest.approx(paint[:lanes], abs=tolerance[kind], rel=1e-7)
@@ -179,7 +179,7 @@ def test_every_target_format(vulkan: Asker, target: TargetFormat) -> None:
 
 def test_an_srgb_target_rounds_the_encoded_value(vulkan: Asker) -> None:
     """Near black its steps are finer than those of a linear target: 1/255/12.92."""
-    pipeline = painted_pipeline(Target("rgba8unorm-srgb"))
+    pipeline = painted_pipeline(RenderTarget("rgba8unorm-srgb"))
     picture = vulkan.one(pipeline, draw_of(TOP_LEFT, [[0.001, 0.0005, 1.0, 0.001]] * 6))
     step = 1 / 255 / 12.92
     assert picture[0, 0].tolist() == pytest.approx([3 * step, 2 * step, 1.0, 0.0], rel=1e-6)
@@ -191,7 +191,7 @@ def test_two_targets_with_blend_modes_of_their_own(vulkan: Asker) -> None:
     layout(location = 1) out vec2 second;
     void main() { first = vec4(0.5); second = vec2(0.25, 0.75); }
     """
-    targets = (Target("rgba32float"), Target("rg16float", "add"))
+    targets = (RenderTarget("rgba32float"), RenderTarget("rg16float", "add"))
     pipeline = flat_pipeline(both, targets=targets)
     draw = draw_of(TOP_LEFT, clear=([1.0] * 4, [0.5, 0.125, 0.0, 0.0]))
     (picture,) = vulkan.draw(Job(pipeline, (draw,)))

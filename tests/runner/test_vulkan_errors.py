@@ -24,7 +24,7 @@ from burnish.targets.runner.drivers.draw import (
     Job,
     Pipeline,
     Place,
-    Target,
+    RenderTarget,
     TextureSlot,
     VertexInput,
 )
@@ -113,7 +113,7 @@ def test_a_picture_of_no_pixels(vulkan: Asker) -> None:
 
 
 def test_too_many_targets(vulkan: Asker) -> None:
-    targets = (Target("rgba32float"),) * 9
+    targets = (RenderTarget("rgba32float"),) * 9
     clear = ((0.0, 0.0, 0.0, 0.0),) * 9
     said = refusal(vulkan, flat_pipeline(targets=targets), clear=clear)
     assert said == "there are 9 targets, and the device has at most 8"
@@ -194,7 +194,7 @@ MISTAKES: dict[str, Callable[[], Pipeline]] = {
     ),
     "a varying that nobody writes": lambda: shading(flat_pipeline(), glsl("frag", PAINT)),
     "a target that nobody writes": lambda: painted_pipeline(
-        Target("rgba32float"), Target("rgba32float")
+        RenderTarget("rgba32float"), RenderTarget("rgba32float")
     ),
     "the wrong stage": wrong_stage,
 }

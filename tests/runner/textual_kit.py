@@ -27,7 +27,7 @@ from burnish.targets.runner.drivers.draw import (
     Picture,
     Pipeline,
     Place,
-    Target,
+    RenderTarget,
     TextureFormat,
     TextureSlot,
     VertexFormat,
@@ -135,7 +135,7 @@ def pipeline(
     wgsl: str = shaders.PAINT_WGSL,
     *,
     paint: VertexFormat = "float32x4",
-    targets: Sequence[Target] = (Target("rgba32float"),),
+    targets: Sequence[RenderTarget] = (RenderTarget("rgba32float"),),
     blocks: Sequence[BlockSlot] = (),
 ) -> Pipeline:
     """A pipeline whose vertices have a position and a colour, ``paint``."""

@@ -25,7 +25,7 @@ from burnish.targets.runner.drivers.draw import (
     Job,
     Picture,
     Pipeline,
-    Target,
+    RenderTarget,
     VertexInput,
 )
 from burnish.targets.runner.drivers.wire import from_json, to_json
@@ -159,7 +159,7 @@ void main() { target = vec4(1.0); }
 
 def flat_pipeline(fragment: str = WHITE, **more: Any) -> Pipeline:
     """A pipeline whose vertices have only positions in clip space."""
-    targets = more.pop("targets", (Target("rgba32float"),))
+    targets = more.pop("targets", (RenderTarget("rgba32float"),))
     return Pipeline(
         stages={
             "vertex": glsl("vert", more.pop("vertex", FLAT)),
@@ -173,14 +173,14 @@ def flat_pipeline(fragment: str = WHITE, **more: Any) -> Pipeline:
     )
 
 
-def painted_pipeline(*targets: Target, **more: Any) -> Pipeline:
+def painted_pipeline(*targets: RenderTarget, **more: Any) -> Pipeline:
     """A pipeline whose vertices also have colours."""
     return Pipeline(
         stages={"vertex": glsl("vert", PAINTED), "fragment": glsl("frag", PAINT)},
         inputs=(PLACE, PAINTS),
         blocks=(),
         textures=(),
-        targets=targets or (Target("rgba32float"),),
+        targets=targets or (RenderTarget("rgba32float"),),
         **more,
     )
 

@@ -14,7 +14,7 @@ from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.operations import CROSS
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import TARGET
-from burnish.compiler.reference.evaluate import Leaves, evaluate
+from burnish.compiler.reference.evaluate import LeafValues, evaluate
 from burnish.compiler.reference.namespace import Lanes
 
 Given = Mapping[str, Lanes]
@@ -59,7 +59,7 @@ def shader(source: str | Path, rig: str | None = None, pass_: str | None = None)
     return only
 
 
-def leaves(whole: Shader, given: Given) -> Leaves:
+def leaves(whole: Shader, given: Given) -> LeafValues:
     """The values of leaves: those ``given``, or their defaults, or those of ``MESH``."""
     defaults = {info.parameter.name: info.default for info in whole.parameters}
     known: Mapping[str, Any] = {**defaults, **MESH, **given}

@@ -32,7 +32,7 @@ FLOORS: dict[str, str] = {
     "compiler.packing": "frozen ir",
     "compiler.formula": "stdlib ir",
     "compiler.source_map": "diagnostics ir",
-    "compiler.reference": "frozen stdlib ir trampoline",
+    "compiler.reference": "frozen stdlib ir",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
     "compiler.library": "stdlib cache diagnostics syntax names",
@@ -65,27 +65,23 @@ FLOORS: dict[str, str] = {
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
     "targets.toolchain": "closing",
-    "targets.emit.forms": "frozen",
-    "targets.emit.reserved": "frozen",
-    "targets.emit.description": "frozen stdlib ir forms reserved",
+    "targets.description": "frozen stdlib ir",
     "targets.legalise": "frozen stdlib ir passes expansion_templates description",
-    "targets.emit": (
-        "frozen stdlib cache diagnostics ir reflection forms reserved description legalise"
-    ),
-    **{f"targets.{name}": "stdlib ir emit" for name in BACKENDS},
+    "targets.emit": ("frozen stdlib cache diagnostics ir reflection description legalise"),
+    **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
-    "targets.runner": (
-        "arguments cache diagnostics srgb ir reference trampoline closing toolchain"
-    ),
+    "targets.selection": "diagnostics description registry",
+    "targets.runner": ("frozen arguments cache diagnostics srgb ir reference closing toolchain"),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
+    "compiled": "frozen inputs diagnostics ir passes reflection description emit selection runner",
     "api": (
-        "frozen arguments garbage inputs diagnostics ir passes source_map names reflection "
-        "frontend emit legalise registry runner"
+        "arguments garbage diagnostics ir passes source_map names frontend description emit "
+        "legalise selection runner compiled"
     ),
     "commands": (
-        "frozen cache inputs diagnostics ir passes frontend formula emit registry runner "
-        "conformance toolchain api"
+        "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
+        "selection runner conformance toolchain compiled api"
     ),
     "cli": "garbage commands",
     "__main__": "cli",

@@ -14,7 +14,7 @@ import burnish
 burnish.compile("material M { color = vec3(1) }", targets=("wgsl",)).materials[0].reflection
 for name in ("numpy", "click", "burnish.cli", "burnish.targets.glsl"):
     assert name not in sys.modules, name
-for name in ("syntax_errors", "advice", "foreign_syntax"):
+for name in ("syntax_errors", "advice", "token_view", "foreign_choices", "foreign_syntax"):
     assert f"burnish.compiler.syntax.{name}" not in sys.modules, name
 for name in ("toolchain", "runner"):
     assert f"burnish.targets.{name}" not in sys.modules, name

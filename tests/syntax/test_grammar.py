@@ -49,7 +49,7 @@ def test_the_table_of_member_kinds_is_that_of_the_grammar() -> None:
 def test_members_open_as_the_table_says(kind: MemberKind) -> None:
     machine = Machine(load_tables(), Builder(Docs(), Report()), Source("opening", ""))
     for symbol in ("pass", "NAME", "{", kind.word, *kind.opening):
-        assert machine.feed(symbol, Token(symbol, symbol, 0, 0))
+        assert machine.feed(Token(symbol, symbol, 0, 0))
 
 
 def test_reserved_words_are_words_of_the_grammar() -> None:

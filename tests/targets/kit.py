@@ -29,7 +29,8 @@ from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import Fact
 from burnish.stdlib.builtins.row import Builtin
 from burnish.targets import registry
-from burnish.targets.emit.description import Profile, Target
+from burnish.targets.description.profile import Profile
+from burnish.targets.description.shading_language import Language
 from burnish.targets.emit.emitter import Emission, EmitOptions, emit
 from burnish.targets.legalise.legalise import legalise
 
@@ -38,25 +39,25 @@ from .programs import Maker, block, tiny
 
 @dataclass(frozen=True)
 class Selected:
-    """A target and one of its profiles."""
+    """A language and one of its profiles."""
 
-    target: Target
+    language: Language
     profile: Profile
 
     def __str__(self) -> str:
-        return f"{self.target.name}:{self.profile.name}"
+        return f"{self.language.name}:{self.profile.name}"
 
 
 PROFILES = [
-    Selected(target, profile)
-    for target in map(registry.load, registry.names())
-    for profile in target.profiles
+    Selected(language, profile)
+    for language in map(registry.load, registry.names())
+    for profile in language.profiles
 ]
 
 
 def printed(program: Program, selected: Selected, options: EmitOptions | None = None) -> Emission:
     """A program, legalised and printed."""
-    return emit(legalise(program, selected.target, selected.profile), options)
+    return emit(legalise(program, selected.language, selected.profile), options)
 
 
 BY_NAME = {str(selected): selected for selected in PROFILES}

@@ -24,7 +24,7 @@ def toolchain() -> Iterator[Toolchain]:
 
 
 def words(selected: Selected) -> Program:
-    return program_of_words(sorted(selected.target.reserved().words))
+    return program_of_words(sorted(selected.language.reserved().words))
 
 
 def programs(selected: Selected) -> list[Program]:

@@ -13,37 +13,42 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Branch, Region, Statement
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC3, VEC4, Matrix, TallMatrix
-from burnish.targets.emit.precedence import Binding, Text, choice, infix, prefix
+from burnish.targets.emit.precedence import Binding, Printed, choice, prefix, writer
 
 from .kit import BY_NAME, PROFILES, Selected, emitted
 from .programs import Maker, block, tiny
 
-NAMES = [Text(name, Binding.NAME) for name in "abc"]
+NAMES: list[Printed] = [(name, Binding.NAME) for name in "abc"]
 A, B, C = NAMES
 FAR_TOO_DEEP = 3000
 
 
+def infix(symbol: str, left: Printed, right: Printed) -> Printed:
+    """Two operands with a symbol between them."""
+    return writer(symbol, 2)((left, right))
+
+
 def test_parentheses() -> None:
-    assert infix("*", A, infix("+", B, C)).text == "a * (b + c)"
-    assert infix("+", infix("*", A, B), C).text == "a * b + c"
-    assert infix("-", infix("-", A, B), C).text == "a - b - c"
-    assert infix("-", A, infix("-", B, C)).text == "a - (b - c)"
-    assert infix("/", A, infix("*", B, C)).text == "a / (b * c)"
-    assert prefix("-", prefix("-", A)).text == "-(-a)"
-    assert infix("&&", A, infix("||", B, C)).text == "a && (b || c)"
-    assert infix("||", infix("&&", A, B), C).text == "(a && b) || c"
-    assert infix("&&", infix("<", A, B), C).text == "a < b && c"
-    assert infix("==", infix("<", A, B), C).text == "(a < b) == c"
-    assert infix("<<", A, infix("+", B, C)).text == "a << (b + c)"
-    assert infix("*", choice(A, B, C), A).text == "(a ? b : c) * a"
+    assert infix("*", A, infix("+", B, C))[0] == "a * (b + c)"
+    assert infix("+", infix("*", A, B), C)[0] == "a * b + c"
+    assert infix("-", infix("-", A, B), C)[0] == "a - b - c"
+    assert infix("-", A, infix("-", B, C))[0] == "a - (b - c)"
+    assert infix("/", A, infix("*", B, C))[0] == "a / (b * c)"
+    assert prefix("-", prefix("-", A))[0] == "-(-a)"
+    assert infix("&&", A, infix("||", B, C))[0] == "a && (b || c)"
+    assert infix("||", infix("&&", A, B), C)[0] == "(a && b) || c"
+    assert infix("&&", infix("<", A, B), C)[0] == "a < b && c"
+    assert infix("==", infix("<", A, B), C)[0] == "(a < b) == c"
+    assert infix("<<", A, infix("+", B, C))[0] == "a << (b + c)"
+    assert infix("*", choice(A, B, C), A)[0] == "(a ? b : c) * a"
 
 
 @st.composite
-def trees(draw: st.DrawFn, depth: int = 5) -> tuple[Text, str]:
+def trees(draw: st.DrawFn, depth: int = 5) -> tuple[Printed, str]:
     """A printed expression, and the same in full parentheses."""
     if depth == 0 or draw(st.booleans()):
         name = draw(st.sampled_from(NAMES))
-        return name, name.text
+        return name, name[0]
     symbol = draw(st.sampled_from(["+", "-", "*", "/", "%", "neg"]))
     left, left_full = draw(trees(depth=depth - 1))
     if symbol == "neg":
@@ -53,10 +58,10 @@ def trees(draw: st.DrawFn, depth: int = 5) -> tuple[Text, str]:
 
 
 @given(trees())
-def test_the_tree_is_kept(tree: tuple[Text, str]) -> None:
+def test_the_tree_is_kept(tree: tuple[Printed, str]) -> None:
     """Python groups arithmetic as shading languages do."""
     printed, full = tree
-    assert ast.dump(ast.parse(printed.text)) == ast.dump(ast.parse(full))
+    assert ast.dump(ast.parse(printed[0])) == ast.dump(ast.parse(full))
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
@@ -72,7 +77,7 @@ def test_deep_branches(selected: Selected) -> None:
         statements = (Branch("chosen", value, Region(statements), Region(())),)
     color = build.splat(make.graph, value, 4)
     text = emitted(tiny(color, make, (material,), region=Region(statements)), selected)
-    opening = selected.target.forms.if_.partition("{condition}")[0]
+    opening = selected.language.forms.if_.partition("{condition}")[0]
     assert text["fragment"].count(opening) == FAR_TOO_DEEP
 
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 import pytest
 
 from burnish.stdlib.builtins import BUILTINS
-from burnish.targets.emit.description import Read, Spelling, Spellings
-from burnish.targets.emit.forms import Forms
+from burnish.targets.description.forms import Forms
+from burnish.targets.description.spellings import Read, Spelling, Spellings
 
 from .form_fields import FIELDS, fields_of
 from .kit import PROFILES, Selected
@@ -43,14 +43,14 @@ def test_every_row_is_a_form_or_a_plain_text() -> None:
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_forms(selected: Selected) -> None:
-    for name, text in texts(selected.target.forms):
+    for name, text in texts(selected.language.forms):
         assert fields_of(text) <= FIELDS[name], f"{name}: {text}"
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_spellings(selected: Selected) -> None:
     profile = selected.profile
-    for table in (selected.target.natives, profile.natives, profile.framebuffer.natives):
+    for table in (selected.language.natives, profile.natives, profile.framebuffer.natives):
         assert table.keys() <= BUILTINS.keys()
         for text in spellings(table):
             assert fields_of(text) <= OF_NATIVES, text

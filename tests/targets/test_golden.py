@@ -48,7 +48,7 @@ def test_single_file(program: Program, selected: Selected) -> None:
 def test_printing_twice_gives_the_same_text(selected: Selected) -> None:
     first, second = (printed(plastic(), selected) for _ in range(2))
     assert [file.text for file in first.files] == [file.text for file in second.files]
-    assert [list(f.origins) for f in first.files] == [list(f.origins) for f in second.files]
+    assert [list(f.origins()) for f in first.files] == [list(f.origins()) for f in second.files]
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from burnish.targets.emit.description import Literals
+from burnish.targets.description.spellings import Literals
 from burnish.targets.emit.literals import decimal, literal
 
 

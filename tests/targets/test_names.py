@@ -12,8 +12,8 @@ from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.program import Let, Program, Region
 from burnish.compiler.ir.types import FLOAT
+from burnish.targets.description.reserved import Reserved
 from burnish.targets.emit.namer import Namer
-from burnish.targets.emit.reserved import Reserved
 
 from .kit import PROFILES, Selected, printed
 from .programs import Maker, block, odd, plastic, tiny
@@ -47,7 +47,7 @@ def test_names_of_a_block_can_be_used_again_after_it() -> None:
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 @given(wanted=st.lists(IDENTIFIER | st.sampled_from(HARD), max_size=20))
 def test_names_are_legal_and_differ(selected: Selected, wanted: list[str]) -> None:
-    reserved = selected.target.reserved()
+    reserved = selected.language.reserved()
     names = Namer(reserved)
     given_names = [names.declare(name) for name in wanted]
     assert len(set(given_names)) == len(given_names)
@@ -57,9 +57,9 @@ def test_names_are_legal_and_differ(selected: Selected, wanted: list[str]) -> No
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_reserved_words_survive_as_something_else(selected: Selected) -> None:
-    program = program_of_words(sorted(selected.target.reserved().words)[::8])
+    program = program_of_words(sorted(selected.language.reserved().words)[::8])
     emission = printed(program, selected)
-    reserved = selected.target.reserved()
+    reserved = selected.language.reserved()
     for kind in (emission.names.blocks, emission.names.members, emission.names.textures):
         assert not any(map(reserved.refuses, kind.values()))
 

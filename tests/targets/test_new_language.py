@@ -18,27 +18,28 @@ from burnish.targets import registry
 
 from ..cli.kit import invoke
 
-TARGET = '''
+LANGUAGE = '''
 """Ledger."""
 
 from functools import partial
 from pathlib import Path
 
 from burnish.compiler.ir.types import BOOL, UINT, VEC4
-from burnish.targets.emit.description import (
-    PipelineInput, Profile, Read, Samplers, Spelling, Target, TextureNames, TypeNames,
+from burnish.targets.description.shading_language import Language
+from burnish.targets.description.profile import Profile, Samplers
+from burnish.targets.description.spellings import (
+    PipelineInput, Read, Spelling, TextureNames, TypeNames,
 )
-from burnish.targets.emit.forms import Forms
-from burnish.targets.emit.reserved import read_reserved
+from burnish.targets.description.forms import Forms
+from burnish.targets.description.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
 
-TARGET = Target(
+LANGUAGE = Language(
     name="ledger",
     title="Ledger",
     unproven="made up",
-    folder=FOLDER,
-    template="shader.ledger.j2",
+    skeleton=FOLDER / "shader.ledger.j2",
     extension="ledger",
     entry_point="the_{entry}",
     types=TypeNames(
@@ -76,6 +77,9 @@ TARGET = Target(
         struct_end="done",
         select="either({then}, {otherwise}, {condition})",
         at_most="least({value}, {bound})",
+        constructor="{type} of ({parts})",
+        swizzle="pick {lanes} of ({vector})",
+        element="nth({aggregate}, {position})",
         array="list({elements})",
         member="{block}.{name}",
         stored="loose({value})",
@@ -160,7 +164,7 @@ def ledger(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     folder = tmp_path / "languages" / "ledger"
     folder.mkdir(parents=True)
     (folder / "__init__.py").write_text("")
-    (folder / "target.py").write_text(TARGET)
+    (folder / "language.py").write_text(LANGUAGE)
     (folder / "shader.ledger.j2").write_text(SKELETON)
     (folder / "reserved.txt").write_text("normal position  # keywords\n")
     folders = [*burnish.targets.__path__, str(folder.parent)]
@@ -193,15 +197,15 @@ work the_fs_main(
 ...
     material is paper Material (paper 3), albedo is flat_picture (picture 0)
 )
-    let tint is num3 be loose(material.base) * albedo.at(given.uv).abc
+    let tint is num3 be loose(material.base) * pick abc of (albedo.at(given.uv))
 ...
-    keep color_total is num3 at num3(0.0)
+    keep color_total is num3 at num3 of (0.0)
     for each i from 0 below least(rig.lamps_count, 8) do
 ...
         ) + color_total
     done
 ...
-    taken.color := num4(color, 1.0)
+    taken.color := num4 of (color, 1.0)
 done
 """
 """Parts of a text, each of whole lines."""

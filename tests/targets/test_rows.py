@@ -24,8 +24,8 @@ NATIVES = [row for row in BUILTINS.values() if row.domain is not nowhere]
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 @pytest.mark.parametrize("row", NATIVES, ids=lambda row: row.name)
 def test_row_is_spelled(row: Builtin, selected: Selected) -> None:
-    table = {**selected.target.natives, **selected.profile.natives}
-    functions = selected.target.reserved().words
+    table = {**selected.language.natives, **selected.profile.natives}
+    functions = selected.language.reserved().words
     for operands, result in instances(row):
         if not is_native(row, operands) or row.name in selected.profile.lacks:
             continue
@@ -94,7 +94,7 @@ def test_targets_are_found_by_their_folders() -> None:
 def test_pipeline_inputs_are_spelled(selected: Selected) -> None:
     assert (
         inputs_of(selected.profile.stages).keys()
-        <= {**selected.target.inputs, **selected.profile.inputs}.keys()
+        <= {**selected.language.inputs, **selected.profile.inputs}.keys()
     )
 
 

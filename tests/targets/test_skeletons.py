@@ -11,9 +11,9 @@ import pytest
 
 import burnish
 from burnish.targets import registry
+from burnish.targets.description.forms import Forms
+from burnish.targets.description.profile import Profile
 from burnish.targets.emit import emitter, templates
-from burnish.targets.emit.description import Profile
-from burnish.targets.emit.forms import Forms
 from burnish.targets.emit.templates import by_jinja, renderer
 from burnish.targets.emit.views import FileView
 
@@ -52,8 +52,8 @@ def test_jinja_writes_the_same(
 @pytest.mark.parametrize("name", registry.defaults())
 def test_skeletons_are_compiled(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(templates, "by_jinja", None)
-    target = registry.load(name)
-    renderer.__wrapped__(target.folder / target.template)
+    language = registry.load(name)
+    renderer.__wrapped__(language.skeleton)
 
 
 @pytest.mark.parametrize(

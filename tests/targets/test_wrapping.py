@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import burnish
 from burnish.targets.emit import wrapping
-from burnish.targets.emit.wrapping import WIDTH, broken, wrapped
+from burnish.targets.emit.wrapping import WIDTH, broken, moved, wrapped
 from burnish.targets.toolchain import Toolchain
 
 from .kit import PROFILES, Selected
@@ -81,7 +81,8 @@ def test_only_blanks_and_line_ends_are_put_in(value: str) -> None:
 
 def test_all_lines_of_a_statement_have_its_place() -> None:
     long = "    x = " + " + ".join(["something_long"] * 9) + ";"
-    text, places = wrapped(f"// One\n{long}\n    y = 1;\n}}", {2: "x", 3: "y"})
+    text, breaks = wrapped(f"// One\n{long}\n    y = 1;\n}}")
+    places = moved({2: "x", 3: "y"}, breaks)
     lines = text.split("\n")
     assert len(lines) == 12
     assert places == {**dict.fromkeys(range(2, 11), "x"), 11: "y"}

@@ -1,1 +1,1 @@
-"""The rules by which values are simplified: rows with a name, a pattern, a condition, a result."""
+"""The simplification rules: rows with a name, a pattern, a condition and a result."""

@@ -1,4 +1,4 @@
-"""Rules of sums, products, powers and the like."""
+"""Simplification rules for sums, products, powers and other arithmetic."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rules of bools and of bits."""
+"""Simplification rules for bools and for operations on bits."""
 
 from __future__ import annotations
 

@@ -1,10 +1,11 @@
-"""Rules that ranges decide: limits, comparisons, what has a known sign or length."""
+"""Simplification rules that depend on ranges: limits, comparisons, known signs and lengths."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from ...ir.node import Node
+from ...ir.operations import CALL
 from ...ir.refinements import OPPOSITES
 from .rule import (
     ANY,
@@ -84,7 +85,7 @@ def _equality(name: str, equal: bool) -> tuple[Rule, ...]:
 
 def _opposite(b: Builder, at: Site) -> Node:
     (comparison,) = at.operands
-    return b.make(at.op, at.type, comparison.operands, OPPOSITES[str(comparison.data)])
+    return b.make(at.op, at.type, comparison.operands, OPPOSITES[CALL.data(comparison)])
 
 
 BOUNDS = (

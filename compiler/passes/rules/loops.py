@@ -1,4 +1,4 @@
-"""Rules of loops: those that never turn, change nothing, or are better written out."""
+"""Simplification rules for loops that never run, change nothing, or are better unrolled."""
 
 from __future__ import annotations
 
@@ -162,7 +162,7 @@ def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Form
         seen.add(node.id)
         if node.op in LOOPS:
             return False
-        spent += (cost(node) if node.op == "apply" else cost_of(node)) * turns
+        spent += (cost(node, UNROLLED_COST) if node.op == "apply" else cost_of(node)) * turns
         if turns > UNROLLED and spent > UNROLLED_COST:
             return False
         pending += node.operands

@@ -1,11 +1,12 @@
-"""The shape of a simplification rule, and what rules are written with.
+"""The type of simplification rules, and the patterns and results that their rows are written with.
 
-A rule is about one operation: if its operands look like ``pattern``, and the condition ``when``
-holds, its value is what ``gives`` builds. Both values have to be equal for all finite operands:
-that is what "finite in, finite out" is for. The sign of a zero is no part of the meaning.
+A rule is about one operation: if the operands match ``pattern`` and the condition ``when`` holds,
+``gives`` builds the value that replaces the operation. Both must be equal for all finite operands;
+the sign of a zero is not part of the meaning. No operation makes an infinite value or a NaN of
+finite operands, so finite operands are all that there are.
 
-``simplify.py`` applies the rules; ``table.py`` collects them. ``docs/passes.md`` says how to add
-one, and ``tests/passes/test_rules.py`` tries each of them on random and special values.
+``simplify.py`` applies the rules, and ``table.py`` collects them. ``docs/passes.md`` explains how
+to add one; ``tests/passes/test_rules.py`` tries each rule on random and special values.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Rules of what is put together, taken apart, chosen, or handed to the next stage."""
+"""Simplification rules for joining values, taking parts of them, selecting, and crossing stages."""
 
 from __future__ import annotations
 

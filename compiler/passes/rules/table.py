@@ -1,7 +1,8 @@
-"""All simplification rules, and which of them can apply to an operation.
+"""The table of all simplification rules, and the lookup of those that can apply to an operation.
 
-``RULES`` is in the order in which rules are tried. Looking them up has to be fast, as every node
-that passes build asks: which rules can apply is kept by the heads of an operation and its operands.
+``RULES`` lists them in the order in which ``simplify.py`` tries them. Every node that a pass builds
+is looked up, so this has to be fast: the rules that can apply are remembered by the heads of the
+operation and of its operands.
 """
 
 from __future__ import annotations

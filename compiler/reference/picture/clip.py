@@ -1,7 +1,8 @@
 """Clips triangles in clip space: at near (0 <= z), at far (z <= w), and at the eye (0 < w).
 
-Double precision needs no clipping at the sides of the picture, but some devices do it, and snap the
-new corners. The algorithm is that of Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
+``faces.py`` calls it before it divides by w. Double precision needs no clipping at the sides of the
+picture, but some devices do it, and snap the new corners to their grid. The algorithm is from
+Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """Finds the pixels that a face covers, with edge functions at pixel centres and the top-left rule.
 
-If vertices are snapped to a grid, the edge functions are exact. Otherwise an edge that two faces
-share is still evaluated in the same direction for both, so that no pixel on it is drawn twice or
-never. Pineda, "A parallel algorithm for polygon rasterization", 1988.
+``drawing.py`` calls ``fragments_of``. If vertices are snapped to a grid, the edge functions are
+exact. Otherwise an edge that two faces share is still evaluated in the same direction for both, so
+that no pixel on it is drawn twice or never. Source: Pineda, "A parallel algorithm for polygon
+rasterization", 1988.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """Cube maps: which face a direction meets, where it meets it, and what is beyond a face's edges.
 
-Vulkan, "Cube Map Face Selection and Transformations" and "Cube Map Edge Handling". Direct3D, OpenGL
-and WebGPU have the same faces, +x, -x, +y, -y, +z, -z, with the same orientation.
+The sampler and its texels ask for it. The rules are those of Vulkan, "Cube Map Face Selection and
+Transformations" and "Cube Map Edge Handling". Direct3D, OpenGL and WebGPU have the same faces, +x,
+-x, +y, -y, +z, -z, with the same orientation.
 """
 
 from __future__ import annotations

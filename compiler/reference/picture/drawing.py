@@ -1,4 +1,4 @@
-"""Draws the picture of a shader: from values and geometry to pixels."""
+"""Draws the picture of a shader, from values and geometry to pixels; ``draw`` runs all steps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""From clip positions to triangles in the window: viewport, snapping, facing and culling."""
+"""Turns clip positions into triangles in the window: viewport, snapping, facing and culling.
+
+``drawing.py`` calls ``assemble`` after the vertex stage.
+"""
 
 from __future__ import annotations
 

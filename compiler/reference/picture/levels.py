@@ -1,4 +1,7 @@
-"""The level of detail of a read: Vulkan, "Scale Factor Operation, Level-of-Detail Operation"."""
+"""Computes the level of detail of a texture read, for the sampler.
+
+Source: Vulkan, "Scale Factor Operation, Level-of-Detail Operation".
+"""
 
 from __future__ import annotations
 

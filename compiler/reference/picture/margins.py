@@ -1,8 +1,8 @@
 """Finds pixels whose value depends on a decision that rounding to float32 may change.
 
-Comparisons, roundings and similar operations jump. A pixel close to a jump is undecided, unless the
-operand is steady: a uniform, or a value at the end of its range, such as the zero of
-``max(dot(n, l), 0)`` on the whole dark side.
+While a stage is evaluated, ``Margins`` watches every operation. Comparisons, roundings and similar
+operations jump. A pixel close to a jump is undecided, unless the operand is steady: a uniform, or a
+value at the end of its range, such as the zero of ``max(dot(n, l), 0)`` on the whole dark side.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Groups fragments into quads, and interpolates values for them."""
+"""Groups fragments into quads, and interpolates the vertices' values for them.
+
+``drawing.py`` calls it between coverage and the fragment stage.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""From fragments to the picture: depth test, discarding and blending, in the order of drawing."""
+"""Combines fragments into the picture: depth test, discarding and blending, in drawing order.
+
+``drawing.py`` draws its fragments on a ``Canvas``.
+"""
 
 from __future__ import annotations
 

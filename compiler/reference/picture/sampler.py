@@ -1,7 +1,8 @@
 """Reads textures as Vulkan's chapter on image operations specifies it, in double precision.
 
-A device may use other texels and another level, within its number of bits. These variants are a
-leading axis of every read; the first one is exact.
+The evaluator gets a ``QuadReader`` as the value of a texture. A device may use other texels and
+another level, within its number of bits. These variants are a leading axis of every read; the first
+one is exact.
 """
 
 from __future__ import annotations
@@ -58,7 +59,7 @@ class _Place:
     varies: bool
 
 
-class Reader:
+class QuadReader:
     """Reads an image in the quads of one evaluation; it is a texture's lane for the evaluator.
 
     ``turns`` gives every read of the evaluation a number, whichever image it is of.

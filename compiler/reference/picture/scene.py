@@ -1,5 +1,4 @@
-"""The input and output of ``draw`` as plain data: geometry, textures, rules, the expected
-picture."""
+"""The input and output of ``draw`` as plain data: geometry, textures, raster rules, the picture."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Evaluates the two stages of a shader: all vertices at once, then many quads at once."""
+"""Evaluates the two stages of a shader: all vertices at once, then many quads at once.
+
+``drawing.py`` makes a ``StageEvaluator`` for each picture.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
 from .margins import EXACT, READS, Margins
 from .quads import Barycentric
-from .sampler import Reader
+from .sampler import QuadReader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
 from .texels import Image
 from .variants import Variants, variants
@@ -130,7 +133,7 @@ class StageEvaluator:
         if not _rounds(node, value):
             return value
         relative = (-1.0) ** node.id * self._relative
-        absolute = self._functions.get(str(node.data), 0.0)
+        absolute = self._functions.get(builtin_of(node) or "", 0.0)
         return tuple(
             lane + (np.abs(lane) * relative + absolute) if np.ndim(lane) else lane for lane in value
         )
@@ -140,7 +143,7 @@ class StageEvaluator:
         margins = Margins((len(front), self.side, self.side))
         turns, reads = count(), count()
         readers = {
-            resource: Reader(image, self.ways, margins, reads)
+            resource: QuadReader(image, self.ways, margins, reads)
             for resource, image in self._images.items()
         }
         inputs = {

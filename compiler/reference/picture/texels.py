@@ -1,4 +1,7 @@
-"""A texture's texels by their indices: levels, layers, and what is beyond the edges."""
+"""Looks up a texture's texels by their indices: in levels, layers, and beyond the edges.
+
+The sampler makes an ``Image`` for each texture.
+"""
 
 from __future__ import annotations
 

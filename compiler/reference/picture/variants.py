@@ -1,7 +1,7 @@
 """The ways in which a device may draw a picture, within the precision that an API grants it.
 
-The reference evaluates all variants at once, as a leading axis of arrays. How much they differ from
-the exact one is the radius of a pixel.
+The reference evaluates all variants at once, as a leading axis of arrays. The radius of a pixel is
+how much they differ from the exact variant.
 """
 
 from __future__ import annotations

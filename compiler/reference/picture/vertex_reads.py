@@ -1,4 +1,4 @@
-"""Reads textures in the vertex stage: at each vertex alone, without neighbours."""
+"""Reads textures in the vertex stage, at each vertex alone, because it has no neighbours."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from ..namespace import Lane, Lanes
 from .margins import Margins
-from .sampler import Reader
+from .sampler import QuadReader
 from .scene import Bools
 from .texels import Image
 from .variants import EXACT
@@ -20,7 +20,7 @@ class VertexReader:
 
     def __init__(self, image: Image, vertices: int) -> None:
         self._margins = Margins((vertices, 1, 1))
-        self._reader = Reader(image, EXACT, self._margins, count())
+        self._reader = QuadReader(image, EXACT, self._margins, count())
         self._count = vertices
 
     @property

@@ -215,13 +215,13 @@ def _elsewhere(name: str, e: ast.Call) -> Hint:
     return called_here(name, e.callee.span, TYPES[name]) if name in TYPES else ""
 
 
-_SAME = re.compile(r"(\w+)\((\w+(?:, \w+)*)\)")
+_SAME = r"(\w+)\((\w+(?:, \w+)*)\)"
 """A call of one function with names for its arguments."""
 
 
 def _same_arguments(e: ast.Call, said: str, instead: Instead) -> Hint:
     """A function of another language that takes the same arguments has its name changed."""
-    found = _SAME.fullmatch(instead.written[0]) if len(instead.written) == 1 else None
+    found = re.fullmatch(_SAME, instead.written[0]) if len(instead.written) == 1 else None
     if found is None or len(found[2].split(", ")) != len(e.arguments) or instead.reason:
         return said
     return fix_it(said, (e.callee.span, found[1]))

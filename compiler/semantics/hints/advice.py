@@ -67,7 +67,7 @@ def _is_literal(text: str) -> bool:
     return text.replace(".", "", 1).isdecimal()
 
 
-_WHOLE_QUOTIENT = re.compile(r"([0-9]+)\s*/\s*[0-9]+")
+_WHOLE_QUOTIENT = r"([0-9]+)\s*/\s*[0-9]+"
 
 
 def cut_quotient(operands: Iterable[Node], places: Sequence[Span] = ()) -> Hint:
@@ -82,7 +82,7 @@ def cut_quotient(operands: Iterable[Node], places: Sequence[Span] = ()) -> Hint:
         if isinstance(x, int) and isinstance(y, int):
             said = f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
             span = places[number] if number < len(places) else None
-            written = None if span is None else _WHOLE_QUOTIENT.fullmatch(span.text)
+            written = None if span is None else re.fullmatch(_WHOLE_QUOTIENT, span.text)
             if span is None or written is None:
                 return said
             place = span.start + written.end(1)
@@ -148,12 +148,12 @@ def missing_member(type_: Type, name: str, whole: Span) -> Hint:
     return f"{names}: up to four of them, and not mixed" if lanes else ""
 
 
-_ARGUMENTS = re.compile(r"\s*\(\s*(\)?)")
+_ARGUMENTS = r"\s*\(\s*(\)?)"
 
 
 def _as_function(name: str, value: str, whole: Span) -> tuple[Span, str]:
     """The edit from ``v.name``, ``v.name()`` or ``v.name(a)`` to ``name(v)`` or ``name(v, a)``."""
-    behind = _ARGUMENTS.match(whole.source.text, whole.end)
+    behind = re.compile(_ARGUMENTS).match(whole.source.text, whole.end)
     if behind is None:
         return whole, f"{name}({value})"
     span = Span(whole.source, whole.start, behind.end())

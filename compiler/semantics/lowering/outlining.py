@@ -18,7 +18,7 @@ from ....frozen import record
 from ...ir import build
 from ...ir.binding import close, freed, open_body
 from ...ir.leaves import Resource
-from ...ir.node import Formal, Graph, Node, reachable
+from ...ir.node import Formal, Graph, Node, Roots, reachable
 from ...ir.operations import MEMBER
 from ...ir.rewrite import rewrite
 from ...ir.shader import Notes
@@ -79,7 +79,7 @@ class _Sharing:
         for group in self._groups.values():
             if uses[group] > 1:
                 group.applied = self._at_rest(group)
-        return self._rewritten(roots)
+        return list(self._rewritten(roots))
 
     # --- bodies ----------------------------------------------------------------------------------
 
@@ -164,11 +164,11 @@ class _Sharing:
         whole = self._groups.get((mark.data, nothing))
         return whole or self._groups.get((mark.data, _constants(mark)))
 
-    def _plain(self, roots: list[Node]) -> list[Node]:
+    def _plain(self, roots: list[Node]) -> Roots:
         """The roots without marks, with members of what was put together as what was put there."""
         return rewrite(self._graph, erased(self._graph, roots), _member, ops=("member",))
 
-    def _rewritten(self, roots: list[Node]) -> list[Node]:
+    def _rewritten(self, roots: list[Node]) -> Roots:
         return rewrite(self._graph, roots, self._rule, self._moved, ("as", "called"))
 
     def _rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:

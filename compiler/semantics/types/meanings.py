@@ -12,7 +12,7 @@ from ....stdlib.builtins import BUILTINS
 from ...ir.binding import Moved
 from ...ir.leaves import Attribute, Parameter
 from ...ir.meaning import ARROWS, COLORS, GEOMETRY, RGB, Meaning
-from ...ir.node import Folding, Graph, Node
+from ...ir.node import Folding, Graph, Node, Roots
 from ...ir.operations import CROSS
 from ...ir.rewrite import rewrite
 from ...ir.types import Array, Matrix, Struct
@@ -65,10 +65,9 @@ MARKS = ("as", "called")
 """What semantics notes in the graph, and no pass ever sees."""
 
 
-def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> list[Node]:
+def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:
     """The roots without ascriptions: numbers, as all that follows sees them."""
-    wanted = list(roots)
-    return rewrite(graph, wanted, lambda _graph, _node, operands: operands[0], moved, MARKS)
+    return rewrite(graph, roots, lambda _graph, _node, operands: operands[0], moved, MARKS)
 
 
 def combined(node: Node, meanings: Iterable[Meaning | None]) -> Found:

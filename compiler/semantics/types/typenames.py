@@ -6,7 +6,9 @@ is on the machine, what it means beyond that, and what holds of it by contract.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 
 from ....frozen import changed, frozen
 from ....stdlib.builtins.facts import UNIT, UNKNOWN, Fact
@@ -102,11 +104,18 @@ _RENAMED: Mapping[str, str] = {"frame": "basis"}
 Variables = Mapping[str, Variable]
 
 
+_SEMANTICS = re.compile(r"SV_\w+|(?:TEXCOORD|COLOR|POSITION|NORMAL|TANGENT|BINORMAL)[0-9]*", re.I)
+"""What HLSL writes behind the members of a structure, and behind functions."""
+
+
 def described(name: ast.TypeName, count: int | None = None) -> str:
     """The written type as one line of text."""
-    spaces = ", ".join(argument.text for argument in name.arguments)
-    text = f"{name.name.text}<{spaces}>" if spaces else name.name.text
+    text = _written(name.name.text, [argument.text for argument in name.arguments])
     return f"{text}[{count}]" if count is not None else text
+
+
+def _written(word: str, arguments: Sequence[str]) -> str:
+    return f"{word}<{', '.join(arguments)}>" if arguments else word
 
 
 class TypeResolver:
@@ -136,9 +145,13 @@ class TypeResolver:
             visible = [*NAMED, *structs, *variables]
             self._unknown("type", name.name, visible, _elsewhere(name.name))
             return None
+        if not name.arguments:
+            return _named(text, (), ())
         if not self._check_spaces(name, named, spaces, variables):
             return None
-        return _spatial(name, named, variables)
+        written = tuple(argument.text for argument in name.arguments)
+        found = (variables.get(argument, argument) for argument in written)
+        return _named(text, written, tuple(s for s in found if isinstance(s, str) and s))
 
     def _generic_vector(self, name: ast.TypeName, variables: Variables) -> Declared | None:
         kind, size = name.arguments
@@ -157,15 +170,15 @@ class TypeResolver:
     def _check_spaces(
         self, name: ast.TypeName, named: Named, spaces: frozenset[str], variables: Variables
     ) -> bool:
-        if name.arguments and len(name.arguments) != named.spaces:
+        if len(name.arguments) != named.spaces:
             self._report.add(
                 rules.SPACE_COUNT, name.span, type=name.name.text,
                 expected=counted(named.spaces, "space"), found=len(name.arguments),
             )  # fmt: skip
             return False
         for argument in name.arguments:
-            is_variable = isinstance(variables.get(argument.text), str)
-            if not is_variable and argument.text not in SPACES | spaces:
+            known_here = argument.text in SPACES or argument.text in spaces
+            if not known_here and not isinstance(variables.get(argument.text), str):
                 known = [*SPACES, *spaces]
                 near = respelling(argument.text, argument.span, known)
                 declared = near or declared_space(argument.text, argument.span)
@@ -180,16 +193,20 @@ class TypeResolver:
         self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
 
 
-def _spatial(name: ast.TypeName, named: Named, variables: Variables) -> Declared:
-    """A type with the spaces that it names; where a space is not known there is no meaning."""
-    found = (variables.get(argument.text, argument.text) for argument in name.arguments)
-    spaces = tuple(space for space in found if isinstance(space, str) and space)
+@lru_cache(maxsize=1024)
+def _named(word: str, arguments: tuple[str, ...], spaces: tuple[str, ...]) -> Declared:
+    """The type that ``word`` names; where a space among its arguments is unknown, ``spaces`` lacks
+    it, and the type has no meaning.
+
+    A compile asks for the same few types again and again.
+    """
+    named = NAMED[word]
     meaning = None
     if named.meaning is not None and len(spaces) == named.spaces:
         meaning = Meaning(named.meaning, spaces)
     homogeneous = named.meaning == "point" and spaces == (HOMOGENEOUS,)
     type_ = VEC4 if homogeneous else named.representation
-    text = str(meaning) if spaces and meaning is not None else described(name)
+    text = str(meaning) if spaces and meaning is not None else _written(word, arguments)
     return Declared(type_, text, named.fact, meaning)
 
 
@@ -208,7 +225,11 @@ def _elsewhere(name: ast.Name) -> Hint:
         now = _RENAMED[name.text]
         said = f"the type `{name.text}<A, B>` is called `{now}<A, B>` now"
         return fix_it(said, (name.span, now), sure=True)
-    return called_here(name.text, name.span, TYPES[name.text]) if name.text in TYPES else ""
+    if name.text in TYPES:
+        return called_here(name.text, name.span, TYPES[name.text])
+    if _SEMANTICS.fullmatch(name.text):
+        return "a semantic is no type, and is not written: the compiler connects the stages"
+    return ""
 
 
 def array_of(declared: Declared, count: int) -> Declared:

@@ -140,7 +140,7 @@ class TextureSlot:
 
 
 @dataclass(frozen=True, slots=True)
-class Target:
+class RenderTarget:
     """One render target."""
 
     format: TargetFormat
@@ -156,7 +156,7 @@ class Pipeline:
     inputs: tuple[VertexInput, ...]
     blocks: tuple[BlockSlot, ...]
     textures: tuple[TextureSlot, ...]
-    targets: tuple[Target, ...]
+    targets: tuple[RenderTarget, ...]
     """In the order of their locations."""
     cull: Cull = "none"
     flip_y: bool = False

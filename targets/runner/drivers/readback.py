@@ -1,4 +1,7 @@
-"""Converts the texels of a render target to the float32 RGBA of a ``Picture``."""
+"""Converts the texels of a render target to float32 RGBA, as ``Picture`` has them.
+
+Every driver calls it for the pictures that it returns.
+"""
 
 from __future__ import annotations
 
@@ -10,9 +13,9 @@ from numpy.typing import NDArray
 from ..textures.srgb import decode_srgb
 from .draw import Picture, TargetFormat
 
-Lane = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]
+TexelLanes = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]
 
-LANES: dict[TargetFormat, Lane] = {
+TEXEL_LANES: dict[TargetFormat, TexelLanes] = {
     "r32float": (1, np.dtype("<f4")),
     "rg32float": (2, np.dtype("<f4")),
     "rgba32float": (4, np.dtype("<f4")),
@@ -35,7 +38,7 @@ def to_float(
     first_row: Literal["top", "bottom"],
 ) -> bytes:
     """A target's tightly packed texels as a shader would read them: float32 RGBA, from the top."""
-    count, kind = LANES[format]
+    count, kind = TEXEL_LANES[format]
     lanes = np.frombuffer(texels, kind).reshape(height, width, count)
     picture = np.zeros((height, width, 4), np.float32)
     picture[..., 3] = 1.0

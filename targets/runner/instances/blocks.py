@@ -1,4 +1,7 @@
-"""Writes a value into the bytes of a uniform block, where the reflection says that it lies."""
+"""Writes a value into the bytes of a uniform block, at the place that the reflection names.
+
+``Instance.blocks`` calls it for each parameter.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Computes derived values in double precision, from the steps in the reflection.
 
-``Instance.blocks`` calls it. The functions are those of the reference, so a value means the same
-here as everywhere.
+``Instance.blocks`` calls it. It uses the reference's functions, so a value means the same here as
+everywhere.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from ....compiler.reference.functions import evaluate
-from ....compiler.trampoline import Step, run
+from ....frozen import fresh, record
 from .shapes import Elements, Members, Numbers, Shape, kind_of
 
 Row = Mapping[str, Any]
@@ -38,7 +38,7 @@ class Inputs:
 
 def compute(steps: Sequence[Row], inputs: Inputs) -> Named:
     """The value of the last step: a tuple of lanes, or of a matrix's columns, not yet rounded."""
-    return run(_Computation(steps, inputs).value(len(steps) - 1, ()))
+    return _Computation(steps, inputs).value(len(steps) - 1, ())
 
 
 def compute_elements(steps: Sequence[Row], inputs: Inputs, count: int) -> tuple[Named, ...]:
@@ -47,11 +47,67 @@ def compute_elements(steps: Sequence[Row], inputs: Inputs, count: int) -> tuple[
     Elements that are not in use are computed as well; no function raises, whatever they contain.
     """
     computation = _Computation(steps, inputs)
-    return tuple(run(computation.value(len(steps) - 1, ((i,),))) for i in range(count))
+    return tuple(computation.value(len(steps) - 1, ((i,),)) for i in range(count))
+
+
+@record
+class _Body:
+    """The evaluation of a body for one value of each variable, up to the binder where it waits."""
+
+    last: int
+    """The step whose value is wanted."""
+    bound: tuple[Named, ...]
+    """The values of the variables around it, the innermost first."""
+    left: list[int]
+    """The steps that are still to be computed, the next one last."""
+    varying: dict[int, Named] = fresh(factory=dict)
+    """The values of those steps that use variables."""
+
+
+class _Application:
+    """A function's application while its body is evaluated."""
+
+    def __init__(self, row: Row, arguments: list[Named], bound: tuple[Named, ...]) -> None:
+        self._body: tuple[int, tuple[Named, ...]] | None = (row["args"][0], (*arguments, *bound))
+        self.result: Named = None
+
+    def following(self) -> tuple[int, tuple[Named, ...]] | None:
+        """The body to evaluate next with the values of its variables; ``None`` at the end."""
+        body, self._body = self._body, None
+        return body
+
+    def take(self, value: Named) -> None:
+        """Receive the body's value."""
+        self.result = value
+
+
+class _Fold:
+    """A fold while its body is evaluated, turn by turn."""
+
+    def __init__(self, row: Row, arguments: list[Named], bound: tuple[Named, ...]) -> None:
+        (count,), self.result = arguments
+        self._row, self._bound = row, bound
+        self._turns = iter(range(min(count, row["bound"])))
+
+    def following(self) -> tuple[int, tuple[Named, ...]] | None:
+        """The body to evaluate next with the values of its variables; ``None`` at the end."""
+        turn = next(self._turns, None)
+        return None if turn is None else (self._row["args"][2], ((turn,), *self._bound))
+
+    def take(self, value: Named) -> None:
+        """Receive the body's value in one turn."""
+        row = self._row
+        self.result = evaluate(row["operator"], (self.result, value), kind=kind_of(row["type"]))
+
+
+_BINDERS: Mapping[str, type[_Application | _Fold]] = {"apply": _Application, "fold": _Fold}
 
 
 class _Computation:
-    """Evaluates steps. They are in order, so one loop computes all but the bodies of binders."""
+    """Evaluates steps. They are in order, so one loop computes all but the bodies of binders.
+
+    Bodies may contain bodies without limit, so those that wait for an inner one are kept on a list.
+    """
 
     def __init__(self, steps: Sequence[Row], inputs: Inputs) -> None:
         self._steps = steps
@@ -60,21 +116,30 @@ class _Computation:
         self._constant: dict[int, Named] = {}
         """The values of steps that use no variable."""
 
-    def value(self, last: int, bound: tuple[Named, ...]) -> Step[Named]:
+    def value(self, last: int, bound: tuple[Named, ...]) -> Named:
         """The value of a step; ``bound`` are the variables around it, the innermost first."""
-        varying: dict[int, Named] = {}
-        for number in self._needed(last):
-            found = varying if self._depths[number] else self._constant
-            if number not in found:
-                arguments = [
-                    (varying if self._depths[argument] else self._constant)[argument]
-                    for argument in _outside(self._steps[number])
-                ]
-                found[number] = yield self._step(self._steps[number], arguments, bound)
-        return (varying if self._depths[last] else self._constant)[last]
+        body = self._begun(last, bound)
+        waiting: list[tuple[_Body, _Application | _Fold]] = []
+        while True:
+            entered = self._advance(body)
+            if entered is not None:
+                waiting.append((body, entered))
+            elif waiting:
+                waiting[-1][1].take(self._values(body.last, body)[body.last])
+            else:
+                return self._values(last, body)[last]
+            outer, binder = waiting[-1]
+            inner = binder.following()
+            if inner is not None:
+                body = self._begun(*inner)
+            else:
+                waiting.pop()
+                body = outer
+                number = body.left.pop()
+                self._values(number, body)[number] = binder.result
 
-    def _needed(self, last: int) -> list[int]:
-        """The steps that ``last`` needs, including itself, without bodies and known values."""
+    def _begun(self, last: int, bound: tuple[Named, ...]) -> _Body:
+        """The evaluation of a body, with the steps that ``last`` needs and that are not known."""
         needed: set[int] = set()
         pending = [last]
         while pending:
@@ -82,9 +147,28 @@ class _Computation:
             if number not in needed and number not in self._constant:
                 needed.add(number)
                 pending.extend(_outside(self._steps[number]))
-        return sorted(needed)
+        return _Body(last, bound, sorted(needed, reverse=True))
 
-    def _step(self, row: Row, arguments: list[Named], bound: tuple[Named, ...]) -> Step[Named]:
+    def _values(self, number: int, body: _Body) -> dict[int, Named]:
+        """Where the value of a step is kept."""
+        return body.varying if self._depths[number] else self._constant
+
+    def _advance(self, body: _Body) -> _Application | _Fold | None:
+        """Compute steps until none is left, or until one needs the value of an inner body."""
+        while body.left:
+            number = body.left[-1]
+            row = self._steps[number]
+            values = self._values(number, body)
+            if number not in values:
+                arguments = [self._values(each, body)[each] for each in _outside(row)]
+                binder = _BINDERS.get(row["op"])
+                if binder is not None:
+                    return binder(row, arguments, body.bound)
+                values[number] = self._step(row, arguments, body.bound)
+            body.left.pop()
+        return None
+
+    def _step(self, row: Row, arguments: list[Named], bound: tuple[Named, ...]) -> Named:
         match row["op"]:
             case "parameter":
                 return self._inputs[row["parameter"]]
@@ -93,25 +177,12 @@ class _Computation:
                 return evaluate(row["function"], arguments, kind=kind)
             case "bound":
                 return bound[row["binder"]]
-            case "apply":
-                applied = yield self.value(row["args"][0], (*arguments, *bound))
-                return applied
-            case "fold":
-                folded = yield self._folded(row, arguments, bound)
-                return folded
             case "index":
                 aggregate, (position,) = arguments
                 part = aggregate[position]
                 return part if isinstance(part, tuple | dict) else (part,)
             case op:
                 return _PLAIN[op](row, arguments)
-
-    def _folded(self, row: Row, arguments: list[Named], bound: tuple[Named, ...]) -> Step[Named]:
-        (count,), total = arguments
-        for turn in range(min(count, row["bound"])):
-            term = yield self.value(row["args"][2], ((turn,), *bound))
-            total = evaluate(row["operator"], (total, term), kind=kind_of(row["type"]))
-        return total
 
 
 def _outside(row: Row) -> Sequence[int]:

@@ -1,4 +1,7 @@
-"""Resolves a host's names to parameters, parts of parameters, lights and textures."""
+"""Resolves a host's names to parameters, parts of parameters, lights and textures.
+
+``Instance`` asks it for every name that a user passes.
+"""
 
 from __future__ import annotations
 

@@ -9,10 +9,10 @@ from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.operations import SWIZZLE
 from burnish.compiler.ir.program import Varying
 from burnish.frozen import changed
+from burnish.targets.description.spellings import Spelling
 from burnish.targets.emit import leaves
-from burnish.targets.emit.description import Spelling
 from burnish.targets.emit.expressions import Expressions
-from burnish.targets.emit.precedence import Binding, Text
+from burnish.targets.emit.precedence import POSTFIX, Printed, within
 
 from .planting import (
     QUICKEST,
@@ -160,11 +160,11 @@ NEGATED = "line.replace('if (', 'if (!(').replace(') {', ')) {') }}"
 REWRITTEN_Z = "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;"
 
 
-def _reversed(expressions: Expressions, node: Node) -> Text:
+def _reversed(expressions: Expressions, node: Node) -> Printed:
     """Print a swizzle with its lanes in reverse order."""
-    operand = expressions.operand(node.operands[0]).within(Binding.POSTFIX)
+    operand = within(expressions.operand(node.operands[0]), POSTFIX)
     lanes = reversed(SWIZZLE.data(node))
-    return Text(f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}")
+    return f"{operand}.{''.join('xyzw'[lane] for lane in lanes)}", POSTFIX
 
 
 crossings = leaves._crossings

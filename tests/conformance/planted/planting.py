@@ -13,9 +13,11 @@ from burnish.frozen import changed
 from burnish.stdlib.builtins.row import everywhere
 from burnish.targets import registry
 from burnish.targets.conformance.rows import Status
+from burnish.targets.description.forms import Forms
+from burnish.targets.description.profile import Profile
+from burnish.targets.description.shading_language import Language
+from burnish.targets.description.spellings import Spelling
 from burnish.targets.emit import templates
-from burnish.targets.emit.description import Profile, Spelling, Target
-from burnish.targets.emit.forms import Forms
 from burnish.targets.runner.drivers.draw import Job, Picture
 from burnish.targets.runner.routes import Route
 from burnish.targets.runner.runner import Runner
@@ -56,7 +58,7 @@ def replaced(owner: Any, name: str, value: Any) -> Plant:
 # --- in a language -------------------------------------------------------------------------------
 
 
-def target(language: str, change: Callable[[Target], Target]) -> Plant:
+def target(language: str, change: Callable[[Language], Language]) -> Plant:
     """Change the description of a language."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
@@ -75,7 +77,7 @@ def spelling(language: str, builtin: str, text: str | Spelling) -> Plant:
 def promised(language: str, builtin: str) -> Plant:
     """Have all profiles of a language promise a builtin's meaning for all operands."""
 
-    def change(whole: Target) -> Target:
+    def change(whole: Language) -> Language:
         profiles = (
             changed(profile, agrees={**profile.agrees, builtin: everywhere})
             for profile in whole.profiles
@@ -88,7 +90,7 @@ def promised(language: str, builtin: str) -> Plant:
 def form(language: str, **forms: Any) -> Plant:
     """Give expressions or statements a wrong form."""
 
-    def change(whole: Target) -> Target:
+    def change(whole: Language) -> Language:
         wrong: Forms = changed(whole.forms, **forms)
         return changed(whole, forms=wrong)
 
@@ -98,7 +100,7 @@ def form(language: str, **forms: Any) -> Plant:
 def supplied(language: str, name: str, read: str) -> Plant:
     """Read a pipeline input wrongly."""
 
-    def change(whole: Target) -> Target:
+    def change(whole: Language) -> Language:
         wrong = changed(whole.inputs[name], read=read)
         return changed(whole, inputs={**whole.inputs, name: wrong})
 
@@ -120,7 +122,7 @@ def agreeing(language: str, name: str) -> Plant:
 
 
 def _profile(language: str, name: str, wrong: Callable[[Profile], Profile]) -> Plant:
-    def change(whole: Target) -> Target:
+    def change(whole: Language) -> Language:
         profiles = tuple(wrong(each) if each.name == name else each for each in whole.profiles)
         return changed(whole, profiles=profiles)
 
@@ -132,7 +134,7 @@ def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
 
     def plant(patch: pytest.MonkeyPatch, folder: Path) -> None:
         whole = registry.load(language)
-        files = (whole.folder / whole.template, Path(templates.__file__).parent / "skeleton.j2")
+        files = (whole.skeleton, Path(templates.__file__).parent / "skeleton.j2")
         texts = {path.name: path.read_text(encoding="utf-8") for path in files}
         for old, new in replacements:
             said = any(old in text for text in texts.values())
@@ -140,7 +142,7 @@ def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
             texts = {name: text.replace(old, new) for name, text in texts.items()}
         for name, text in texts.items():
             (folder / name).write_text(text, encoding="utf-8")
-        target(language, lambda t: changed(t, folder=folder))(patch, folder)
+        target(language, lambda t: changed(t, skeleton=folder / t.skeleton.name))(patch, folder)
 
     return plant
 

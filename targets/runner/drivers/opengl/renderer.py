@@ -1,4 +1,4 @@
-"""Draws jobs with OpenGL."""
+"""Draws a job with OpenGL; the driver keeps one ``Renderer`` for all jobs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The framebuffer that a job draws to."""
+"""The framebuffer that a job draws to, and from which its picture is read back."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import moderngl
 
-from ..draw import Blend, Pipeline, Target, TargetFormat
+from ..draw import Blend, Pipeline, RenderTarget, TargetFormat
 from ..readback import to_float
 from .context import (
     GL_BLEND,
@@ -56,7 +56,7 @@ class Screen:
         self,
         context: moderngl.Context,
         functions: Functions,
-        targets: Sequence[Target],
+        targets: Sequence[RenderTarget],
         size: tuple[int, int],
     ) -> None:
         self._context = context
@@ -114,6 +114,8 @@ class Screen:
         self._framebuffer.release()
 
 
-def _make(context: moderngl.Context, size: tuple[int, int], target: Target) -> moderngl.Texture:
+def _make(
+    context: moderngl.Context, size: tuple[int, int], target: RenderTarget
+) -> moderngl.Texture:
     lanes, kind, internal_format = STORAGE[target.format]
     return context.texture(size, lanes, dtype=kind, internal_format=internal_format)

@@ -1,4 +1,4 @@
-"""The render targets of one size, and the buffers that bring their pictures back to the host."""
+"""Creates render targets of one size, and buffers that bring their pictures back to the host."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import Any
 
 import vulkan as vk
 
-from ..draw import Picture, Target
-from ..readback import LANES, to_float
+from ..draw import Picture, RenderTarget
+from ..readback import TEXEL_LANES, to_float
 from .device import Gpu
 from .formats import DEPTH, TARGETS
 from .memory import Buffer, ImageSpec, make_buffer, make_image
@@ -27,7 +27,7 @@ class Canvas:
 
     width: int
     height: int
-    targets: Sequence[Target]
+    targets: Sequence[RenderTarget]
     framebuffer: Any
     images: Sequence[Any]
     buffers: Sequence[Buffer]
@@ -59,7 +59,11 @@ class Canvas:
 
 
 def make_canvas(
-    owned: ExitStack, gpu: Gpu, targets: Sequence[Target], render_pass: Any, size: tuple[int, int]
+    owned: ExitStack,
+    gpu: Gpu,
+    targets: Sequence[RenderTarget],
+    render_pass: Any,
+    size: tuple[int, int],
 ) -> Canvas:
     """A canvas of ``size`` (width, height) pixels for a render pass with these targets."""
     width, height = size
@@ -88,12 +92,12 @@ def make_canvas(
     return Canvas(width, height, targets, framebuffer, [image for image, _ in made], buffers)
 
 
-def _texel_size(target: Target) -> int:
-    lanes, kind = LANES[target.format]
+def _texel_size(target: RenderTarget) -> int:
+    lanes, kind = TEXEL_LANES[target.format]
     return lanes * int(kind.itemsize)
 
 
-def make_render_pass(owned: ExitStack, gpu: Gpu, targets: Sequence[Target]) -> Any:
+def make_render_pass(owned: ExitStack, gpu: Gpu, targets: Sequence[RenderTarget]) -> Any:
     """A render pass that clears targets and depth, draws, and makes the targets ready to copy."""
     colours = [
         _attachment(TARGETS[target.format], DRAWN, vk.VK_ATTACHMENT_STORE_OP_STORE)

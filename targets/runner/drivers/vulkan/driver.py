@@ -1,5 +1,7 @@
-"""The Vulkan driver for ``serve``. The first request opens the device, and so does one after a
-loss."""
+"""The Vulkan driver that ``serve`` runs.
+
+The first request opens the device, and so does the first one after the device was lost.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Vulkan's formats for the formats of ``draw``."""
+"""Vulkan's formats, for each of the formats that ``draw`` names."""
 
 from __future__ import annotations
 

@@ -10,20 +10,18 @@ from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
-from ..emit.description import (
-    STAGE_STRUCTS,
-    Limits,
+from ..description.forms import Forms
+from ..description.profile import Limits, Profile
+from ..description.reserved import read_reserved
+from ..description.shading_language import STAGE_STRUCTS, Language
+from ..description.spellings import (
     PipelineInput,
-    Profile,
     Read,
     Spelling,
     Spellings,
-    Target,
     TextureNames,
     TypeNames,
 )
-from ..emit.forms import Forms
-from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
 
@@ -142,11 +140,10 @@ WEBGPU = Profile(
     checkers=("naga", "tint"),
 )
 
-TARGET = Target(
+LANGUAGE = Language(
     name="wgsl",
     title="WGSL",
-    folder=FOLDER,
-    template="shader.wgsl.j2",
+    skeleton=FOLDER / "shader.wgsl.j2",
     extension="wgsl",
     types=TYPES,
     textures=TEXTURES,

@@ -9,21 +9,17 @@ from pathlib import Path
 from ...compiler.ir.types import BOOL, INT, VEC4
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
-from ..emit.description import (
-    Framebuffer,
-    Lack,
-    Limits,
+from ..description.profile import Framebuffer, Lack, Limits, Profile, Samplers
+from ..description.reserved import read_reserved
+from ..description.shading_language import Language
+from ..description.spellings import (
     PipelineInput,
-    Profile,
     Read,
-    Samplers,
     Spelling,
     Spellings,
-    Target,
     TextureNames,
     TypeNames,
 )
-from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
 
@@ -205,11 +201,10 @@ ES = Profile(
     checkers=("glslang-es300",),
 )
 
-TARGET = Target(
+LANGUAGE = Language(
     name="glsl",
     title="GLSL",
-    folder=FOLDER,
-    template="shader.glsl.j2",
+    skeleton=FOLDER / "shader.glsl.j2",
     extension="glsl",
     types=TYPES,
     textures=TEXTURES,

@@ -1,10 +1,10 @@
 """The Metal Shading Language, version 2.
 
-No text of this target has ever been compiled by Apple's compiler, which there is on Apple's systems
-only. What is checked is that clang accepts every text against declarations of Metal's types and
-functions (``metal_stdlib.h``), which were written from Apple's specification. A mistake in reading
-that specification is seen by nobody. So this language is not among those that are written by
-default, and whoever names it is told.
+Apple's compiler, which runs on Apple's systems only, has never compiled one of these texts. What is
+checked is that clang accepts every text against declarations of Metal's types and functions
+(``metal_stdlib.h``), which were written from Apple's specification. Nobody would notice a mistake
+in reading that specification. So this language is not among those that are written by default, and
+Burnish says so to whoever chooses it.
 
 What a host has to know: blocks, textures and samplers are numbered each on their own, and a buffer
 of vertices must not take a number that the reflection gives to a block. Compile with fast maths
@@ -20,22 +20,19 @@ from pathlib import Path
 from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
-from ..emit.description import (
-    STAGE_STRUCTS,
-    FieldRole,
-    Limits,
+from ..description.forms import Forms
+from ..description.profile import Limits, Profile
+from ..description.reserved import read_reserved
+from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
+from ..description.spellings import (
     Literals,
     PipelineInput,
-    Profile,
     Read,
     Spelling,
     Spellings,
-    Target,
     TextureNames,
     TypeNames,
 )
-from ..emit.forms import Forms
-from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
 
@@ -219,11 +216,10 @@ METAL2 = Profile(
     checkers=("clang-msl",),
 )
 
-TARGET = Target(
+LANGUAGE = Language(
     name="msl",
     title="Metal Shading Language",
-    folder=FOLDER,
-    template="shader.metal.j2",
+    skeleton=FOLDER / "shader.metal.j2",
     extension="metal",
     unproven="never compiled by Apple's compiler, only type-checked by clang",
     entry_point="{entry}",

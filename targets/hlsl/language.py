@@ -11,21 +11,18 @@ from ...compiler.ir.stages import ENTRY_POINTS
 from ...compiler.ir.types import BOOL, UINT, VEC4, Dimension
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
-from ..emit.description import (
-    STAGE_STRUCTS,
-    FieldRole,
-    Limits,
+from ..description.forms import Forms
+from ..description.profile import Limits, Profile
+from ..description.reserved import read_reserved
+from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
+from ..description.spellings import (
     PipelineInput,
-    Profile,
     Read,
     Spelling,
     Spellings,
-    Target,
     TextureNames,
     TypeNames,
 )
-from ..emit.forms import Forms
-from ..emit.reserved import read_reserved
 
 FOLDER = Path(__file__).parent
 
@@ -46,7 +43,7 @@ FORMS = Forms(
     product_of_columns="mul({vector}, {type}({columns}))",
     array="{{{elements}}}",
     constant_array="static const {typed} = {value};",
-    column="transpose({matrix})[{position}]",
+    column="transpose({matrix:p})[{position}]",
     input="input.{name}",
     lane_words=("Red", "Green", "Blue", "Alpha"),
 )
@@ -189,13 +186,12 @@ SM6 = Profile(
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 
-TARGET = Target(
+LANGUAGE = Language(
     name="hlsl",
     registers={"block": "b{binding}", "texture": "t{binding}", "sampler": "s{binding}"},
     line_directive='#line {line} "{name}"',
     title="HLSL",
-    folder=FOLDER,
-    template="shader.hlsl.j2",
+    skeleton=FOLDER / "shader.hlsl.j2",
     extension="hlsl",
     types=TYPES,
     textures=TEXTURES,

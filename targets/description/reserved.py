@@ -12,7 +12,7 @@ _NEVER = "(?!)"
 """What matches nothing."""
 
 
-@frozen
+@frozen(eq=False)
 class Reserved:
     """Words, and a pattern of words, that cannot be names."""
 

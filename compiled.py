@@ -1,0 +1,158 @@
+"""What compiling a file gives: its materials, with their texts, reflection and proofs.
+
+``api.compile`` makes these records, and users of the library and the commands read them. What many
+of them never ask for is computed when it is first asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from .compiler.diagnostics.diagnostic import Diagnostic
+from .compiler.diagnostics.source import Source, Span
+from .compiler.inputs import Inputs
+from .compiler.ir.shader import Shader
+from .compiler.passes.guard import Guard
+from .compiler.passes.pipeline import Staged
+from .frozen import EMPTY, frozen
+from .targets.description.profile import Profile
+from .targets.description.shading_language import Language
+from .targets.emit.emitter import Emission
+from .targets.emit.reflection import backend_table
+from .targets.selection import full_name
+
+if TYPE_CHECKING:
+    from .compiler.passes.proofs import Proof
+    from .targets.runner.instances.instance import Instance
+
+StageName = str
+"""A stage, such as ``vertex`` or ``fragment``; ``both`` for a text that contains all stages."""
+
+
+@frozen
+class OutputFile:
+    """One emitted shader text."""
+
+    name: str
+    """The name of the file: ``Plastic.frag.wgsl``; if the profile is not the target's default,
+    ``Plastic.gl330.frag.glsl``."""
+    target: str
+    profile: str
+    stage: StageName
+    entry_points: Mapping[StageName, str]
+    """The entry point of each stage in the text."""
+    text: str
+    checkers: tuple[str, ...] = ()
+    """The downstream compilers that must accept it."""
+    spans: Mapping[int, Span] = EMPTY
+    """The source map: for each line of ``text``, counted from 1, the part of the material that its
+    statement belongs to. Every statement has one."""
+    sources: tuple[Source, ...] = ()
+    """The files that line directives in ``text`` name; their numbers count from 1."""
+
+
+@frozen
+class CompiledMaterial:
+    """The results of compiling one material."""
+
+    name: str
+    files: tuple[OutputFile, ...]
+    lacking: Mapping[str, str]
+    """For each profile without texts, the feature that it lacks and the material needs."""
+    guards: tuple[Guard, ...]
+    """Operations that keep a guard in some text, because their operands could not be proven
+    safe."""
+    shader: Shader
+    """The shader before any pass, which the reference draws."""
+    _staged: Staged
+    _emissions: tuple[tuple[Language, Profile, Emission], ...]
+    _flip_y: bool
+
+    def __repr__(self) -> str:
+        """The material with the names of its files, since the whole shader would fill pages."""
+        return f"<CompiledMaterial {self.name}: {', '.join(file.name for file in self.files)}>"
+
+    def text(self, target: str, stage: StageName) -> str:
+        """The text of one stage for one target (``"glsl"`` or ``"glsl:gl330"``).
+
+        Raises ``KeyError`` if the material was not compiled for it.
+        """
+        for file in self.files:
+            if file.stage == stage and target in (file.target, f"{file.target}:{file.profile}"):
+                return file.text
+        raise KeyError(f"{self.name} has no {stage} text for {target}")
+
+    @cached_property
+    def reflection(self) -> dict[str, Any]:
+        """What a host needs to bind, as data for JSON (``compiler/reflection`` has the schema)."""
+        from .compiler.reflection import reflect
+
+        tables = {
+            full_name(target, profile): backend_table(
+                self._staged.program, target, profile, emission, self._files(target, profile),
+                flip_y=self._flip_y, source_maps=self._source_maps(target, profile),
+            )
+            for target, profile, emission in self._emissions
+        }  # fmt: skip
+        derived = {value.parameter: value.expression for value in self._staged.derived}
+        return reflect(self.shader, self._staged.program, tables, derived)
+
+    @property
+    def staged(self) -> Staged:
+        """The program that is written in each language, with the passes' decision records."""
+        return self._staged
+
+    @cached_property
+    def proofs(self) -> tuple[Proof, ...]:
+        """Why operations have no guard, were removed, or keep their guard."""
+        from .compiler.passes.proofs import Proofs
+
+        evidence = self._staged.evidence
+        return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.remarks))
+
+    def instance(self) -> Instance:
+        """An instance with named values to draw the material with; they start as its defaults."""
+        from .targets.runner.instances.instance import Instance
+
+        return Instance(self.reflection)
+
+    def _source_maps(self, target: Language, profile: Profile) -> dict[str, Mapping[int, Span]]:
+        return {
+            file.name: file.spans
+            for file in self.files
+            if (file.target, file.profile) == (target.name, profile.name)
+        }
+
+    def _files(self, target: Language, profile: Profile) -> dict[str, str]:
+        return {
+            file.stage: file.name
+            for file in self.files
+            if (file.target, file.profile) == (target.name, profile.name)
+        }
+
+
+@frozen
+class CompileResult:
+    """All materials of a file, with the diagnostics (only warnings, since it compiled)."""
+
+    materials: tuple[CompiledMaterial, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    inputs: Inputs
+    """The files that were read, and the places where files were searched."""
+
+    def __iter__(self) -> Iterator[CompiledMaterial]:
+        """The materials in the order of the file."""
+        return iter(self.materials)
+
+    def __len__(self) -> int:
+        """The number of materials."""
+        return len(self.materials)
+
+    def __getitem__(self, name: str) -> CompiledMaterial:
+        """The material called ``name``; ``KeyError`` if there is none."""
+        for material in self.materials:
+            if material.name == name:
+                return material
+        raise KeyError(name)

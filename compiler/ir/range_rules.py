@@ -1,0 +1,238 @@
+"""How the bounds of a value follow from those of its operands: a rule for each operation.
+
+``Ranges`` (``ranges.py``) looks the rule up by the operation, hands it the facts of what the value
+needs, and keeps what the rule derives. Every rule has a name (``rulebook.py``), by which proofs
+cite it. The rules of builtins stand in the builtins' own rows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Protocol
+
+from ...frozen import frozen
+from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact
+from ...stdlib.builtins.intervals import outward
+from . import rulebook
+from .leaves import Parameter
+from .node import Formal, Node
+from .operations import ASCRIBE, CALL, CONSTANT, CROSS, FOLD, FORMAL, ITERATE, MEMBER, PARAMETER
+from .refinements import refinements
+from .types import Array, Matrix, Struct
+
+
+class Analysis(Protocol):
+    """What rules ask of the analysis besides the facts of what a value needs."""
+
+    @property
+    def without(self) -> frozenset[str]:
+        """Names of rules that are not applied."""
+
+    def so_far(self, node: Node) -> Fact:
+        """What is known of a value while another is derived that needs it."""
+
+    def in_turns(self, state: Formal, starts: Sequence[Fact]) -> Fact:
+        """What holds of a loop's state in every turn, if the states start with so much."""
+
+    def bound_of(self, index: Formal) -> int:
+        """How many values a fold's index takes at most."""
+
+
+@frozen
+class RangeRule:
+    """How the fact of an operation follows from those of what it needs."""
+
+    name: Callable[[Node], str]
+    derive: Callable[[Analysis, Node, Sequence[Fact]], Fact]
+
+
+def _union(facts: Sequence[Fact]) -> Fact:
+    if not facts:
+        return UNKNOWN
+    result = facts[0]
+    for fact in facts[1:]:
+        result = result.union(fact)
+    return result
+
+
+def _constant(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
+    if isinstance(node.type, Matrix):
+        return UNKNOWN
+    data = CONSTANT.data(node)
+    lanes = data if isinstance(data, tuple) else (data,)
+    numbers = [float(lane) for lane in lanes if not isinstance(lane, tuple)]
+    return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= 2.0**-126 for n in numbers))
+
+
+def _parameter(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
+    return PARAMETER.data(node).fact
+
+
+def _contract(node: Node) -> str:
+    return rulebook.UNIT if PARAMETER.data(node).fact.unit else rulebook.DECLARED
+
+
+def _call(ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    operands = node.operands
+    same = len(operands) > 1 and operands.count(operands[0]) == len(operands)
+    same = same and rulebook.SAME not in ranges.without
+    return BUILTINS[CALL.data(node)].range(tuple(known), same)
+
+
+def _joined(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:
+    """A vector is as long as its longest part, at least."""
+    joined = _union(known)
+    longest = max(max(part.length, part.least) for part in known)
+    return Fact(joined.lo, joined.hi, joined.excludes_zero, length=longest, kind=joined.kind)
+
+
+def _elements(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:
+    """What holds of each element."""
+    return _union(known)
+
+
+def _filled(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:
+    (lane,) = known
+    return Fact(lane.lo, lane.hi, lane.nonzero, length=lane.least, kind=lane.kind)
+
+
+def _lanes(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:
+    (whole,) = known
+    return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
+
+
+def _index(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    whole = known[0]
+    if isinstance(node.operands[0].type, Matrix):
+        return UNKNOWN
+    if isinstance(node.operands[0].type, Array):
+        return whole
+    return Fact(whole.lo, whole.hi, whole.nonzero, kind=whole.kind)
+
+
+def _member(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    """A member of a light of many, whose parameter carries a fact for each, or a loop's state."""
+    source = node.operands[0]
+    if source.op == "iterate":
+        return _union(known)
+    while source.op in ("index", "as"):
+        source = source.operands[0]
+    if isinstance(source.data, Parameter) and isinstance(node.operands[0].type, Struct):
+        return dict(source.data.member_facts).get(MEMBER.data(node), UNKNOWN)
+    return UNKNOWN
+
+
+def _member_name(node: Node) -> str:
+    return rulebook.STATE if node.operands[0].op == "iterate" else rulebook.MEMBER
+
+
+def _ascribed(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    """Only what has unit length is ever called a direction."""
+    meaning = ASCRIBE.data(node)
+    contract = meaning is not None and meaning.kind == "direction"
+    return known[0].meet(UNIT) if contract else known[0]
+
+
+def _select(ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    """One of the sides, of which its own condition may tell something.
+
+    ``if x < 0.01 then 0.01 else x`` is at least 0.01.
+    """
+    condition, then, otherwise = node.operands
+    sides = [known[1], known[2]]
+    if rulebook.OWN_CONDITION not in ranges.without:
+        for i, (side, holds) in enumerate(((then, True), (otherwise, False))):
+            if side.op != "constant":
+                for told in refinements(ranges.so_far, condition, holds, ranges.without):
+                    if told.about is side:
+                        sides[i] = sides[i].meet(told.fact)
+    return sides[0].union(sides[1])
+
+
+def _cross(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    """A mean of three vertices' values stays between them, but is no longer of unit length.
+
+    Rounding may take it a little past either end.
+    """
+    (at_vertex,) = known
+    if CROSS.data(node).mode == "flat":
+        return at_vertex
+    slack = 1e-5 * max(abs(at_vertex.lo), abs(at_vertex.hi))
+    if slack == float("inf"):
+        return Fact(0.0) if at_vertex.lo >= 0 else UNKNOWN
+    return Fact(at_vertex.lo - slack if at_vertex.lo else 0.0, at_vertex.hi + slack)
+
+
+def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    data = FOLD.data(node)
+    _count, start, body = known
+    if data.operator == "min":
+        return Fact(min(start.lo, body.lo), start.hi)
+    if data.operator == "max":
+        return Fact(start.lo, max(start.hi, body.hi))
+    if data.operator in ("and", "or"):
+        return UNKNOWN
+    if data.operator == "add":
+        lo = start.lo + min(0.0, body.lo * data.bound) if data.bound else start.lo
+        hi = start.hi + max(0.0, body.hi * data.bound) if data.bound else start.hi
+        # Each turn rounds once more.
+        return outward(lo, hi, float(data.bound))
+    return Fact(0.0) if start.lo >= 0 and body.lo >= 0 else UNKNOWN
+
+
+def _fold_name(node: Node) -> str:
+    return _FOLDS.get(FOLD.data(node).operator, rulebook.EXTREME)
+
+
+_FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
+
+
+def _iterate(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    """A state is what it was at the start, or what a turn has made of it."""
+    return known[1].union(known[-1]) if ITERATE.data(node).states == 1 else UNKNOWN
+
+
+def _in_turn(ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
+    return ranges.in_turns(FORMAL.data(node), known)
+
+
+def _fold_index(ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
+    return Fact(0.0, float(max(ranges.bound_of(FORMAL.data(node)) - 1, 0)))
+
+
+def _any_argument(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:
+    return _union(known)
+
+
+def _apply(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:
+    return known[0]
+
+
+def _named(name: str, derive: Callable[[Analysis, Node, Sequence[Fact]], Fact]) -> RangeRule:
+    return RangeRule(lambda _node: name, derive)
+
+
+FOLD_INDEX = _named(rulebook.INDEX, _fold_index)
+IN_TURN = _named(rulebook.IN_TURN, _in_turn)
+_BUILTIN = RangeRule(CALL.data, _call)
+RULES: Mapping[str, RangeRule] = {
+    "constant": _named(rulebook.CONSTANT, _constant),
+    "parameter": RangeRule(_contract, _parameter),
+    "as": _named(rulebook.UNIT, _ascribed),
+    "call": _BUILTIN,
+    "native": _BUILTIN,
+    "vector": _named(rulebook.JOINED, _joined),
+    "splat": _named(rulebook.FILLED, _filled),
+    "swizzle": _named(rulebook.PICKED, _lanes),
+    "index": _named(rulebook.ELEMENT, _index),
+    "member": RangeRule(_member_name, _member),
+    "select": _named(rulebook.EITHER, _select),
+    "cross": _named(rulebook.INTERPOLATED, _cross),
+    "fold": RangeRule(_fold_name, _fold),
+    "iterate": _named(rulebook.STATE, _iterate),
+    "array": _named(rulebook.ELEMENTS, _elements),
+    "formal": _named(rulebook.ARGUMENT, _any_argument),
+    "apply": _named(rulebook.BODY, _apply),
+    "called": _named(rulebook.BODY, _apply),
+}

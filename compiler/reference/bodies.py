@@ -1,0 +1,180 @@
+"""Evaluates operations with bodies: folds, iterations and applications of functions.
+
+When ``Evaluator`` comes to such a node, it calls ``opened``. It then asks ``following`` which body
+to evaluate next, and with which values of the variables, and reports the body's value to ``take``.
+When no body follows, ``result`` is the value of the node. Bodies may contain bodies without limit,
+so nothing here calls the evaluator, which keeps all open nodes on a list.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+
+from ...frozen import fresh, record
+from ..ir.node import Formal, Node, binders, bodies_of, formals_of
+from ..ir.operations import FOLD, ITERATE
+from ..ir.types import scalar_kind
+from .namespace import Lane, Lanes, Namespace
+from .operations import builtins, chosen
+
+Spend = Callable[[], None]
+"""Counts one turn of a loop as an operation; raises an error if there were too many."""
+
+
+@record
+class Frame:
+    """One evaluation of a binder's body; without a parent, of everything that is under no
+    binder."""
+
+    parent: Frame | None = None
+    bound: tuple[Lanes, ...] = ()
+    """The values of the de Bruijn variables of all binders around the body, the innermost first."""
+    formals: Mapping[Formal, Lanes] = fresh(factory=dict)
+    values: dict[int, Lanes] = fresh(factory=dict)
+
+
+class Opened(ABC):
+    """A node with bodies while it is evaluated."""
+
+    result: Lanes
+    """The value of the node, once no body follows."""
+
+    @abstractmethod
+    def following(self) -> tuple[Node, Frame] | None:
+        """The body to evaluate next, in a frame with its variables; ``None`` at the end."""
+
+    @abstractmethod
+    def take(self, value: Lanes) -> None:
+        """Receive the value of the body that ``following`` returned last."""
+
+
+def opened(
+    node: Node, operands: list[Lanes], frame: Frame, xp: Namespace, spend: Spend
+) -> Opened | None:
+    """Begin to evaluate a node in ``frame``, from the values of its operands outside its bodies.
+
+    ``None`` if it has no bodies.
+    """
+    match node.op:
+        case "apply":
+            return _Application(node, operands, frame)
+        case "fold":
+            return _Fold(node, operands, frame, xp, spend)
+        case "iterate":
+            return _Iteration(node, operands, frame, xp, spend)
+        case _:
+            return None
+
+
+class _Application(Opened):
+    """A call of a function: its body is evaluated once."""
+
+    def __init__(self, node: Node, arguments: list[Lanes], frame: Frame) -> None:
+        self._body: tuple[Node, Frame] | None = (
+            node.operands[0],
+            _inner(node, frame, tuple(arguments)),
+        )
+
+    def following(self) -> tuple[Node, Frame] | None:
+        body, self._body = self._body, None
+        return body
+
+    def take(self, value: Lanes) -> None:
+        self.result = value
+
+
+class _Fold(Opened):
+    """A fold: its body is evaluated in each turn.
+
+    If the count is an array, elements that have finished keep their totals.
+    """
+
+    def __init__(
+        self, node: Node, operands: list[Lanes], frame: Frame, xp: Namespace, spend: Spend
+    ) -> None:
+        (self._count,), self.result = operands
+        self._node, self._frame, self._xp, self._spend = node, frame, xp, spend
+        self._data = FOLD.data(node)
+        self._turn = 0
+        self._goes_on: Lane = True
+
+    def following(self) -> tuple[Node, Frame] | None:
+        self._goes_on = self._turn < self._count
+        if self._turn == self._data.bound or self._goes_on is False:
+            return None
+        self._spend()
+        return self._node.operands[2], _inner(self._node, self._frame, ((self._turn,),))
+
+    def take(self, value: Lanes) -> None:
+        kind = scalar_kind(self._node.type) or "float"
+        combined = builtins()(self._data.operator, (self.result, value), self._xp, kind)
+        self.result = chosen(self._xp, self._goes_on, combined, self.result)
+        self._turn += 1
+
+
+class _Iteration(Opened):
+    """An iteration: in each turn its condition is evaluated, then the next value of each state.
+
+    With arrays, elements that have stopped keep their states.
+    """
+
+    def __init__(
+        self, node: Node, operands: list[Lanes], frame: Frame, xp: Namespace, spend: Spend
+    ) -> None:
+        (self._count,), *self._states = operands
+        self._node, self._frame, self._xp, self._spend = node, frame, xp, spend
+        self._bound = ITERATE.data(node).bound
+        self._bodies = [node.operands[i] for i in bodies_of(node)]
+        self._turn = 0
+        self._goes_on: Lane = True
+        self._inner = frame
+        """The frame of the bodies of one turn."""
+        self._following: list[Lanes] = []
+        """The next states, as far as they are known."""
+        self._position = 0
+        """Which of the bodies is evaluated next; the first is the condition."""
+
+    def following(self) -> tuple[Node, Frame] | None:
+        if self._position == 0:
+            if self._turn == self._bound or not _anywhere(self._goes_on):
+                states = self._states
+                self.result = states[0] if len(states) == 1 else tuple(states)
+                return None
+            self._spend()
+            self._inner = _inner(self._node, self._frame, ((self._turn,), *self._states))
+        return self._bodies[self._position], self._inner
+
+    def take(self, value: Lanes) -> None:
+        if self._position == 0:
+            (condition,) = value
+            self._goes_on = _all(self._xp, self._goes_on, self._turn < self._count, condition)
+            if _anywhere(self._goes_on):
+                self._position = 1
+            return
+        state = self._states[self._position - 1]
+        self._following.append(chosen(self._xp, self._goes_on, value, state))
+        self._position += 1
+        if self._position == len(self._bodies):
+            self._states, self._following = self._following, []
+            self._position = 0
+            self._turn += 1
+
+
+def _all(xp: Namespace, *conditions: Lane) -> Lane:
+    """Whether all conditions hold; a plain ``bool`` unless one of them is an array."""
+    found: Lane = True
+    for condition in conditions:
+        found = xp.logical_and(found, condition)
+    return found if getattr(found, "ndim", 0) else bool(found)
+
+
+def _anywhere(condition: Lane) -> bool:
+    return condition if isinstance(condition, bool) else bool(condition.any())
+
+
+def _inner(node: Node, frame: Frame, variables: tuple[Lanes, ...]) -> Frame:
+    """A frame for the body of ``node``, with values for the variables that it binds."""
+    if binders(node):
+        return Frame(frame, variables + frame.bound)
+    return Frame(frame, frame.bound, dict(zip(formals_of(node), variables, strict=True)))

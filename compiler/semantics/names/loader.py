@@ -1,0 +1,177 @@
+"""Reads a user's files and links them: looks imports up, and gives each file its names.
+
+The front end makes a ``Loader`` for each compile. Import paths are looked up beside the importing
+file (quoted ones) and in the search path, and never lead out of the folder they start from. What is
+imported from ``std`` comes from the ``StandardLibrary``, which is linked already.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path, PurePosixPath
+from typing import Protocol
+
+from ....frozen import record
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Report
+from ...diagnostics.source import Source
+from ...syntax import ast
+from .declarations import declare_all
+from .import_hints import missing_import_hint
+from .imports import import_names
+from .modules import Module
+from .standard_library import Parse, Read, StandardLibrary, in_library
+
+
+class Looked(Protocol):
+    """Is told of each place where an imported file was looked for."""
+
+    def __call__(self, root: Path, path: Path, /, *, found: bool) -> None:
+        """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
+
+
+@record
+class _Linking:
+    """A module whose imports are being read."""
+
+    module: Module
+    imports: list[ast.Import]
+    """Those that are left, the last one first."""
+    path: Path | None = None
+    """Where it was read from, if another module imports it."""
+    wanted: ast.Import | None = None
+    """By what that module does."""
+
+
+class Loader:
+    """Reads and links modules; each file once."""
+
+    def __init__(
+        self,
+        report: Report,
+        library: StandardLibrary,
+        search_path: Sequence[Path],
+        parse: Parse,
+        read: Read,
+        looked: Looked,
+    ) -> None:
+        self._report = report
+        self._library = library
+        self._search_path = tuple(search_path)
+        self._parse = parse
+        self._read = read
+        self._looked = looked
+        self._modules: dict[Path, Module] = {}
+        self._loading: dict[Path, None] = {}
+        """The files whose imports are being read, each imported by the one before it."""
+        self._real: dict[Path, Path] = {}
+        """Folders without links, as far as anybody has asked: the system goes through all of a path
+        each time."""
+        report.extend(library.report.diagnostics)
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The imported files that were read, and those of the library."""
+        return (*self._modules, *self._library.files)
+
+    def main(self, source: Source, path: Path | None) -> Module:
+        """The module that a user compiles."""
+        if path is not None:
+            self._loading[path.resolve()] = None
+        module = Module(
+            self._parse(source, self._report), path, prelude=self._library.prelude,
+            offered=self._library.offering,
+        )  # fmt: skip
+        self._link(module)
+        return module
+
+    def _link(self, module: Module) -> None:
+        """Give a module its names, and those that it imports, file after file.
+
+        Files import each other without limit, so those whose imports are not all known yet wait in
+        a list.
+        """
+        pending = [_Linking(module, self._declared(module))]
+        while pending:
+            top = pending[-1]
+            if top.imports:
+                wanted = top.imports.pop()
+                found = self._resolve(top.module, wanted)
+                if isinstance(found, _Linking):
+                    pending.append(found)
+                else:
+                    import_names(top.module, wanted, found, self._report)
+                continue
+            pending.pop()
+            if top.path is not None:
+                assert top.wanted is not None
+                del self._loading[top.path]
+                self._modules[top.path] = top.module
+                import_names(pending[-1].module, top.wanted, top.module, self._report)
+
+    def _declared(self, module: Module) -> list[ast.Import]:
+        """Give a module its own names; its imports, the last one first."""
+        return declare_all(module, self._report)[::-1]
+
+    def _resolve(self, module: Module, wanted: ast.Import) -> Module | _Linking | None:
+        """The module that an import is about, if need be before it is linked."""
+        if not wanted.quoted and wanted.path[0] == "std":
+            return self._from_library(wanted)
+        relative = wanted.path[0] if wanted.quoted else "/".join(wanted.path) + ".burnish"
+        if PurePosixPath(relative).is_absolute() or ".." in PurePosixPath(relative).parts:
+            self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
+            return None
+        for root in self._roots(module):
+            found = root / relative
+            path = found.resolve()
+            if not path.is_relative_to(self._resolved(root)):
+                self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
+                return None
+            is_file = path.is_file()
+            self._looked(root, found, found=is_file)
+            if is_file:
+                return self._load(found, path, wanted)
+        self._report_missing(wanted, relative)
+        return None
+
+    def _from_library(self, wanted: ast.Import) -> Module | None:
+        inside = in_library(wanted.path)
+        found = self._library.module(inside)
+        if found is None:
+            self._report_missing(wanted, f"std/{inside}")
+        return found
+
+    def _report_missing(self, wanted: ast.Import, relative: str) -> None:
+        hint = missing_import_hint(wanted, self._library)
+        self._report.add(rules.MISSING_IMPORT, wanted.span, path=relative, hint=hint)
+
+    def _resolved(self, folder: Path) -> Path:
+        """A folder that files are looked for in, without links."""
+        if folder not in self._real:
+            self._real[folder] = folder.resolve()
+        return self._real[folder]
+
+    def _roots(self, module: Module) -> Iterator[Path]:
+        if module.path is not None:
+            yield module.path.parent
+        yield from self._search_path
+
+    def _load(self, found: Path, path: Path, wanted: ast.Import) -> Module | _Linking | None:
+        if path in self._modules:
+            return self._modules[path]
+        if path in self._loading:
+            pending = list(self._loading)
+            cycle = [*pending[pending.index(path) :], path]
+            self._report.add(
+                rules.IMPORT_CYCLE, wanted.span, cycle=" → ".join(step.name for step in cycle)
+            )
+            return None
+        library = self._resolved(self._library.folder)
+        if path.is_relative_to(library):
+            return self._library.module(path.relative_to(library).as_posix())
+        source = self._read(path, self._report, str(found))
+        if source is None:
+            return None
+        self._loading[path] = None
+        module = Module(self._parse(source, self._report), path, prelude=self._library.prelude)
+        return _Linking(module, self._declared(module), path, wanted)

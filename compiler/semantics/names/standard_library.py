@@ -1,0 +1,137 @@
+"""The modules of the standard library, which are the same for every compile of a process.
+
+``compiler/library.py`` makes one ``StandardLibrary`` and keeps it. Each compile's ``Loader`` takes
+the prelude and the modules that files import from ``std`` from there. This is safe, because linking
+is the only thing that changes a module, and a module of the library can name only modules of the
+library. Symbols are compared by identity, so all compiles see the same ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from threading import RLock
+from typing import Protocol
+
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Report
+from ...diagnostics.source import Source
+from ...syntax import ast
+from .declarations import declare_all
+from .imports import import_names
+from .modules import Module
+
+_PRELUDE = "prelude.burnish"
+_NOT_IMPORTED = frozenset({"prelude", "meaning", "spaces"})
+"""Library files that every file sees, or none."""
+
+
+class Parse(Protocol):
+    """Parses a file; mistakes go into the report."""
+
+    def __call__(self, source: Source, report: Report, /) -> ast.File: ...
+
+
+class Read(Protocol):
+    """Reads a file, which messages call ``name``; ``None`` after reporting why it cannot."""
+
+    def __call__(self, path: Path, report: Report, name: str = "", /) -> Source | None: ...
+
+
+class StandardLibrary:
+    """Reads and links the files of the library, each when it is first wanted."""
+
+    def __init__(self, folder: Path, parse: Parse, read: Read) -> None:
+        self.folder = folder
+        self.report = Report()
+        """What is wrong with the library itself: nothing, unless somebody is changing it."""
+        self._parse = parse
+        self._read = read
+        self._modules: dict[str, Module] = {}
+        """By path within the folder; all of them are linked."""
+        self._begun: dict[str, Module] = {}
+        """The same, and those that are being linked just now."""
+        self._stamps: dict[Path, tuple[int, int]] = {}
+        self._offers: dict[str, str] | None = None
+        self._linking = RLock()
+        prelude = self.module(_PRELUDE)
+        assert prelude is not None, "the library has no prelude"
+        self.prelude: Module = prelude
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The files that have been read."""
+        return tuple(self._stamps)
+
+    def is_current(self) -> bool:
+        """Whether the files that were read have not changed since."""
+        try:
+            return all(_stamp(path) == stamp for path, stamp in list(self._stamps.items()))
+        except OSError:
+            return False
+
+    def module(self, relative: str) -> Module | None:
+        """The module in a file of the library; ``None`` if there is no such file."""
+        known = self._modules.get(relative)
+        if known is None:
+            with self._linking:
+                known = self._linked(relative)
+                self._modules.update(self._begun)
+        return known
+
+    def offering(self, name: str) -> str:
+        """The import path of the library file that declares a name; empty if none does."""
+        if self._offers is None:
+            self._offers = dict(reversed(list(self._offered())))
+        return self._offers.get(name, "")
+
+    def import_paths(self) -> list[str]:
+        """The import paths of all library files that can be imported."""
+        stems = {path.stem for path in self.folder.glob("*.burnish")} - _NOT_IMPORTED
+        return sorted(f"std.{stem}" for stem in stems)
+
+    def _offered(self) -> Iterator[tuple[str, str]]:
+        """The names that library files declare, each with the import path of its file."""
+        for path in self.import_paths():
+            source = self._source(in_library(path.split(".")))
+            tree = None if source is None else self._parse(source, Report())
+            for declaration in () if tree is None else tree.declarations:
+                if not isinstance(declaration, ast.Import):
+                    yield declaration.name.text, path
+
+    def _linked(self, relative: str) -> Module | None:
+        """A module with all its names. Library files import each other hardly deeper than once."""
+        if relative in self._begun:
+            return self._begun[relative]
+        source = self._source(relative)
+        if source is None:
+            return None
+        prelude = self._begun.get(_PRELUDE)
+        path = self.folder / relative
+        module = Module(self._parse(source, self.report), path, prelude=prelude)
+        # Known before it is linked: the files that the prelude imports see the prelude as well.
+        self._begun[relative] = module
+        for wanted in declare_all(module, self.report):
+            found = None if wanted.quoted else self._linked(in_library(wanted.path))
+            if found is None:
+                shown = ".".join(wanted.path)
+                self.report.add(rules.MISSING_IMPORT, wanted.span, path=shown, hint="")
+            import_names(module, wanted, found, self.report)
+        return module
+
+    def _source(self, relative: str) -> Source | None:
+        path = self.folder / relative
+        if not path.is_file():
+            return None
+        self._stamps[path] = _stamp(path)
+        return self._read(path, self.report, f"std/{relative}")
+
+
+def in_library(path: Sequence[str]) -> str:
+    """The file that an import path such as ``std.tangents`` is about, inside the library."""
+    return "/".join((*path[1:-1], f"{path[-1]}.burnish"))
+
+
+def _stamp(path: Path) -> tuple[int, int]:
+    status = path.stat()
+    return status.st_mtime_ns, status.st_size

@@ -1,0 +1,185 @@
+"""Hints for syntax errors within expressions.
+
+``Advice`` asks here for a token that stands where an expression is to begin or to go on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from ..diagnostics.fixes import Hint
+from .expectations import may_begin_member
+from .foreign_choices import UNFINISHED_IF
+from .foreign_syntax import elsewhere, types
+from .forms import FOLDS
+from .loop_advice import called_fold, fold_form, range_hint
+from .token_view import TokenView
+from .tokens import RESERVED
+
+_ITERATE = "`iterate x from start up to n while condition : next` repeats"
+_VECTOR = "a vector is written `vec3(x, y, z)`, an array `[a, b]`"
+_CONVERSIONS = frozenset(("float", "int", "uint", "bool"))
+
+_FOUND: Mapping[str, str] = MappingProxyType(
+    {
+        "as": "`as` stands in parentheses: `(x as type)`",
+        "{": f"{_VECTOR}, a structure `Name(a, b)`",
+        "STRING": "quoted texts are only used in imports; a colour is written `#ff0000`",
+    }
+)
+"""Hints by the token that stands where an expression or an operator was expected."""
+
+
+_ARRAY = ("NAME", "<", "NAME", ",", "NUMBER", ">")
+_ARRAY_OF = ("NAME", "<", "NAME", ">")
+
+
+class ExpressionAdvice(TokenView):
+    """Finds hints by looking at the tokens around a mistake in an expression."""
+
+    def of_decimals(self, index: int) -> Hint:
+        """About a decimal comma."""
+        found, comma, before = (self.token(index - back) for back in range(3))
+        kinds = [found.kind, comma.kind, before.kind]
+        if kinds != ["NUMBER", ",", "NUMBER"] or found.start != before.end + 1:
+            return ""
+        number = f"{before.text}.{found.text}"
+        return self.replace(
+            f"the decimal separator is a point: `{number}`", index - 2, index, number
+        )
+
+    def of_array(self, index: int) -> Hint:
+        """About ``array<float, 3>(…)``, of which ``index`` is the length."""
+        elements = array_elements(self, index - 4)
+        if elements is None or self.token(index).kind != "NUMBER":
+            return ""
+        inside = self.written(*elements)
+        said = f"an array is written `[{self.quoted(*elements)}]`"
+        return self.replace(said, index - 4, elements[1], f"[{inside}]") if inside else said
+
+    def of_missing_mark(self, index: int) -> str:
+        """About a value directly after another one."""
+        found = self.token(index)
+        if self.is_cast(index) or elsewhere(found.text) or found.text in ("as", "while"):
+            return ""
+        return f"a comma or an operator is missing before `{found.text}`"
+
+    def at(self, index: int, expected: set[str], member: str) -> Hint:
+        """The hint for the token at ``index``, in a member that begins with the word ``member``.
+
+        About what stands where an expression is to begin or to go on.
+        """
+        found, previous = self.token(index), self.token(index - 1)
+        if expected & {"then", "else"} and not may_begin_member(expected):
+            return UNFINISHED_IF
+        if expected == {"NAME"}:
+            return self._of_missing_name(index, member)
+        if ".." in expected:
+            return range_hint(self, index)
+        if found.kind == "..":
+            return "`..` is used in folds, `sum i in a..b : e`, and in the range of a parameter"
+        if hint := self._of_loop(index, expected) or self._of_argument(index, expected):
+            return hint
+        if found.kind == "]" and previous.kind == "[":
+            return "write the length: `float[4]`"
+        if found.kind == "," and "as" in expected:
+            return _VECTOR
+        if self.is_cast(index):
+            return self._of_cast(index)
+        if found.kind in RESERVED and found.kind not in ("true", "false"):
+            return self._of_reserved(index, expected)
+        return self._of_operand(index, expected)
+
+    def _of_loop(self, index: int, expected: set[str]) -> str:
+        """About the parts of a fold or an iteration."""
+        found, previous = self.token(index), self.token(index - 1)
+        if previous.text == "iterate" or "while" in (previous.text, found.text):
+            return _ITERATE
+        if found.kind == "NAME" and previous.text in FOLDS:
+            return fold_form(previous.text)
+        if ":" in expected and "from" in expected and found.kind == "{":
+            return f"the body of a loop follows a colon: {fold_form('sum')}"
+        return ""
+
+    def _of_argument(self, index: int, expected: set[str]) -> str:
+        """About arguments that are given by name."""
+        found = self.token(index)
+        if found.kind == "=" and expected & {")", "+"}:
+            return "arguments are given by position, without names and without defaults"
+        if found.kind == ":" and "," in expected and ")" in expected:
+            return "arguments are given by position, without names"
+        return ""
+
+    def _of_cast(self, index: int) -> Hint:
+        """About ``(float)x``, which can be rewritten where the operand is one token."""
+        name = self.text(index - 2)
+        type_, operand = types().get(name, name), self.token(index)
+        said = f"a conversion is a call: `{type_}(x)`"
+        if operand.kind == "(" or self.token(index + 1).kind in (".", "(", "["):
+            return said
+        return self.replace(said, index - 3, index, f"{type_}({operand.text})")
+
+    def _of_as(self, index: int) -> Hint:
+        """About ``x as float``, likewise."""
+        type_, operand = types()[self.text(index + 1)], self.token(index - 1)
+        said = f"a conversion is a call: `{type_}(x)`"
+        if operand.kind not in ("NAME", "NUMBER") or self.token(index - 2).kind == ".":
+            return said
+        return self.replace(said, index - 1, index + 1, f"{type_}({operand.text})")
+
+    def _of_operand(self, index: int, expected: set[str]) -> Hint:
+        """About a token that no expression has in its place, by what it is."""
+        found, previous, following = (self.token(index + step) for step in (0, -1, 1))
+        if found.kind == "STRING" and found.text.startswith('"#'):
+            color = found.text[1:-1]
+            said = f"a colour is written without quotes: `{color}`"
+            return self.replace(said, index, index, color)
+        if found.text == "as" and types().get(following.text) in _CONVERSIONS:
+            return self._of_as(index)
+        if found.kind == "{" and previous.kind == "NAME" and "+" in expected:
+            return f"a structure is made by a call: `{previous.text}(a, b)`"
+        if found.kind in _FOUND and ({"NUMBER", "NAME"} <= expected or "+" in expected):
+            return _FOUND[found.kind]
+        if found.text == "as":
+            return _FOUND["as"]
+        return elsewhere(found.text) if found.kind == "NAME" and "+" in expected else ""
+
+    def _of_missing_name(self, index: int, member: str) -> Hint:
+        """About what stands where only a name can: a type, a space, what a texture is at first."""
+        found, previous, before = (self.token(index - back) for back in range(3))
+        if found.kind == "STRING" and member == "map":
+            return "the host binds the picture; the default is a colour such as `white` or `black`"
+        if previous.text == "in" and member != "param":
+            return called_fold(self, index) or (
+                "`in` needs the name of a space, as in `x in world`; a fold is `sum i in a..b : e`"
+            )
+        is_value = found.kind in ("COLOR", "NUMBER", "(", "-", "[", "true", "false")
+        if is_value and previous.kind == ":" and before.text == member:
+            said = f"a value follows `=`: `{before.text} = …`"
+            return self.replace(said, index - 1, index - 1, "=")
+        return ""
+
+    def _of_reserved(self, index: int, expected: set[str]) -> str:
+        """About a reserved word where a value begins or goes on."""
+        found = self.token(index)
+        if found.kind == "mod" and self.token(index + 1).kind == "(":
+            return "`mod` stands between its operands: `x mod y`"
+        if found.kind == "if" and "+" in expected:
+            return "the condition comes first: `if condition then a else b`"
+        return f"`{found.text}` is a reserved word" if "NUMBER" in expected else ""
+
+
+def array_elements(view: TokenView, first: int) -> tuple[int, int] | None:
+    """The first element of an array as in other languages, and the bracket behind the last one.
+
+    That is ``{1, 2}``, ``float[](1, 2)``, ``float[2](1, 2)`` or ``array<f32, 2>(1, 2)``.
+    """
+    kinds = view.kinds(first, 7)
+    heads = ((), ("NAME", "[", "]"), ("NAME", "[", "NUMBER", "]"), _ARRAY, _ARRAY_OF)
+    for head in heads:
+        opening = first + len(head)
+        brackets = "(" if head else "{"
+        if tuple(kinds[: len(head)]) == head and view.token(opening).kind == brackets:
+            return opening + 1, view.closing(opening)
+    return None

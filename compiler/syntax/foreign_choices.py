@@ -1,0 +1,109 @@
+"""Choices as other languages write them: ``if`` statements and ``c ? a : b``."""
+
+from __future__ import annotations
+
+from ..diagnostics.fixes import Hint, fix_it
+from ..diagnostics.source import Span
+from .token_view import TokenView
+
+STATEMENTS = frozenset(("if", "else", "then"))
+"""Reserved words with which other languages begin statements."""
+
+_CHOICE = "there are no statements: choose a value by `name = if condition then a else b`"
+UNFINISHED_IF = "every `if` needs both branches: `if condition then a else b`"
+_PATTERN = "a choice is written `if condition then a else b`"
+_OPENING, _CLOSING = "([{", ")]}"
+_FAR = 200
+"""How many characters around a `?` are looked at: the work must not grow with the file."""
+
+
+def statement_hint(view: TokenView, index: int) -> Hint:
+    """About an ``if``, ``else`` or ``then`` at ``index`` that begins a statement."""
+    if view.text(index) == "then":
+        return UNFINISHED_IF
+    if view.token(index + 1).kind != "(":
+        return _CHOICE
+    closing = view.closing(index + 1)
+    condition = view.written(index + 2, closing)
+    if not condition:
+        return _CHOICE
+    body = closing + 1
+    in_braces = view.token(body).kind == "{"
+    if view.text(body + in_braces) == "discard":
+        return f"a pass discards pixels by `discard when {condition}`"
+    name, then, behind = _assignment(view, body)
+    if not name or view.text(behind) != "else":
+        return _CHOICE
+    other, otherwise, end = _assignment(view, behind + 1)
+    if name != other:
+        return _CHOICE
+    written = f"{name} = if {condition} then {then} else {otherwise}"
+    return view.replace(f"there are no statements: write `{written}`", index, end - 1, written)
+
+
+def _assignment(view: TokenView, first: int) -> tuple[str, str, int]:
+    """The name and the value that a branch assigns, and the token behind it; or empty texts."""
+    in_braces = view.token(first).kind == "{"
+    name = first + in_braces
+    if view.kinds(name, 2) != ["NAME", "="]:
+        return "", "", first
+    end = view.value_end(name + 2)
+    value = view.written(name + 2, end)
+    end += view.token(end).kind == ";"
+    if in_braces:
+        if view.token(end).kind != "}":
+            return "", "", first
+        end += 1
+    return (view.text(name), value, end) if value else ("", "", first)
+
+
+def ternary_hint(span: Span) -> Hint:
+    """About the ``?`` at ``span``, by the text of its line: the lexer knows no more yet."""
+    text = span.source.text
+    colon = _forward(text, span.end, ":")
+    if colon < 0:
+        return _PATTERN
+    start, end = _backward(text, span.start), _forward(text, colon + 1, "")
+    condition, then, otherwise = (
+        Span(span.source, *_stripped(text, *part))
+        for part in ((start, span.start), (span.end, colon), (colon + 1, end))
+    )
+    parts = [part.text for part in (condition, then, otherwise)]
+    if not all(parts) or any("?" in part for part in parts):
+        return _PATTERN
+    written = f"if {parts[0]} then {parts[1]} else {parts[2]}"
+    return fix_it(f"write `{written}`", (condition.to(otherwise), written))
+
+
+def _forward(text: str, start: int, wanted: str) -> int:
+    """Where an expression from ``start`` on ends; -1 if it has to end with ``wanted`` and does not.
+
+    It ends with its line, in front of a separator, a comment, or a bracket that it did not open.
+    """
+    depth, limit = 0, min(len(text), start + _FAR)
+    for index in range(start, limit):
+        character = text[index]
+        depth += (character in _OPENING) - (character in _CLOSING)
+        if depth == 0 and character == wanted:
+            return index
+        if depth < 0 or (depth == 0 and (character in ",;\n" or text.startswith("//", index))):
+            return -1 if wanted else index
+    return -1 if wanted else limit
+
+
+def _backward(text: str, end: int) -> int:
+    """Where an expression begins that goes on at ``end``."""
+    depth = 0
+    for index in range(end - 1, max(end - _FAR, 0) - 1, -1):
+        character = text[index]
+        depth += (character in _CLOSING) - (character in _OPENING)
+        assigns = character == "=" and not {text[index - 1], text[index + 1]} & set("=!<>")
+        if depth < 0 or (depth == 0 and (assigns or character in ",;\n")):
+            return index + 1
+    return max(end - _FAR, 0)
+
+
+def _stripped(text: str, start: int, end: int) -> tuple[int, int]:
+    """The same place without the blanks at its ends."""
+    part = text[start:end]
+    return start + len(part) - len(part.lstrip()), start + len(part.rstrip())

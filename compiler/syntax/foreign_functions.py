@@ -1,0 +1,132 @@
+"""Functions as other languages write them, and how Burnish writes them.
+
+``advice.py`` asks here where a function's head has the type in front, or its body stands in braces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from ..diagnostics.fixes import Hint, fix_it
+from .foreign_syntax import QUALIFIERS, types
+from .forms import DECLARATIONS
+from .quoting import shortened
+from .token_view import TokenView
+
+ENTRY_POINT = (
+    "entry points are not written: `material Name { color = … }` says what a surface looks like, "
+    "and each target's shaders follow from it"
+)
+
+
+_NO_RESULT = frozenset(("fn", "void", "def", "func", "function"))
+"""Words before a function's name that are no type."""
+
+
+class _Part(NamedTuple):
+    """A name that a function's body gives to a value: ``let y = x * x``."""
+
+    name: str
+    value: str
+
+
+def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
+    """What to write instead of the function whose name stands at ``name``.
+
+    Only ``outside`` of materials may functions be declared, so only there an edit is offered.
+    """
+    if view.text(name) == "main":
+        return ENTRY_POINT
+    if view.token(name + 1).kind != "(":
+        return DECLARATIONS["fn"]
+    head, opening = _head(view, name)
+    body = _body(view, opening) if view.token(opening).kind == "{" else ""
+    shown = f"`{head} = {shortened(body) or '…'}`"
+    if not outside:
+        return f"a function stands outside of all materials: {shown}"
+    said = f"a function is one expression: {shown}"
+    if "…" in head or not body:
+        return said
+    first = name
+    while view.token(first - 1).kind == "NAME" and not view.outline.begins_line(first):
+        first -= 1
+    return fix_it(said, (view.span(first, view.closing(opening)), f"{head} = {body}"))
+
+
+def _head(view: TokenView, name: int) -> tuple[str, int]:
+    """The head of the function, with ``…`` for arguments that cannot be, and what follows it."""
+    closing = view.closing(name + 1)
+    arguments = _arguments(view, name + 2, closing)
+    listed = "…" if arguments is None else ", ".join(arguments)
+    result = "" if view.text(name - 1) in _NO_RESULT else _type(view.text(name - 1))
+    behind = closing + 1
+    if view.token(behind).kind == "->":
+        result = _type(view.text(behind + 1))
+        behind += 2
+    behind += view.token(behind).kind == "="
+    head = f"fn {view.text(name)}({listed})"
+    return (f"{head} -> {result}" if result else head), behind
+
+
+def _type(word: str) -> str:
+    return types().get(word, word)
+
+
+def _arguments(view: TokenView, first: int, closing: int) -> list[str] | None:
+    """The arguments between parentheses, each as ``name: type``; None if one is something else."""
+    found: list[str] = []
+    words: list[str] = []
+    for index in range(first, closing + 1):
+        kind = view.token(index).kind
+        if index == closing or kind == ",":
+            names = [word for word in words if word not in QUALIFIERS]
+            if ":" in names and len(names) == 3:
+                found.append(f"{names[0]}: {_type(names[2])}")
+            elif len(names) == 2 and ":" not in names:
+                found.append(f"{names[1]}: {_type(names[0])}")
+            elif names or kind == ",":
+                return None
+            if {"out", "inout"} & set(words):
+                return None
+            words = []
+        elif kind in ("NAME", ":"):
+            words.append(view.text(index))
+        else:
+            return None
+    return found
+
+
+def _body(view: TokenView, opening: int) -> str:
+    """What a body in braces returns, with names for its parts behind ``where``.
+
+    Empty where it has statements that no expression can stand for.
+    """
+    parts: list[_Part] = []
+    first, closing = opening + 1, view.closing(opening)
+    while first < closing:
+        end = next((i for i in range(first, closing) if view.token(i).kind == ";"), closing)
+        value = first + (view.text(first) == "return")
+        if value > first or end == closing:
+            is_last = all(kind == ";" for kind in view.kinds(end, closing - end))
+            return _with_parts(view.written(value, end), parts) if is_last else ""
+        equals = next((i for i in range(first, end) if view.token(i).kind == "="), first)
+        part = _Part(_declared(view, first, equals), view.written(equals + 1, end))
+        if not all(part) or part.name in [other.name for other in parts]:
+            return ""
+        parts.append(part)
+        first = end + 1
+    return ""
+
+
+def _declared(view: TokenView, first: int, equals: int) -> str:
+    """The name that a statement such as ``const float y = …`` declares; empty if it is another."""
+    words = [token.text for token in view.tokens[first:equals]]
+    if ":" in words:
+        words = words[: words.index(":")]
+    return words[-1] if len(words) > 1 and all(map(str.isidentifier, words)) else ""
+
+
+def _with_parts(value: str, parts: Sequence[_Part]) -> str:
+    named = "; ".join(f"{part.name} = {part.value}" for part in parts)
+    return f"{value} where {{ {named} }}" if value and parts else value

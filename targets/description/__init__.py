@@ -1,0 +1,1 @@
+"""What is said about each language and its profiles: rows that ``legalise`` and ``emit`` read."""

@@ -1,0 +1,124 @@
+"""What one dialect of a language has, lacks and is limited to: the record ``Profile``.
+
+``targets/<name>/language.py`` makes one for each dialect. ``legalise`` reads most of the rows;
+``emit`` and the reflection read the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from ...compiler.ir.stages import RASTERISED, Chain
+from ...frozen import EMPTY, frozen
+from ...stdlib.builtins.row import Domain
+from .spellings import PipelineInput, Spellings
+
+Numbering = Literal["set", "kind"]
+"""The bindings of a set, whatever is bound; or, where there are no sets, those of one kind."""
+
+GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
+"""Bind group of each parameter group: WebGPU guarantees four."""
+
+
+@frozen
+class Lack:
+    """Something that a profile has not got."""
+
+    feature: str
+    """Behind "… has no"."""
+    instead: str
+    """What a user can do."""
+
+
+@frozen(kw_only=True)
+class Samplers:
+    """How textures and their samplers belong together."""
+
+    combined: bool = False
+    """A texture and its sampler are one object with one binding."""
+    joined: str = ""
+    """Replaces ``Forms.texture``."""
+    precision: str = ""
+    """The line that opens a file for each ``{type}`` of combined samplers in it."""
+
+
+@frozen(kw_only=True)
+class Framebuffer:
+    """Where clip space and the rows of a picture point, and what has to be turned over for that."""
+
+    clip_depth: Literal["0..1", "-1..1"] = "0..1"
+    """Depth range of clip space; Burnish's own is 0..1."""
+    clip_y_down: bool = False
+    """The API's own clip y points down: a host turns the viewport over for a program that was not
+    emitted flipped, and only for that, so that either comes out the right way round."""
+    rows_up: bool = False
+    """The first row is the bottom one, unless the program was emitted flipped."""
+    inputs: Mapping[str, PipelineInput] = EMPTY
+    """How the pipeline's values are read while rows count upwards."""
+    natives: Spellings = EMPTY
+    """Spellings of natives while rows count upwards."""
+
+
+@frozen
+class Limits:
+    """What every device of a profile has at least."""
+
+    varyings: int = 16
+    """Vectors that cross between the stages."""
+    attributes: int = 16
+    """Locations of vertex inputs."""
+    textures: int = 16
+    """Textures with their samplers that one stage reads."""
+    block_bytes: int = 16384
+    """Bytes of one uniform block."""
+    render_targets: int = 8
+    """Render targets that a pass writes."""
+    groups: int | None = None
+    """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
+    bindings: int | None = None
+    """Numbers of bindings in a group; likewise."""
+
+
+@frozen(eq=False, kw_only=True)
+class Profile:
+    """One dialect of a language: what an API or a version of it takes."""
+
+    name: str
+    doc: str
+    preamble: tuple[str, ...] = ()
+    """Lines that open each file: version, extensions, default precisions."""
+    requires: Mapping[str, str] = EMPTY
+    """By native, the line that opens a file in which it is used."""
+    stages: Chain = RASTERISED
+    """Those that it has, in any order."""
+    single_file: bool = False
+    """All stages can stand in one text."""
+    samplers: Samplers = Samplers()
+    framebuffer: Framebuffer = Framebuffer()
+    limits: Limits = Limits()
+    varyings_by_name: bool = False
+    """Stages are matched by the names of varyings instead of their locations."""
+    explicit_bindings: bool = True
+    """The text states set and binding; otherwise the host assigns them by name."""
+    numbering: Numbering = "set"
+    """Within what no two blocks, textures and samplers have the same binding."""
+    sets: Mapping[str, int] = GROUP_SETS
+    default_set: int = 2
+    """Where a user's own groups go."""
+    natives: Spellings = EMPTY
+    """Spellings that only this profile has."""
+    inputs: Mapping[str, PipelineInput] = EMPTY
+    """Inputs that this profile has otherwise than its language."""
+    lacks: frozenset[str] = frozenset()
+    """Builtins that the dialect has no word for: each becomes a function of the text, made from
+    the builtin's ``definition``."""
+    agrees: Mapping[str, Domain] = EMPTY
+    """By builtin, the operands for which the dialect's own operation has Burnish's meaning, where
+    these are others than the builtin's ``domain``. They are more if the language defines what
+    others leave open; then it needs fewer guards. They are fewer if it has the operation for some
+    types only, or a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
+    cannot: Mapping[str, Lack] = EMPTY
+    """Natives that the profile has not got, nor an exact replacement for."""
+    checkers: tuple[str, ...] = ()
+    """Checkers of ``targets.toolchain`` that have to accept the text."""

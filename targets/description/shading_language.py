@@ -1,0 +1,105 @@
+"""What a shading language says about itself: the record ``Language``.
+
+To add a language, make a folder beside the others in ``targets`` with a ``language.py`` that
+defines ``LANGUAGE``, a ``reserved.txt`` and the skeleton named by ``Language.skeleton``. Nothing
+else has to change, since the registry finds the folder. What has a default here is C-like.
+``forms.py`` explains the templates for single statements and expressions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Literal
+
+from ...compiler.ir.stages import STAGES
+from ...compiler.ir.types import Dimension
+from ...frozen import EMPTY, frozen
+from .forms import Forms
+from .profile import Profile
+from .reserved import Reserved
+from .spellings import Literals, PipelineInput, Spellings, TextureNames, TypeNames
+
+STAGE_STRUCTS = tuple(
+    f"{name.capitalize()}{side}" for name in STAGES for side in ("Input", "Output")
+)
+"""What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
+
+FieldRole = Literal["attribute", "varying", "render target"]
+"""Vertex input, value between the stages, or render target."""
+
+BindingKind = Literal["block", "texture", "sampler"]
+"""What a host binds; a texture and a sampler in one are a texture."""
+
+
+def no_semantic(_role: FieldRole, _name: str, _location: int) -> str:
+    """For languages in which locations or names say everything."""
+    return ""
+
+
+@frozen(eq=False, kw_only=True)
+class Language:
+    """One shading language."""
+
+    name: str
+    title: str
+    """The language's name in prose."""
+    skeleton: Path
+    """The Jinja2 template of a whole text."""
+    extension: str
+    types: TypeNames
+    textures: TextureNames
+    profiles: tuple[Profile, ...]
+    """The first is the default."""
+    unproven: str = ""
+    """Why nobody should rely on its texts yet: "never compiled by …". Such a language is not among
+    those that a material is compiled for when none is named, and is listed with this."""
+    entry_point: str = "main"
+    """What a text of one stage calls its entry point; ``{entry}`` is what it is called where
+    several stages stand in one text."""
+    reserved: Callable[[], Reserved]
+    """Loads the words that cannot be names; called on first use."""
+    literals: Literals = Literals()
+    forms: Forms = Forms()
+    natives: Spellings = EMPTY
+    helpers: Mapping[str, Mapping[Dimension, str]] = EMPTY
+    """Functions that natives call where the language has only statements; ``{texture}`` is the
+    type of the texture that each takes."""
+    splats: frozenset[str] = frozenset()
+    """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
+    inputs: Mapping[str, PipelineInput] = EMPTY
+    """How the inputs of the stages that its profiles have are spelled."""
+    semantic: Callable[[FieldRole, str, int], str] = no_semantic
+    """What marks a field in the text, from its role, name and location."""
+    registers: Mapping[BindingKind, str] = EMPTY
+    """What the language calls a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
+    them."""
+    resource_arguments: bool = False
+    """Blocks, textures and samplers are no global variables: an entry point gets them as arguments,
+    and hands each function those that it reads."""
+    global_members: bool = True
+    """Members of blocks are names of the whole file, so they must differ from all others."""
+    global_fields: bool = False
+    """Inputs and outputs are global variables and not members of structs."""
+    varying_prefix: str = ""
+    """Keeps global varyings and locals apart, which tend to have the same name."""
+    output_prefix: str = ""
+    """The same for render targets."""
+    fixed_names: tuple[str, ...] = ()
+    """Names that the skeleton uses itself."""
+    line_directive: str = ""
+    """Says which line of which file the next one is, by ``{line}`` and the file's ``{name}`` or
+    ``{number}``; empty where the language has no such thing."""
+
+    def register(self, kind: BindingKind, binding: int) -> str:
+        """A binding in the language's own words; empty where it has none."""
+        return self.registers.get(kind, "").format(binding=binding)
+
+    def profile(self, name: str = "") -> Profile:
+        """The profile called ``name``, or the default; ``KeyError`` if there is none."""
+        if not name:
+            return self.profiles[0]
+        for profile in self.profiles:
+            if profile.name == name:
+                return profile
+        raise KeyError(name)

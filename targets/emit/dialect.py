@@ -1,0 +1,42 @@
+"""What the printers know about one profile, whatever they print.
+
+``context.py`` asks for the ``Dialect`` of a profile. It is made for the first program that is
+printed in the profile, and used for all others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+
+from ..description.profile import Profile
+from ..description.shading_language import Language
+from ..description.spellings import PipelineInput, Spellings
+from .precedence import Writer
+from .spelling import TypeTexts
+
+
+class Dialect:
+    """The rows of a language under one of its profiles."""
+
+    def __init__(self, language: Language, profile: Profile, rows_up: bool) -> None:
+        framebuffer = profile.framebuffer
+        self.natives: Spellings = {
+            **language.natives, **profile.natives, **(framebuffer.natives if rows_up else {})
+        }  # fmt: skip
+        """Spellings of builtins under the profile."""
+        self.inputs: Mapping[str, PipelineInput] = {
+            **language.inputs, **profile.inputs, **(framebuffer.inputs if rows_up else {})
+        }  # fmt: skip
+        """How the pipeline's values are read under the profile."""
+        self.writers: dict[str, Writer] = {}
+        """For builtins that are written in the same way whatever their operands are, what does it.
+        ``natives.py`` puts those in that it has come across."""
+        self.types = TypeTexts({}, {}, {})
+        """How scalars, vectors and matrices are written, likewise."""
+
+
+@lru_cache(maxsize=64)
+def dialect(language: Language, profile: Profile, rows_up: bool) -> Dialect:
+    """The dialect of a profile; ``rows_up`` if the rows of its pictures count upwards."""
+    return Dialect(language, profile, rows_up)
