@@ -147,12 +147,17 @@ class Notes:
         return Notes(*map(dict, self._tables))
 
     def take_over(self, others: Notes, ids: Mapping[int, int]) -> None:
-        """Keep what ``others`` says of nodes that have other ids here; what was noted first counts,
-        where several of them are one."""
+        """Keep what ``others`` says of nodes that have other ids here.
+
+        Where several of them are one, what was noted first counts, and the place that comes first.
+        """
         for table, other in zip(self._tables, others._tables, strict=True):
             for id_, noted in other.items():
                 if id_ in ids:
                     table.setdefault(ids[id_], noted)
+        for id_, span in others.spans.items():
+            if id_ in ids and span.is_before(self.spans[ids[id_]]):
+                self.spans[ids[id_]] = span
 
     def forget_function(self, node: Node) -> None:
         """A value that a body gives where it is written out is no body itself."""
