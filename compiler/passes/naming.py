@@ -13,6 +13,7 @@ from ..ir.leaves import Attribute, Parameter, Resource
 from ..ir.node import Formal, Node
 from ..ir.operations import OPERATIONS, builtin_of
 from ..ir.shader import Notes
+from ..ir.types import scalar_kind
 
 NOUNS = {
     "add": "sum", "sub": "difference", "mul": "product", "div": "quotient", "mod": "remainder",
@@ -75,8 +76,11 @@ class Naming:
         builtin = builtin_of(node)
         if builtin is None:
             return OPERATIONS[node.op].noun or node.op
-        if builtin == "dot" and node.operands[0] is node.operands[1]:
-            return "length_squared"
+        if builtin == "dot":
+            if node.operands[0] is node.operands[1]:
+                return "length_squared"
+            if scalar_kind(node.type) != "float":
+                return "inner_product"  # a direction has no integers
         return NOUNS.get(builtin, builtin)
 
     def _short(self, node: Node) -> str | None:

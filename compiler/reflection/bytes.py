@@ -2,23 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
-from ..ir.program import Block, Program
+from ..ir.program import Block, Program, StageName
 from ..ir.storage import byte_size
 from ..ir.types import Struct
 from ..packing import Packing
 
 
-def block_row(block: Block, program: Program) -> dict[str, Any]:
-    """A block as it lies in memory, padding included."""
+def block_rows(program: Program) -> Iterator[dict[str, Any]]:
+    """The blocks of a program as they lie in memory, padding included."""
+    read = {stage.name: {block.name for block in stage.blocks} for stage in program.stages}
+    for block in program.blocks:
+        stages = [stage for stage, names in read.items() if block.name in names]
+        yield _block_row(block, stages)
+
+
+def _block_row(block: Block, stages: list[StageName]) -> dict[str, Any]:
     return {
         "name": block.name,
         "group": block.group,
         "derived": block.derived,
         "extern": block.host is not None,
         "size": block.size,
-        "stages": [stage.name for stage in program.stages if block in stage.blocks],
+        "stages": stages,
         "members": [
             {
                 "name": member.name,

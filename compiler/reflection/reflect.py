@@ -11,10 +11,10 @@ from ..ir.node import Node
 from ..ir.program import Program
 from ..ir.shader import AttributeInfo, Shader
 from ..ir.stages import TARGET
-from .bytes import block_row
+from .bytes import block_rows
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint
-from .textures import sampler_rows, texture_row
+from .textures import TextureRows
 
 FORMAT = 1
 """Grows when a host that reads the document has to change."""
@@ -42,6 +42,7 @@ def reflect(
     infos = shader.parameters
     names = frozenset(info.parameter.name for info in infos)
     places = Places(program.blocks)
+    textures = TextureRows(shader.resources, program)
     return {
         "format": FORMAT,
         "material": shader.name,
@@ -49,12 +50,12 @@ def reflect(
         "rig": shader.rig_name,
         "doc": shader.doc,
         "conventions": dict(CONVENTIONS),
-        "blocks": [block_row(block, program) for block in program.blocks],
+        "blocks": list(block_rows(program)),
         "parameters": [parameter_row(info, names, places) for info in infos],
         "derived": derived_rows(places, derived or {}),
         "lights": light_rows(infos),
-        "textures": [texture_row(info, program) for info in shader.resources],
-        "samplers": sampler_rows(shader.resources, program),
+        "textures": textures.textures(),
+        "samplers": textures.samplers(),
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": list(_varying_rows(program)),

@@ -10,6 +10,7 @@ from ...compiler.ir.types import ScalarKind
 from ..description.spellings import Literals
 
 _LOWEST = -(2**31)
+_SMALLEST_NORMAL = 2.0**-126
 
 
 def literal(value: float, kind: ScalarKind, style: Literals) -> str:
@@ -30,11 +31,14 @@ def decimal(value: float) -> str:
     return _shortest(value, math.copysign(1.0, value))
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=8192)
 def _shortest(value: float, _sign: float) -> str:
     single = _rounded(value)
+    # What has six digits or fewer survives being a float32, unless it is tiny: then it is found as
+    # the one with six digits.
+    counts = range(6 if abs(single) >= _SMALLEST_NORMAL else 1, 10)
     digits = next(
-        text for count in range(1, 10) if _rounded(float(text := f"{single:.{count}g}")) == single
+        text for count in counts if _rounded(float(text := f"{single:.{count}g}")) == single
     )
     mantissa, _, exponent = f"{float(digits)!r}".partition("e")
     if exponent:

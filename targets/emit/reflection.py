@@ -30,6 +30,7 @@ def backend_table(
 ) -> BackendTable:
     """What a host has to know about an emission; ``files`` are file names by stage or ``both``."""
     names, bindings = emission.names, emission.bindings
+    sampled = program.sampled
     turned = flip_y and not profile.framebuffer.clip_y_down
     return BackendTable(
         language=language.name,
@@ -60,7 +61,7 @@ def backend_table(
                 names.samplers[item.name], bindings.samplers[item.name], "sampler",
             )
             for item in program.resources
-            if item in program.sampled
+            if item in sampled
         },
         vertex_inputs={
             field.name: VertexInputName(

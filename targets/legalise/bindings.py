@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from itertools import count
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Program
@@ -43,6 +43,7 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     blocks: dict[str, BindingSlot] = {}
     textures: dict[str, BindingSlot] = {}
     samplers: dict[str, BindingSlot] = {}
+    sampled = program.sampled
     hosts = {block.name: block.host for block in program.blocks if block.host is not None}
     if profile.numbering == "kind":
         slots: _Slots = _SlotsByKind()
@@ -50,17 +51,15 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     else:
         blocks = {name: BindingSlot(place.group, place.binding) for name, place in hosts.items()}
         slots = _SlotsBySet(frozenset(blocks.values()))
-    for group in _groups(program):
+    for group, owned in _by_group(program).items():
         set_ = profile.sets.get(group, profile.default_set)
-        for block in _blocks_of(program, group):
+        for block in sorted(owned.blocks, key=lambda block: block.derived):
             blocks[block.name] = slots.free("block", set_)
-        for resource in program.resources:
-            if resource.group == group:
-                texture = slots.free("texture", set_)
-                textures[resource.name] = texture
-                if resource in program.sampled:
-                    combined = profile.samplers.combined
-                    samplers[resource.name] = texture if combined else slots.free("sampler", set_)
+        for resource in owned.resources:
+            texture = textures[resource.name] = slots.free("texture", set_)
+            if resource in sampled:
+                combined = profile.samplers.combined
+                samplers[resource.name] = texture if combined else slots.free("sampler", set_)
     return Bindings(blocks, textures, samplers)
 
 
@@ -94,12 +93,20 @@ class _SlotsByKind:
         return BindingSlot(0, next(self._numbers[kind]))
 
 
-def _groups(program: Program) -> list[str]:
-    owners: list[Block | Resource] = [*program.blocks, *program.resources]
-    return list(dict.fromkeys(owner.group for owner in owners))
+class _Owned(NamedTuple):
+    """What belongs to one group, but for the blocks that the host owns."""
+
+    blocks: list[Block]
+    resources: list[Resource]
 
 
-def _blocks_of(program: Program, group: str) -> list[Block]:
-    """The group's plain block, then the derived one; not the host's own."""
-    found = [block for block in program.blocks if block.group == group and block.host is None]
-    return sorted(found, key=lambda block: block.derived)
+def _by_group(program: Program) -> dict[str, _Owned]:
+    """What there is to number, by group, in the order in which the program has them."""
+    found: defaultdict[str, _Owned] = defaultdict(lambda: _Owned([], []))
+    for block in program.blocks:
+        owned = found[block.group].blocks
+        if block.host is None:
+            owned.append(block)
+    for resource in program.resources:
+        found[resource.group].resources.append(resource)
+    return found

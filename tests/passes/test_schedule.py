@@ -151,3 +151,17 @@ def test_a_loop_takes_parts_of_what_is_computed_before_it() -> None:
     top = region("bent = sin(uv)  color = vec3(sum i in 0..9 : sin(float(i) * uv.x) * bent.y)")
     assert named(top, "bent").node in bound(top)
     assert not only(top, Loop).body.statements
+
+
+@pytest.mark.parametrize(
+    ("whole", "part", "name"),
+    [
+        ("x * x", "dot(v, uv * 7.0)", "color_cosine"),
+        ("float(x * x)", "dot(ivec2(uv * 3.0), ivec2(uv * 7.0))", "color_inner_product"),
+    ],
+)
+def test_products_are_called_after_what_they_can_be(whole: str, part: str, name: str) -> None:
+    """A cosine is one of directions, which have no integers as lanes."""
+    made = whole.replace("x", part)
+    top = region(f"v = uv + 1.0  color = vec3({made} + uv.x)")
+    assert name in {each.name for each in top.statements if isinstance(each, Let)}

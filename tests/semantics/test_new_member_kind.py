@@ -5,27 +5,20 @@ The test changes a copy of the package as ``docs/architecture.md`` says it, and 
 
 from __future__ import annotations
 
-import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-import burnish
+from .changed_package import CHECK, GRAMMAR, MEMBERS, changed_package, run
 
-ROOT = Path(burnish.__file__).parent
-
-GRAMMAR = "compiler/syntax/burnish.lark"
-TABLE = "compiler/syntax/ast/members.py"
 CONTRIBUTES = "compiler/semantics/declarations/parameters.py"
 
 CHANGES = (
     (GRAMMAR, "_member: param |", "_member: knob | param |"),
     (GRAMMAR, "\nsetting: name", '\nknob: "knob" name "=" expression\nsetting: name'),
-    (TABLE, "Member = Param |", "Member = Knob | Param |"),
+    (MEMBERS, "Member = Param |", "Member = Knob | Param |"),
     (
-        TABLE,
+        MEMBERS,
         "\nMember =",
         '''
 @frozen(eq=False)
@@ -46,7 +39,7 @@ def _knob(span: Span, doc: str, name: Name, value: Expression) -> Knob:
 Member =''',
     ),
     (
-        TABLE,
+        MEMBERS,
         "\nKINDS: tuple[MemberKind, ...] = (",
         """
 KINDS: tuple[MemberKind, ...] = (
@@ -105,45 +98,15 @@ for made in burnish.compile({PROGRAM!r}, targets=("wgsl",)).materials:
     print(made.name, shown)
 """
 
-CHECK = """
-import sys
-import burnish
-from burnish.compiler.diagnostics.render import render
-(found,) = burnish.check(sys.argv[1])
-print(render(found))
-"""
-
 
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder with a copy of the package that has knobs."""
-    folder = tmp_path_factory.mktemp("knobs")
-    copy = folder / "burnish"
-    copy.mkdir()
-    for name in ("compiler", "stdlib", "targets"):
-        ignored = shutil.ignore_patterns("__pycache__")
-        shutil.copytree(ROOT / name, copy / name, ignore=ignored)
-    for path in ROOT.glob("*.py"):
-        shutil.copy(path, copy)
-    for name, before, after in CHANGES:
-        text = (copy / name).read_text("utf-8")
-        assert before in text, (name, before)
-        (copy / name).write_text(text.replace(before, after, 1), "utf-8")
-    return folder
-
-
-def run(package: Path, script: str, *arguments: str) -> str:
-    """What a script prints that imports the changed package."""
-    command = [sys.executable, "-c", script, *arguments]
-    done = subprocess.run(
-        command, cwd=package, capture_output=True, text=True, check=False, timeout=120
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+    return changed_package(tmp_path_factory.mktemp("knobs"), CHANGES)
 
 
 def test_three_files_are_changed() -> None:
-    assert {name for name, _, _ in CHANGES} == {GRAMMAR, TABLE, CONTRIBUTES}
+    assert {name for name, _, _ in CHANGES} == {GRAMMAR, MEMBERS, CONTRIBUTES}
 
 
 def test_it_is_a_parameter_that_can_be_overridden(package: Path) -> None:

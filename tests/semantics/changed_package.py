@@ -1,0 +1,57 @@
+"""Copies of the package with changes, for tests of what adding something to Burnish takes.
+
+A test makes a copy in a folder of its own, and runs scripts there that import it.
+"""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+import burnish
+
+ROOT = Path(burnish.__file__).parent
+
+GRAMMAR = "compiler/syntax/burnish.lark"
+MEMBERS = "compiler/syntax/ast/members.py"
+
+Change = tuple[str, str, str]
+"""A file, a text in it, and what replaces this text."""
+
+CHECK = """
+import sys
+import burnish
+from burnish.compiler.diagnostics.render import render
+(found,) = burnish.check(sys.argv[1])
+print(render(found))
+"""
+"""Prints the one diagnostic of a program."""
+
+
+def changed_package(folder: Path, changes: Iterable[Change]) -> Path:
+    """Copy the package into ``folder``, with changes; returns the folder."""
+    copy = folder / "burnish"
+    copy.mkdir()
+    for name in ("compiler", "stdlib", "targets"):
+        ignored = shutil.ignore_patterns("__pycache__")
+        shutil.copytree(ROOT / name, copy / name, ignore=ignored)
+    for path in ROOT.glob("*.py"):
+        shutil.copy(path, copy)
+    for name, before, after in changes:
+        text = (copy / name).read_text("utf-8")
+        assert before in text, (name, before)
+        (copy / name).write_text(text.replace(before, after, 1), "utf-8")
+    return folder
+
+
+def run(package: Path, script: str, *arguments: str) -> str:
+    """What a script prints that imports the changed package."""
+    command = [sys.executable, "-c", script, *arguments]
+    done = subprocess.run(
+        command, cwd=package, capture_output=True, text=True, check=False, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
