@@ -48,6 +48,10 @@ def _called_once(applies: Iterable[Node], uses: Counter[Node]) -> frozenset[Node
     return frozenset(body for body, count in uses.items() if count == 1 and body not in shared)
 
 
+def _age(place: _Place) -> int:
+    return place[0].id
+
+
 class _Inlining:
     """Rebuilds a graph with some calls written out.
 
@@ -85,9 +89,14 @@ class _Inlining:
         for node in roots.nodes:
             if node in self._inlined or not self._concerned.isdisjoint(node.operands):
                 self._concerned.add(node)
-        return Roots([self._rebuilt(root) for root in roots])
+        # The oldest come first, so that a value that is written out twice is noted as the first.
+        for node in roots.nodes:
+            if node in self._concerned and node.variables.isdisjoint(self._bound):
+                self._rebuild(node)
+        done = self._done[False]
+        return Roots(map(done.get, roots, roots))
 
-    def _rebuilt(self, root: Node) -> Node:
+    def _rebuild(self, root: Node) -> None:
         pending: list[_Place] = [(root, False)]
         while pending:
             node, simplest = place = pending[-1]
@@ -97,12 +106,11 @@ class _Inlining:
             elif self._stays(node, simplest):
                 done[node] = node
             elif missing := [p for p in self._needs(place) if p[0] not in self._done[p[1]]]:
-                pending.extend(reversed(missing))
+                pending += sorted(missing, key=_age, reverse=True)
             else:
                 done[node] = made = self._made(node, simplest)
                 if made is not node:
                     self._notes.follow(node, made)
-        return self._done[False][root]
 
     def _stays(self, node: Node, simplest: bool) -> bool:
         """Whether a node is what it has to be already."""
