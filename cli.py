@@ -11,7 +11,11 @@ import gc
 import sys
 
 from .commands.results import answer, ask
-from .commands.terminal import INTERRUPTED
+from .commands.terminal import FAILED, INTERRUPTED, show_everything
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .commands.results import Question
 
 
 def main() -> None:
@@ -21,18 +25,38 @@ def main() -> None:
         question = ask(arguments)
         if question is not None and answer(question):
             return
+        # A command makes far more objects than it drops: looking for circles of dropped ones often
+        # takes a twentieth of a short compile.
+        from .garbage import SELDOM
+
+        gc.set_threshold(*SELDOM)
+        succeeded = _compiled(arguments, question)
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)
-    # A command makes far more objects than it drops: looking for circles of dropped ones often
-    # takes a twentieth of a short compile.
-    from .garbage import SELDOM
-
-    gc.set_threshold(*SELDOM)
-    from .commands.group import burnish
-
     try:
-        burnish.main(arguments, obj=question)
+        if succeeded is None:
+            from .commands.group import burnish
+
+            burnish.main(arguments, obj=question)
+        elif not succeeded:
+            sys.exit(FAILED)
     finally:
         # The process ends, and all of its memory with it. What is frozen, Python need not look
         # through for garbage first, which would take longer than a short compile's passes.
         gc.freeze()
+
+
+def _compiled(arguments: list[str], question: Question | None) -> bool | None:
+    """Whether a plain ``burnish compile`` has succeeded; ``None`` where click has to see to it."""
+    from .commands.compile_options import plain_request
+
+    request = plain_request(arguments)
+    if request is None:
+        return None
+    from .commands.compilation import succeeds
+
+    show_everything()
+    try:
+        return succeeds(request, question)
+    except OSError:
+        return None  # Once more, by the way on which all commands tell of what went wrong.

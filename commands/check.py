@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .console import FAILED, show
+from .console import show
 from .options import file_argument, format_option, pass_option, rig_option, search_option
+from .terminal import FAILED
 
 if TYPE_CHECKING:
     from ..compiler.diagnostics.diagnostic import Diagnostic

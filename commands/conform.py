@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from .console import FAILED, remark, show
+from .console import remark, show
 from .failures import told
 from .options import hoist_option, pass_option, rig_option, search_option
-from .terminal import wants_color
+from .terminal import FAILED, wants_color
 
 if TYPE_CHECKING:
     from ..api import CompiledMaterial

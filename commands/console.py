@@ -7,15 +7,10 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-import click
-
 from .terminal import wants_color
 
 if TYPE_CHECKING:
     from ..compiler.diagnostics.diagnostic import Diagnostic, Severity
-
-FAILED = 1
-"""The exit code for errors in the input."""
 
 
 def show(diagnostics: Iterable[Diagnostic]) -> None:
@@ -26,6 +21,8 @@ def show(diagnostics: Iterable[Diagnostic]) -> None:
 def print_rendered(text: str) -> None:
     """Print what ``rendered`` has given to standard error."""
     if text:
+        import click  # Most compiles have nothing to say, and do without.
+
         click.echo(text, err=True, nl=False, color=True)
 
 
@@ -44,6 +41,8 @@ def rendered(diagnostics: Iterable[Diagnostic]) -> str:
 
 def remark(severity: Severity, text: str) -> None:
     """Print a message that belongs to no place in a file to standard error."""
+    import click
+
     from ..compiler.diagnostics.display import harmless
     from ..compiler.diagnostics.style import Style
 

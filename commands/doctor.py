@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .console import FAILED
-from .terminal import wants_color
+from .terminal import FAILED, wants_color
 
 if TYPE_CHECKING:
     from ..targets.toolchain.tools import ToolState

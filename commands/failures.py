@@ -8,7 +8,8 @@ from typing import NoReturn
 
 import click
 
-from .console import FAILED, remark, show
+from .console import remark, show
+from .terminal import FAILED
 
 PACKAGES = {"numpy": "NumPy", "PIL": "Pillow"}
 

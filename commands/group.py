@@ -11,8 +11,7 @@ from typing import Any
 import click
 
 from .. import __version__
-from .console import FAILED
-from .terminal import INTERRUPTED, show_everything
+from .terminal import FAILED, INTERRUPTED, show_everything
 
 COMMANDS = ("compile", "check", "graph", "render", "conform", "targets", "doctor", "explain")
 """The modules of the commands, each of which calls itself so; only those asked for are loaded."""

@@ -2,33 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import click
+from click.decorators import FC
+
+from .compile_options import HOIST, INCLUDE, PASS, RIG, Option
 
 file_argument = click.argument("file", type=click.Path(path_type=Path))
 
-rig_option = click.option(
-    "--rig", metavar="NAME", help="The rig to use, if the file declares several."
-)
-pass_option = click.option(
-    "--pass", "pass_", metavar="NAME", help="The pass that draws, if not the library's Forward."
-)
-search_option = click.option(
-    "-I",
-    "--include",
-    "search_path",
-    metavar="FOLDER",
-    multiple=True,
-    type=click.Path(path_type=Path),
-    help="A folder in which to look for imported files; may be given several times.",
-)
-hoist_option = click.option(
-    "--hoist/--no-hoist",
-    default=True,
-    help="Leave values that depend only on parameters to the host, or compute them in the shader.",
-    show_default=True,
-)
+
+def option(row: Option) -> Callable[[FC], FC]:
+    """What click needs to know of an option."""
+    if row.off:
+        flags = f"{row.names[0]}/{row.off}"
+        return click.option(flags, row.field, default=True, help=row.help, show_default=True)
+    if not row.metavar:
+        return click.option(*row.names, row.field, is_flag=True, help=row.help)
+    return click.option(
+        *row.names, row.field, metavar=row.metavar, required=row.required, multiple=row.many,
+        type=click.Path(path_type=Path) if row.is_path else None, help=row.help,
+    )  # fmt: skip
+
+
+rig_option = option(RIG)
+pass_option = option(PASS)
+search_option = option(INCLUDE)
+hoist_option = option(HOIST)
 format_option = click.option(
     "--format",
     "form",

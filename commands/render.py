@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .console import FAILED, remark
+from .console import remark
 from .failures import fail, told
 from .options import file_argument, hoist_option, pass_option, rig_option, search_option
 from .subjects import EVERYTHING, Color, Request, Subject
+from .terminal import FAILED
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route

@@ -12,6 +12,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import IO, Any
 
+FAILED = 1
+"""The exit code for errors in the input."""
 INTERRUPTED = 130
 """The exit code that shells expect of a program that Ctrl-C ended."""
 

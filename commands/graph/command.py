@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from ..console import FAILED, show
+from ..console import show
 from ..options import file_argument, pass_option, rig_option, search_option
+from ..terminal import FAILED
 
 if TYPE_CHECKING:
     from ...api import CompiledMaterial

@@ -46,7 +46,7 @@ class Plan:
         self._expected: dict[tuple[int, RasterRules], Expected] = {}
         self._lock = Lock()
         self._store = store
-        self._unblended = replace(
+        self._unblended = changed(
             subject.shader, results=tuple(map(_unblended, subject.shader.results))
         )
         self._formats = [row["format"] for row in subject.reflection["targets"]]

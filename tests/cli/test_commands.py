@@ -266,7 +266,7 @@ def test_compiling_loads_no_more_than_it_needs(tmp_path: Path) -> None:
     command = ("compile", "m.burnish", "-t", "wgsl", "-o", "out", "--no-cache")
     loaded(tmp_path, *command)
     modules = loaded(tmp_path, *command)
-    assert not modules & NEVER
+    assert not modules & (NEVER | {"click", "dataclasses", "inspect"})
     assert "burnish.targets.wgsl.language" in modules
     assert "burnish.targets.hlsl.language" not in modules
 

@@ -1,0 +1,121 @@
+"""Does what a command line of ``burnish compile`` asks for: compiles, writes and reports.
+
+``cli.py`` calls ``succeeds`` for plain command lines, ``compile.py`` for those that click has read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .compile_options import Request
+from .console import rendered, show
+from .results import STDOUT, Output, Question, keep, print_output
+
+if TYPE_CHECKING:
+    from ..compiled import CompiledMaterial, CompileResult
+    from ..compiler.diagnostics.diagnostic import Diagnostic
+
+
+def succeeds(request: Request, question: Question | None) -> bool:
+    """Compile once and report what was found; returns whether there was any output.
+
+    ``question`` is what the output is the answer to, if it is to be kept.
+    """
+    from ..compiler.diagnostics.diagnostic import CompileError
+
+    warnings: tuple[Diagnostic, ...] = ()
+    try:
+        result = _compiled(request)
+        warnings = result.diagnostics
+        if request.validate:
+            _insist_on_acceptance(result)
+        output = _output(request, result)
+        _deliver(output)
+    except CompileError as error:
+        show((*warnings, *error.diagnostics))
+        return False
+    show(warnings)
+    if question is not None:
+        keep(question, output, result.inputs)
+    return True
+
+
+def _compiled(request: Request) -> CompileResult:
+    from .. import api
+    from ..targets.selection import DEFAULT
+
+    return api.compile(
+        request.file,
+        [name for names in request.targets for name in names.split(",")] or DEFAULT,
+        material=request.material,
+        rig=request.rig,
+        pass_=request.pass_,
+        search_path=request.search_path,
+        hoist=request.hoist,
+        flip_y=request.flip_y,
+        single_file=request.single_file,
+        line_directives=request.line_directives,
+    )
+
+
+def _output(request: Request, result: CompileResult) -> Output:
+    """What the command line asks for: files in a folder, or shaders on standard output."""
+    warnings = rendered(result.diagnostics)
+    if request.output == STDOUT:
+        files = [file for material in result.materials for file in material.files]
+        headings = (f"// ======== {file.name}\n" if len(files) > 1 else "" for file in files)
+        printed = (heading + file.text for heading, file in zip(headings, files, strict=True))
+        return Output(STDOUT, {}, "".join(printed), warnings)
+    texts: dict[str, str] = {}
+    lines = []
+    for material in result.materials:
+        reflection = f"{material.name}.json"
+        texts |= {file.name: file.text for file in material.files}
+        texts[reflection] = _reflection_text(material)
+        shaders = f"{len(material.files)} shaders and {reflection}"
+        lines.append(f"{material.name}: {shaders} in {request.output}\n")
+    lines += _remarks_on_languages(result)
+    return Output(request.output, texts, "".join(lines), warnings)
+
+
+def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
+    """A line for each language of the texts that is marked as unproven."""
+    from ..targets import registry
+
+    names = (file.target for material in result.materials for file in material.files)
+    for target in map(registry.load, dict.fromkeys(names)):
+        if target.unproven:
+            yield f"texts in {target.title}: {target.unproven}\n"
+
+
+def _deliver(output: Output) -> None:
+    """Write the files and print what there is to print, or raise ``CompileError``."""
+    from .output import unwritable, write_all
+
+    if output.folder != STDOUT:
+        write_all(Path(output.folder), output.texts)
+    try:
+        print_output(output.printed)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise unwritable(Path("standard output"), error.strerror or str(error)) from error
+
+
+def _insist_on_acceptance(result: CompileResult) -> None:
+    """Raise ``CompileError`` unless the downstream compilers accept every text."""
+    from ..compiler.diagnostics.diagnostic import CompileError
+    from .validate import validate
+
+    found = validate(file for material in result.materials for file in material.files)
+    if any(diagnostic.severity == "error" for diagnostic in found):
+        raise CompileError(found)
+    show(found)
+
+
+def _reflection_text(material: CompiledMaterial) -> str:
+    import json
+
+    return json.dumps(material.reflection, indent=2, ensure_ascii=False) + "\n"

@@ -1,0 +1,158 @@
+"""What ``burnish compile`` can be told, as rows, and the reading of plain command lines.
+
+click shows the rows in the help, and reads any command line by them (``compile.py``). But to load
+click takes a tenth of a short compile, and most command lines need nothing of it: they name a file,
+and options in full with their values. ``cli.py`` has those read here.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from ..frozen import frozen
+
+
+@frozen
+class Option:
+    """One option: a value, a flag, or a switch between two flags."""
+
+    field: str
+    """The field of ``Request`` that it sets."""
+    names: tuple[str, ...]
+    help: str
+    metavar: str = ""
+    """What the help calls the value; a flag has none."""
+    off: str = ""
+    """The flag that switches off what is on by default, and what ``names`` switch on."""
+    many: bool = False
+    """May be given several times; all values count."""
+    is_path: bool = False
+    required: bool = False
+
+
+TARGET = Option(
+    "targets",
+    ("-t", "--target"),
+    "What to write; see `burnish targets`. Default: the first profile of every target that is "
+    "not marked as unproven there; `all` means every profile.",
+    metavar="NAME[:PROFILE],…",
+    many=True,
+)
+OUTPUT = Option(
+    "output",
+    ("-o", "--output"),
+    "Where to put the files; created if needed. `-` prints the shaders instead.",
+    metavar="FOLDER",
+    required=True,
+)
+MATERIAL = Option(
+    "material", ("--material",), "Only this material, instead of all in the file.", metavar="NAME"
+)
+RIG = Option("rig", ("--rig",), "The rig to use, if the file declares several.", metavar="NAME")
+PASS = Option(
+    "pass_", ("--pass",), "The pass that draws, if not the library's Forward.", metavar="NAME"
+)
+INCLUDE = Option(
+    "search_path",
+    ("-I", "--include"),
+    "A folder in which to look for imported files; may be given several times.",
+    metavar="FOLDER",
+    many=True,
+    is_path=True,
+)
+VALIDATE = Option("validate", ("--validate",), "Have the real compilers check the texts.")
+SINGLE_FILE = Option(
+    "single_file", ("--single-file",), "All stages in one text: vs_main and fs_main."
+)
+FLIP_Y = Option("flip_y", ("--flip-y",), "Turn the picture upside down, to draw into textures.")
+LINE_DIRECTIVES = Option(
+    "line_directives",
+    ("--line-directives",),
+    "Write #line directives, so that other tools name lines of the material in messages.",
+)
+HOIST = Option(
+    "hoist",
+    ("--hoist",),
+    "Leave values that depend only on parameters to the host, or compute them in the shader.",
+    off="--no-hoist",
+)
+CACHE = Option(
+    "cache",
+    ("--cache",),
+    "Write again what was compiled before if nothing has changed, or compile in any case.",
+    off="--no-cache",
+)
+
+OPTIONS = (
+    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES,
+    HOIST, CACHE,
+)  # fmt: skip
+"""All that say what to compile. ``--watch`` and ``--help`` are about something else."""
+
+
+@frozen(kw_only=True)
+class Request:
+    """What a command line asks for."""
+
+    file: Path
+    output: str
+    """A folder, or ``-``."""
+    targets: tuple[str, ...] = ()
+    """As they were given, each perhaps several with commas; empty for the default ones."""
+    material: str | None = None
+    rig: str | None = None
+    pass_: str | None = None
+    search_path: tuple[Path, ...] = ()
+    validate: bool = False
+    single_file: bool = False
+    flip_y: bool = False
+    line_directives: bool = False
+    hoist: bool = True
+    cache: bool = True
+
+
+_VALUES = {name: row for row in OPTIONS if row.metavar for name in row.names}
+_FLAGS = {
+    **{name: (row.field, True) for row in OPTIONS if not row.metavar for name in row.names},
+    **{row.off: (row.field, False) for row in OPTIONS if row.off},
+}
+
+
+def plain_request(arguments: Sequence[str]) -> Request | None:
+    """What a command line asks for, as click would read it; ``None`` where click has to read it.
+
+    That is where it asks for help, says something unusual, or has a mistake to explain.
+    """
+    if arguments[:1] != ["compile"] or os.name == "nt":  # On Windows, click expands wildcards.
+        return None
+    chosen: dict[str, Any] = {}
+    words = iter(arguments[1:])
+    for word in words:
+        name, equals, value = word.partition("=")
+        if word in _FLAGS:
+            field, on = _FLAGS[word]
+            chosen[field] = on
+        elif name in _VALUES and (not equals or name.startswith("--")):
+            if not equals:
+                value = next(words, "--")
+                if value.startswith("-") and value != "-":
+                    return None
+            row = _VALUES[name]
+            given = Path(value) if row.is_path else value
+            chosen[row.field] = (*chosen.get(row.field, ()), given) if row.many else given
+        elif word and not word.startswith("-") and "file" not in chosen:
+            chosen["file"] = Path(word)
+        else:
+            return None
+    paths = (*chosen.get("search_path", ()), *([chosen["file"]] if "file" in chosen else []))
+    if not chosen.keys() >= {"file", "output"} or not all(map(_may_be_read, paths)):
+        return None
+    return Request(**chosen)
+
+
+def _may_be_read(path: Path) -> bool:
+    """Whether nothing forbids to read a file or folder, which need not be there."""
+    return os.access(path, os.R_OK) or not os.path.lexists(path)
