@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import NATIVE
@@ -17,6 +16,7 @@ from ...compiler.ir.types import (
     scalar_kind,
     width,
 )
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ..description.spellings import Read, Spelling, Spellings
 from .context import Context
@@ -49,7 +49,8 @@ def _special(row: Spelling, operands: Sequence[Type]) -> str:
     return row.integers if kind in ("int", "uint") else ""
 
 
-class Callee(NamedTuple):
+@frozen
+class Callee:
     """A function of the text, as its callers know it."""
 
     name: str
