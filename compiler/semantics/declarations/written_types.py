@@ -11,6 +11,7 @@ from ...ir import build
 from ...ir.types import INT, Array, Struct, Texture, Type
 from ...syntax import ast
 from ..names.modules import Module, Symbol
+from ..names.not_types import not_a_type
 from ..state.context import Context
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import Failure, Scope, Value
@@ -50,7 +51,8 @@ def _resolved(
         for argument in written.arguments
         if (found := module.find(argument.text)) and isinstance(found[0].declaration, ast.Space)
     )
-    declared = ctx.types.resolver.resolve(written, structs, spaces, variables)
+    other = not_a_type(symbols)
+    declared = ctx.types.resolver.resolve(written, structs, spaces, variables, other)
     if declared is None or written.count is None:
         return declared
     count = count_of(ctx, written.count, module, variables)

@@ -130,8 +130,12 @@ class TypeResolver:
         structs: Mapping[str, Declared],
         spaces: frozenset[str],
         variables: Variables,
+        other: Hint = "",
     ) -> Declared | None:
-        """The written type without its array count, or ``None`` after reporting."""
+        """The written type without its array count, or ``None`` after reporting.
+
+        ``other`` is the hint for a name that is declared, but as something else than a type.
+        """
         text = name.name.text
         known = variables.get(text)
         if isinstance(known, Declared):
@@ -143,7 +147,7 @@ class TypeResolver:
         named = NAMED.get(text)
         if named is None:
             visible = [*NAMED, *structs, *variables]
-            self._unknown("type", name.name, visible, _elsewhere(name.name))
+            self._unknown("type", name.name, visible, other or _elsewhere(name.name))
             return None
         if not name.arguments:
             return _named(text, (), ())
