@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from .targets.runner.instances.instance import Instance
 
 StageName = str
-"""A stage, such as ``vertex`` or ``fragment``; ``both`` for a text that contains all stages."""
+"""A stage, such as ``vertex`` or ``fragment``; ``all`` for a text that contains all stages."""
 
 
 @frozen

@@ -25,6 +25,9 @@ from .texture_declarations import helpers, opening_lines
 from .views import EntryView, FileView
 from .wrapping import Breaks, moved, wrapped
 
+ALL_STAGES = "all"
+"""Stands for the name of a stage where one text holds them all."""
+
 
 @frozen
 class EmitOptions:
@@ -45,7 +48,7 @@ class EmittedFile:
     suffix: str
     """What follows the material's name: ``vert.glsl``."""
     stage: StageName
-    """``both`` for a text that holds all stages."""
+    """``all`` for a text that holds all stages."""
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
@@ -121,7 +124,7 @@ class _Emitter:
         first = stages[0].row
         return EmittedFile(
             suffix=extension if single else f"{first.suffix}.{extension}",
-            stage="both" if single else first.name,
+            stage=ALL_STAGES if single else first.name,
             entries=names,
             text=text,
             marks=marks,

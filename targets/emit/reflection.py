@@ -28,7 +28,7 @@ def backend_table(
     flip_y: bool,
     source_maps: Mapping[str, Mapping[int, Span]],
 ) -> BackendTable:
-    """What a host has to know about an emission; ``files`` are file names by stage or ``both``."""
+    """What a host has to know about an emission; ``files`` are file names by stage or ``all``."""
     names, bindings = emission.names, emission.bindings
     sampled = program.sampled
     turned = flip_y and not profile.framebuffer.clip_y_down

@@ -7,8 +7,9 @@ in reading that specification. So this language is not among those that are writ
 Burnish says so to whoever chooses it.
 
 What a host has to know: blocks, textures and samplers are numbered each on their own, and a buffer
-of vertices must not take a number that the reflection gives to a block. Compile with fast maths
-turned off, so that comparisons with infinity mean what they say.
+of vertices must not take a number that the reflection gives to a block. Fast maths, which Apple's
+compiler has on by default, must be off, so that comparisons with infinity mean what they say; the
+texts and the documents tell users so.
 """
 
 from __future__ import annotations
@@ -202,9 +203,10 @@ def is_float(facts: tuple[Fact, ...]) -> bool:
 
 METAL2 = Profile(
     name="metal2",
-    doc="Metal 2, never compiled by Apple's compiler.",
+    doc="Metal 2, to be compiled without fast maths; never compiled by Apple's compiler.",
     preamble=(
         "// Never compiled by Apple's compiler: only type-checked by clang.",
+        "// Compile it without fast maths (-fno-fast-math), which would do away with infinities.",
         "#include <metal_stdlib>",
         "using namespace metal;",
     ),

@@ -84,10 +84,7 @@ def _digest(shader: Shader, state: SceneState, rules: RasterRules) -> str:
 def _graph_text(shader: Shader) -> str:
     """Everything that the reference reads of a shader, as text."""
     nodes = map(repr, reachable(shader.roots))
-    results = [
-        (r.kind, r.stage.name, r.value.id, r.state and (r.state.format, r.state.blend))
-        for r in shader.results
-    ]
+    results = [(r.kind, r.stage.name, r.value.id, r.state) for r in shader.results]
     return "\n".join([*nodes, repr(results)])
 
 

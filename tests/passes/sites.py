@@ -55,8 +55,28 @@ class Sites:
         self.graph = Graph()
         self._rule = rule
         self._chance = random.Random(f"{rule.name} {seed}")
+        self._swapped = rule.either and self._chance.random() < 0.5
+        """Whether the operation has its operands the other way round than the pattern."""
+        self._outer = Formal("outer")
+        """The variable of a loop around all."""
         self._made: list[Node] = []
         """The operands so far; some are used again."""
+
+    def operation(self, site: Site) -> Node:
+        """The operation itself. The operands of ``site`` are in the order of the pattern."""
+        operands = site.operands[::-1] if self._swapped else site.operands
+        return self.graph.node(site.op, site.type, operands, site.data)
+
+    def uses_outer(self, node: Node) -> bool:
+        """Whether a value depends on the turn of a loop around it."""
+        return self._outer in node.variables
+
+    def summed_up(self, node: Node) -> Node:
+        """The value in that loop, which can be evaluated."""
+        operator: FoldOperator = "or" if node.type == BOOL else "add"
+        start = self.graph.node("constant", node.type, (), _nothing(node.type))
+        operands = (build.constant(self.graph, INT, 3), start, node)
+        return self.graph.node("fold", node.type, operands, Folding(operator, 3, (self._outer,)))
 
     def site(self) -> Site:
         """An operation; raises ``UnsuitableError`` where random choices did not fit."""
@@ -68,6 +88,8 @@ class Sites:
 
     def _builtin(self, name: str) -> Site:
         types, result = self._chance.choice(_typed(name))
+        if self._swapped:
+            types = types[::-1]
         patterns = self._patterns(len(types))
         return Site("call", result, self._operands(types, patterns), name)
 
@@ -97,7 +119,7 @@ class Sites:
 
     def _new(self, type_: Type, pattern: Pattern) -> Node:
         if pattern.heads is None:
-            if scalar_kind(type_) and not isinstance(type_, Matrix) and self._chance.random() < 0.2:
+            if scalar_kind(type_) and self._chance.random() < 0.2:
                 return self._new(type_, CONSTANT)
             return self._leaf(type_)
         head = str(self._chance.choice(sorted(map(str, pattern.heads))))
@@ -131,6 +153,10 @@ class Sites:
 
     def _constant(self, type_: Type, lane: Number | None = None) -> Node:
         kind = scalar_kind(type_)
+        if isinstance(type_, Matrix) and lane is None:
+            column = Vector("float", type_.size)
+            columns = tuple(self._constant(column).data for _ in range(type_.size))
+            return self.graph.node("constant", type_, (), columns)
         if kind is None or isinstance(type_, Matrix):
             raise UnsuitableError
         if lane is not None and isinstance(lane, bool) != (kind == "bool"):
@@ -284,7 +310,8 @@ class Sites:
         """A term that depends on the turn, or does not."""
         if self._chance.random() < 0.3:
             return self._constant(type_)
-        index = self.graph.node("formal", INT, (), formal)
+        variable = formal if self._chance.random() < 0.8 else self._outer
+        index = self.graph.node("formal", INT, (), variable)
         two = build.constant(self.graph, INT, 2)
         if type_ == BOOL:
             return self.graph.node("call", BOOL, (index, two), "lt")
@@ -298,13 +325,19 @@ class Sites:
     def loop(self) -> Site:
         """A loop over states."""
         count, bound = self._chance.randint(1, 2), self._chance.choice([0, 1, 2, 3, 4, 9])
-        _turn, *states = formals = tuple(Formal(f"s{i}") for i in range(count + 1))
+        turn, *states = formals = tuple(Formal(f"s{i}") for i in range(count + 1))
         starts = tuple(self._value(FLOAT, ANY) for _ in states)
         leaves = [self.graph.node("formal", FLOAT, (), state) for state in states]
         half = build.floating(self.graph, 0.5)
+        index = self.graph.node("formal", INT, (), turn)
+        number = self.graph.node("call", FLOAT, (index,), "to_float")
         nexts = tuple(
             leaf if self._chance.random() < 0.3
-            else self.graph.node("call", FLOAT, (self._chance.choice(leaves), half), "mul")
+            else self.graph.node(
+                "call", FLOAT,
+                (self._chance.choice(leaves), self._chance.choice([half, number])),
+                self._chance.choice(["add", "mul"]),
+            )
             for leaf in leaves
         )  # fmt: skip
         going = self._chance.choice([
@@ -338,6 +371,12 @@ _PARTS: Mapping[str, Callable[[Sites, Type], Node]] = {
 }
 
 
+def _nothing(type_: Type) -> Number | tuple[Number, ...]:
+    """What a sum of values of this type begins with."""
+    zero: Number = {"float": 0.0, "bool": False}.get(str(scalar_kind(type_)), 0)
+    return (zero,) * width(type_) if isinstance(type_, Vector) else zero
+
+
 def _part(whole: Type) -> tuple[Type, int]:
     """What indexing gives, and how many of these there are."""
     match whole:
@@ -359,8 +398,8 @@ def _typed(name: str) -> list[tuple[tuple[Type, ...], Type]]:
             for types in dict.fromkeys(_operand_types(name))
             if (result := signatures.result_type(name, types)) is not None
         ]
-        if not _TYPED[name]:
-            raise UnsuitableError
+    if not _TYPED[name]:
+        raise UnsuitableError
     return _TYPED[name]
 
 

@@ -8,9 +8,11 @@ from functools import cache
 
 import pytest
 
-from burnish.compiler.ir.node import Node
+from burnish.compiler.ir import build
+from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.ir.shader import Notes
+from burnish.compiler.ir.types import Vector
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.passes.rules.rule import (
@@ -24,10 +26,12 @@ from burnish.compiler.passes.rules.rule import (
     constant,
     operand,
 )
+from burnish.compiler.passes.rules.structure import LARGEST_FLOAT
 from burnish.compiler.passes.rules.table import RULES
 from burnish.compiler.passes.simplify import Simplifier
 from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.reference.namespace import Lanes
+from burnish.compiler.reference.operations import apply, constant_lanes
 from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.targets import registry
@@ -38,7 +42,7 @@ from .kit import World, range_rules, shader
 from .rule_programs import EQUATIONS, program
 from .sites import Sites, UnsuitableError
 
-WANTED = 30
+WANTED = 100
 """Operations on which each rule is tried."""
 ATTEMPTS = 6_000
 """Random operations among which there have to be so many."""
@@ -58,12 +62,14 @@ def applications(rule: Rule) -> Iterator[tuple[Node, Node]]:
             site = sites.site()
         except UnsuitableError:
             continue
-        before = sites.graph.node(site.op, site.type, site.operands, site.data)
+        before = sites.operation(site)
         simplifier = Simplifier(sites.graph, Ranges([before]), Notes())
         if not rule.admits(tuple(each.head for each in site.operands)):
             continue
         after = rule.apply(simplifier, site, rule.closer)
         if after is not None and after is not before:
+            if sites.uses_outer(before):
+                before, after = sites.summed_up(before), sites.summed_up(after)
             yield before, after
 
 
@@ -75,6 +81,8 @@ def disagreement(rule: Rule, wanted: int = WANTED) -> str | None:
             verify([before, after], stage="opened")
         except InvalidGraphError as error:
             return str(error)
+        if not all(map(is_representable, reachable([after]))):
+            return f"{before} becomes {after}, which float32 does not hold"
         for seed in range(WORLDS):
             world = World(seed, traps=seed % 2 == 1)
             old, new = evaluate(before, world), evaluate(after, world)
@@ -84,6 +92,13 @@ def disagreement(rule: Rule, wanted: int = WANTED) -> str | None:
         if tried == wanted:
             return None
     return f"{rule.name} applies to {tried} random operations only"
+
+
+def is_representable(node: Node) -> bool:
+    """Whether a value is one that float32 can hold, if it is a constant."""
+    if node.op != "constant":
+        return True
+    return all(abs(lane) <= LARGEST_FLOAT for lane in _flat(constant_lanes(node.type, node.data)))
 
 
 def same(old: Lanes, new: Lanes) -> bool:
@@ -128,6 +143,12 @@ def _lanes_of_outer(b: Builder, at: Site) -> Node:
     return b.make("swizzle", at.type, (source,), at.data)
 
 
+def _folded(b: Builder, at: Site) -> Node:
+    values = [constant_lanes(each.type, each.data) for each in at.operands]
+    made = apply(b.graph.node("call", at.type, at.operands, at.data), values)
+    return build.constant(b.graph, at.type, made if isinstance(at.type, Vector) else made[0])
+
+
 WRONG = {
     "sqrt(x)² → x + 1": Rule(
         "planted", "", ("mul",), (builtin("sqrt"), builtin("sqrt")), _one_more,
@@ -147,6 +168,8 @@ WRONG = {
     "a product of ones": changed(BY_NAME["fold of neutral terms"], when=always),
     "the other side": changed(BY_NAME["chosen already"], gives=operand(2)),
     "first element for all": changed(BY_NAME["element of equal ones"], when=always),
+    "0 - x as x - 0": changed(BY_NAME["zero subtracted"], either=True),
+    "constants beyond float32": changed(BY_NAME["constants"], gives=_folded),
     "loops that go on": changed(BY_NAME["loop that stops at once"], when=always),
 }  # fmt: skip
 

@@ -1,6 +1,8 @@
 """A kind of member can be added in three files, and everything else derives what it knows of it.
 
 The test changes a copy of the package as ``docs/architecture.md`` says it, and compiles with that.
+Two kinds are added: one with a name that expressions read, and one without a name, of which the
+nearest counts.
 """
 
 from __future__ import annotations
@@ -12,8 +14,9 @@ import pytest
 from .changed_package import CHECK, GRAMMAR, MEMBERS, changed_package, run
 
 CONTRIBUTES = "compiler/semantics/declarations/parameters.py"
+DELIVERS = "compiler/semantics/shading/elaborate.py"
 
-CHANGES = (
+KNOB = (
     (GRAMMAR, "_member: param |", "_member: knob | param |"),
     (GRAMMAR, "\nsetting: name", '\nknob: "knob" name "=" expression\nsetting: name'),
     (MEMBERS, "Member = Param |", "Member = Knob | Param |"),
@@ -77,6 +80,54 @@ _LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
     ),
 )
 
+MIXING = (
+    (GRAMMAR, "_member: ", "_member: mixing | "),
+    (GRAMMAR, "\nsetting: name", '\nmixing: "mixing" name\nsetting: name'),
+    (MEMBERS, "Member = ", "Member = Mixing | "),
+    (
+        MEMBERS,
+        "\nMember =",
+        '''
+@frozen(eq=False)
+class Mixing:
+    """``mixing alpha``: how a pass blends its targets unless they say otherwise."""
+
+    span: Span
+    mode: Name
+
+
+Member =''',
+    ),
+    (
+        MEMBERS,
+        "\nKINDS: tuple[MemberKind, ...] = (",
+        """
+KINDS: tuple[MemberKind, ...] = (
+    MemberKind(
+        word="mixing",
+        node=Mixing,
+        productions={"mixing": Mixing},
+        opening=("NAME",),
+        records=("pass",),
+        inheritance="replaced",
+        contribution="result",
+        form="a pass mixes by `mixing alpha`",
+        doc="how a pass blends its targets",
+    ),""",
+    ),
+    (
+        DELIVERS,
+        "from ...syntax import ast\n",
+        "from ...syntax import ast\nfrom ...syntax.ast.members import Mixing\n",
+    ),
+    (
+        DELIVERS,
+        "    named = [target.blend, ",
+        "    mixing = (member.mode for member, _owner, _level in drawn.every(Mixing))\n"
+        "    named = [target.blend, *mixing, ",
+    ),
+)
+
 PROGRAM = """
 material Bright {
     /// How much
@@ -102,17 +153,39 @@ for made in burnish.compile({PROGRAM!r}, targets=("wgsl",)).materials:
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder with a copy of the package that has knobs."""
-    return changed_package(tmp_path_factory.mktemp("knobs"), CHANGES)
+    return changed_package(tmp_path_factory.mktemp("knobs"), (*KNOB, *MIXING))
 
 
 def test_three_files_are_changed() -> None:
-    assert {name for name, _, _ in CHANGES} == {GRAMMAR, MEMBERS, CONTRIBUTES}
+    assert {name for name, _, _ in KNOB} == {GRAMMAR, MEMBERS, CONTRIBUTES}
+    assert {name for name, _, _ in MIXING} == {GRAMMAR, MEMBERS, DELIVERS}
 
 
 def test_it_is_a_parameter_that_can_be_overridden(package: Path) -> None:
     assert run(package, COMPILE) == (
         "Bright [('gain', 'float', 0.5, 'How much'), ('bias', 'float', 0.25, '')]\n"
         "Half [('gain', 'float', 0.5, 'How much')]\n"
+    )
+
+
+MIXED = """
+pass Over { mixing = 0.5 mixing alpha target a : rgba8 = vec4(mixing) }
+pass Added : Over { mixing add target b : rgba8 = vec4(1) }
+pass Both : Added { target c : rgba8 = vec4(1) blend none }
+material M { color = #fff }
+"""
+
+BLENDING = f"""
+import burnish
+for name in ("Over", "Added", "Both"):
+    (made,) = burnish.compile({MIXED!r}, targets=("wgsl",), pass_=name).materials
+    print(name, [row["blend"] for row in made.reflection["targets"]])
+"""
+
+
+def test_of_a_kind_without_names_the_nearest_counts(package: Path) -> None:
+    assert run(package, BLENDING) == (
+        "Over ['alpha']\nAdded ['add', 'add']\nBoth ['add', 'add', 'none']\n"
     )
 
 
@@ -144,6 +217,16 @@ def material(members: str) -> str:
             "a value follows `=`: `a = …`",
         ),
         (material("knob a = 1\nknob a = 2"), "error[B0202]: `a` is declared twice", ""),
+        (
+            "pass P { mixing alpha\nmixing add\ntarget a : r8 = 1 }\nmaterial M { color = #fff }",
+            "error[B0202]: `mixing` is declared twice",
+            "",
+        ),
+        (
+            material("mixing alpha"),
+            "error[B0213]: `mixing` does not belong in a material",
+            "`mixing` belongs in a pass",
+        ),
         (material("b = vec3(1 +\nknob a = 2"), "error[B0108]: this `(` is never closed", ""),
     ],
 )

@@ -62,14 +62,14 @@ class Records:
             owner = chain[level]
             declaration = owner.declaration
             assert isinstance(declaration, ast.Record | ast.Mixin)
-            seen: dict[str, ast.Name] = {}
+            seen: dict[object, ast.Name] = {}
             if isinstance(declaration, ast.Record):
                 self._check_blend(declaration)
             for member in declaration.members:
                 if not self._in_place(declaration, member):
                     continue
-                name = member.name if ast.is_named(member) else None
-                if name is not None and not self._first(name, seen):
+                name, named = ast.only_one(member), ast.is_named(member)
+                if name is not None and not self._first(name, named, seen):
                     continue
                 if ast.is_read(member):
                     self._define(record, Definition(member, owner, level))
@@ -102,15 +102,15 @@ class Records:
         if declaration.blend is not None and declaration.kind not in target.records:
             self._report_misplaced(target, "blend", declaration, declaration.blend.span)
 
-    def _first(self, name: ast.Name, seen: dict[str, ast.Name]) -> bool:
-        if name.text in seen:
+    def _first(self, name: ast.Name, named: bool, seen: dict[object, ast.Name]) -> bool:
+        """Whether a record has declared nothing of this name yet, or no member of this kind."""
+        first = seen.setdefault((named, name.text), name)
+        if first is not name:
             self._report.add(
                 rules.DUPLICATE_NAME, name.span, name=name.text,
-                labels=[Label(seen[name.text].span, "first defined here")],
+                labels=[Label(first.span, "first defined here")],
             )  # fmt: skip
-            return False
-        seen[name.text] = name
-        return True
+        return first is name
 
     def _define(self, record: Record, definition: Definition) -> None:
         name = definition.member.name.text

@@ -65,6 +65,7 @@ from .members import (
     is_named,
     is_read,
     kind_of,
+    only_one,
 )
 
 __all__ = [
@@ -125,4 +126,5 @@ __all__ = [
     "is_named",
     "is_read",
     "kind_of",
+    "only_one",
 ]

@@ -126,7 +126,8 @@ Inheritance = Literal["overridden", "replaced", "gathered"]
 
 - ``overridden``: its name means a value. The nearest definition of the name is what it means, and
   ``inherited.name`` reads what the next one further up says. Kinds may override each other.
-- ``replaced``: of one name, the nearest counts, and nothing reads the others.
+- ``replaced``: nothing reads it. Of one name, or of the kind if it has no names, the nearest one
+  counts.
 - ``gathered``: it has no name, and those of the whole chain count together.
 """
 
@@ -173,7 +174,7 @@ class MemberKind:
     @property
     def is_named(self) -> bool:
         """Whether it has a name."""
-        return self.inheritance != "gathered"
+        return "name" in self.node.__match_args__
 
 
 def _map(
@@ -281,6 +282,14 @@ def kind_of(member: Member | NamedMember) -> MemberKind:
 def is_named(member: Member) -> TypeGuard[NamedMember]:
     """Whether a member has a name."""
     return kind_of(member).is_named
+
+
+def only_one(member: Member) -> Name | None:
+    """What a record may declare only once: the member's name or, if it has none, its kind."""
+    if is_named(member):
+        return member.name
+    kind = kind_of(member)
+    return Name(kind.word, member.span) if kind.inheritance == "replaced" else None
 
 
 def is_read(member: Member) -> TypeGuard[ReadMember]:

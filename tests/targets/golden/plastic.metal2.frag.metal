@@ -1,4 +1,5 @@
 // Never compiled by Apple's compiler: only type-checked by clang.
+// Compile it without fast maths (-fno-fast-math), which would do away with infinities.
 #include <metal_stdlib>
 using namespace metal;
 // Plastic: fragment shader, by Burnish.
