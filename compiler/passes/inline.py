@@ -7,25 +7,15 @@ that depends on parameters only is inlined too: only then can ``hoist`` move it 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container
+from collections.abc import Collection, Iterable
 
-from ..ir.node import Formals, Graph, Node, Roots, formals_of
-from ..ir.operations import VARYING
-from ..ir.rewrite import rewrite
+from ..ir.node import Formal, Graph, Node, Roots, formals_of
 from ..ir.shader import Notes
-from .cost import cost, cost_of
-from .draw_constants import DrawConstants
+from .call_prices import CallPrices
 from .simplify import Simplifier
-from .walks import operands_of, visible
 
-TRIVIAL = 4
-"""Bodies of at most this cost are written out wherever they are used."""
-
-WORTHWHILE = 0.5
-"""A call that computes no more than this share of its body for its own arguments is written out."""
-
-DEAR = 1024
-"""Bodies that cost more are alike: such a call is what a body around it mainly costs."""
+_Place = tuple[Node, bool]
+"""A node, and whether it is wanted in its simplest form."""
 
 
 def inline(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
@@ -33,90 +23,138 @@ def inline(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> 
     if "apply" not in roots.ops:
         return roots
     applies = [node for node in roots.nodes if node.op == "apply"]
-    bodies = Counter(node.operands[0].id for node in applies)
-    prices = _Prices(simplifier)
-    calls = [
-        node
-        for node in applies
-        if bodies[node.operands[0].id] > 1 and prices.is_worth_calling(node)
-    ]
-    uses = Counter(node.operands[0].id for node in calls)
-    kept = {node.id for node in calls if uses[node.operands[0].id] > 1}
+    uses = Counter(node.operands[0] for node in applies)
+    prices = CallPrices(simplifier)
+    calls = [a for a in applies if uses[a.operands[0]] > 1 and prices.is_worth_calling(a)]
+    worthwhile = Counter(node.operands[0] for node in calls)
+    kept = {node for node in calls if worthwhile[node.operands[0]] > 1}
     if len(kept) == len(applies):
         return roots
-
-    def rule(_graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
-        if node.id in kept:
-            return None
-        replacements = dict(zip(formals_of(node), operands[1:], strict=True))
-        written = simplifier.substituted(operands[0], replacements)
-        # What a light adds keeps the names of its terms, which say what it is.
-        if written.id not in bodies and node.operands[0].id not in notes.terms:
-            notes.forget_function(written)
-        return written
-
-    return rewrite(graph, roots, rule, notes.follow, ("apply",))
+    inlined = [node for node in applies if node not in kept]
+    once = _called_once(applies, uses)
+    inlining = _Inlining(graph, notes, simplifier, inlined, uses.keys(), once)
+    return inlining.roots(roots)
 
 
-class _Prices:
-    """What bodies cost, and what is left of them for the arguments of a call."""
+def _called_once(applies: Iterable[Node], uses: Counter[Node]) -> frozenset[Node]:
+    """The bodies that are called once, and whose variables are those of no other body."""
+    owners: dict[Formal, Node] = {}
+    shared: set[Node] = set()
+    for node in applies:
+        body = node.operands[0]
+        for formal in formals_of(node):
+            if (owner := owners.setdefault(formal, body)) is not body:
+                shared |= {owner, body}
+    return frozenset(body for body, count in uses.items() if count == 1 and body not in shared)
 
-    def __init__(self, simplifier: Simplifier) -> None:
+
+def _age(place: _Place) -> int:
+    return place[0].id
+
+
+class _Inlining:
+    """Rebuilds a graph with some calls written out.
+
+    A body that is called once is not copied: its variables get their values before it is walked
+    over. So each node is rebuilt once, however deeply such calls are nested.
+    """
+
+    def __init__(
+        self,
+        graph: Graph,
+        notes: Notes,
+        simplifier: Simplifier,
+        inlined: Collection[Node],
+        bodies: Collection[Node],
+        once: Collection[Node],
+    ) -> None:
+        self._graph = graph
+        self._notes = notes
         self._simplifier = simplifier
-        self._constant = DrawConstants()
-        self._trivial: dict[Node, bool] = {}
-        self._costs: dict[Node, int] = {}
-        """Of bodies, with all that they need."""
-        self._outside: dict[Node, frozenset[int]] = {}
-        """What of a body depends on nothing inside it, and so is computed before the call."""
-        self._left: dict[tuple[int, tuple[Node | None, ...]], int] = {}
-        """By the body and the arguments that are put in."""
+        self._inlined = frozenset(inlined)
+        self._bodies = bodies
+        self._once = once
+        self._bound = frozenset(
+            formal for call in inlined if call.operands[0] in once for formal in formals_of(call)
+        )
+        self._values: dict[Formal, Node] = {}
+        """What the variables of bodies that are called once stand for."""
+        self._concerned: set[Node] = set()
+        """Calls that are written out, and all that needs them."""
+        self._done: tuple[dict[Node, Node], dict[Node, Node]] = ({}, {})
+        """What nodes have become: as they are, and in their simplest form."""
 
-    def is_worth_calling(self, call: Node) -> bool:
-        """Whether a call is better than its body written out."""
-        body, *arguments = call.operands
-        if self._is_trivial(body):
+    def roots(self, roots: Roots) -> Roots:
+        """The roots, rebuilt."""
+        for node in roots.nodes:
+            if node in self._inlined or not self._concerned.isdisjoint(node.operands):
+                self._concerned.add(node)
+        # The oldest come first, so that a value that is written out twice is noted as the first.
+        for node in roots.nodes:
+            if node in self._concerned and node.variables.isdisjoint(self._bound):
+                self._rebuild(node)
+        done = self._done[False]
+        return Roots(map(done.get, roots, roots))
+
+    def _rebuild(self, root: Node) -> None:
+        pending: list[_Place] = [(root, False)]
+        while pending:
+            node, simplest = place = pending[-1]
+            done = self._done[simplest]
+            if node in done:
+                pending.pop()
+            elif self._stays(node, simplest):
+                done[node] = node
+            elif missing := [p for p in self._needs(place) if p[0] not in self._done[p[1]]]:
+                pending += sorted(missing, key=_age, reverse=True)
+            else:
+                done[node] = made = self._made(node, simplest)
+                if made is not node:
+                    self._notes.follow(node, made)
+
+    def _stays(self, node: Node, simplest: bool) -> bool:
+        """Whether a node is what it has to be already."""
+        if node in self._concerned:
             return False
-        fixed = tuple(a if a in self._constant else None for a in arguments)
-        if not any(fixed):
+        if not simplest:
             return True
-        formals = formals_of(call)
-        whole = self._price(body, formals, (None,) * len(fixed))
-        return self._price(body, formals, fixed) > max(TRIVIAL, WORTHWHILE * whole)
+        return self._simplifier.is_simplest(node) and node.variables.isdisjoint(self._bound)
 
-    def _price(self, body: Node, formals: Formals, fixed: tuple[Node | None, ...]) -> int:
-        """The cost of what a call computes, if these arguments are put in, for every pixel."""
-        if (body.id, fixed) not in self._left:
-            pairs = zip(formals, fixed, strict=True)
-            known = {formal: value for formal, value in pairs if value is not None}
-            left = self._simplifier.substituted(body, known)
-            self._left[body.id, fixed] = self._varying_cost(left, self._outside_of(body))
-        return self._left[body.id, fixed]
+    def _needs(self, place: _Place) -> list[_Place]:
+        """What has to be rebuilt before a node can be."""
+        node, simplest = place
+        if node not in self._inlined or node.operands[0] not in self._once:
+            return [(operand, simplest) for operand in node.operands]
+        body, *arguments = node.operands
+        done = self._done[True]
+        if not all(argument in done for argument in arguments):
+            return [(argument, True) for argument in arguments]
+        for formal, argument in zip(formals_of(node), arguments, strict=True):
+            self._values[formal] = done[argument]
+        return [(body, True)]
 
-    def _outside_of(self, body: Node) -> frozenset[int]:
-        if body not in self._outside:
-            nodes = visible((body,))
-            self._outside[body] = frozenset(node.id for node in nodes if not node.variables)
-        return self._outside[body]
+    def _made(self, node: Node, simplest: bool) -> Node:
+        """What a node becomes, once all that it needs has been rebuilt."""
+        if node in self._inlined:
+            return self._written_out(node, simplest)
+        if isinstance(node.data, Formal):
+            return self._values.get(node.data, node)
+        done = self._done[simplest]
+        operands = tuple([done[operand] for operand in node.operands])
+        if simplest:
+            return self._simplifier.rule(self._graph, node, operands)
+        return self._graph.node(node.op, node.type, operands, node.data)
 
-    def _is_trivial(self, body: Node) -> bool:
-        if body not in self._trivial:
-            self._trivial[body] = cost(body, TRIVIAL) <= TRIVIAL
-        return self._trivial[body]
-
-    def _cost(self, body: Node) -> int:
-        if body not in self._costs:
-            self._costs[body] = cost(body, DEAR)
-        return self._costs[body]
-
-    def _varying_cost(self, root: Node, outside: Container[int]) -> int:
-        """The cost of what may differ from pixel to pixel, but for what is computed ``outside``."""
-        varying: set[Node] = set()
-        price = 0
-        for node in visible((root,)):
-            if node.op in VARYING or not varying.isdisjoint(operands_of(node)):
-                varying.add(node)
-                if node.id not in outside:
-                    called = node.op == "apply"
-                    price += self._cost(node.operands[0]) if called else cost_of(node)
-        return price
+    def _written_out(self, call: Node, simplest: bool) -> Node:
+        """The value of a call."""
+        body = call.operands[0]
+        if body in self._once:
+            written = self._done[True][body]
+        else:
+            rebuilt, *arguments = (self._done[simplest][operand] for operand in call.operands)
+            values = dict(zip(formals_of(call), arguments, strict=True))
+            written = self._simplifier.substituted(rebuilt, values)
+        # What a light adds keeps the names of its terms, which say what it is.
+        if written not in self._bodies and body.id not in self._notes.terms:
+            self._notes.forget_function(written)
+        return written

@@ -94,6 +94,10 @@ class Simplifier(Builder):
         (simplified,) = rewrite(self.graph, (body,), rule, self.notes.follow, nodes=nodes)
         return simplified
 
+    def is_simplest(self, node: Node) -> bool:
+        """Whether a node is known to be in its simplest form, with all that it needs."""
+        return node in self._simplest or not node.operands
+
     def _affected(self, roots: Iterable[Node], formals: frozenset[Formal]) -> list[Node]:
         """What of ``roots`` is not in its simplest form, or depends on ``formals``."""
         simplest = self._simplest

@@ -31,11 +31,13 @@ OTHERS = [
     "\0",
 ]
 
-FOREIGN = (
-    "f main float vec3 float3 f32 x M ? : sum i in ( ) { } [ ] 0 .. 4 - to if else return let var "
-    "const inout out fn -> = ; , array < > layout uniform extends discard material @ fragment "
-    "group struct param term {1, float[]( float[2]( #version \n"
-).split(" ")
+FOREIGN = [
+    "f", "main", "float", "vec3", "float3", "f32", "x", "M", "?", ":", "sum", "i", "in", "(",
+    ")", "{", "}", "[", "]", "0", "..", "4", "-", "to", "if", "else", "return", "let", "var",
+    "const", "inout", "out", "fn", "->", "=", ";", ",", "array", "<", ">", "layout", "uniform",
+    "extends", "discard", "material", "@", "fragment", "group", "struct", "param", "term",
+    "{1,", "float[](", "float[2](", "#version", "\n",
+]  # fmt: skip
 """What functions, choices, loops and arrays of other languages are made of."""
 
 
