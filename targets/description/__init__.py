@@ -1,1 +1,1 @@
-"""What is said about each language and its profiles: rows that ``legalise`` and ``emit`` read."""
+"""The records that describe a language and its profiles, which ``legalise`` and ``emit`` read."""

@@ -1,4 +1,4 @@
-"""What one dialect of a language has, lacks and is limited to: the record ``Profile``.
+"""The record that describes one dialect of a language: ``Profile``, with its limits and lacks.
 
 ``targets/<name>/language.py`` makes one for each dialect. ``legalise`` reads most of the rows;
 ``emit`` and the reflection read the others.
@@ -102,7 +102,7 @@ class Profile:
     explicit_bindings: bool = True
     """The text states set and binding; otherwise the host assigns them by name."""
     numbering: Numbering = "set"
-    """Within what no two blocks, textures and samplers have the same binding."""
+    """Where a number may be used once only: in a set, or for blocks, textures and samplers each."""
     sets: Mapping[str, int] = GROUP_SETS
     default_set: int = 2
     """Where a user's own groups go."""

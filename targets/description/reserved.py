@@ -1,4 +1,4 @@
-"""Words that a language keeps for itself."""
+"""The words of a language that cannot be names in a text, read from its ``reserved.txt``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a shading language says about itself: the record ``Language``.
+"""The record that describes a shading language: ``Language``.
 
 To add a language, make a folder beside the others in ``targets`` with a ``language.py`` that
 defines ``LANGUAGE``, a ``reserved.txt`` and the skeleton named by ``Language.skeleton``. Nothing

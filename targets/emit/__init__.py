@@ -1,1 +1,1 @@
-"""What all backends share: names, bindings, expressions, statements, skeletons."""
+"""Prints programs in any language, from what `targets/description` says about the language."""

@@ -1,6 +1,7 @@
-"""User's text as comments that cannot do harm.
+"""Turns texts of the user into comments that cannot do harm.
 
-A comment that ends in a backslash swallows the next line in GLSL and HLSL; U+0085, U+2028 and
+Doc comments of a material, its parameters and functions come here on their way into a shader. A
+comment that ends in a backslash swallows the next line in GLSL and HLSL; U+0085, U+2028 and
 other line ends close a comment in WGSL, after which its front ends run what follows; bidirectional
 controls make a text look like what it is not.
 """

@@ -1,6 +1,6 @@
-"""What all printers of one program share.
+"""The data that all printers of one program share.
 
-The emitter makes one ``Context`` for a program and a profile, and hands it to every printer.
+The emitter makes one ``Context`` for each program and profile, and hands it to every printer.
 """
 
 from __future__ import annotations
@@ -47,5 +47,5 @@ class Context:
         self._passed = legal.passed
 
     def passed(self, stage: StageName, body: Node) -> Passed:
-        """What the function of a stage with this body gets of blocks and textures."""
+        """The blocks and textures that a function of a stage gets as arguments, by its body."""
         return self._passed.get((stage, body), NOTHING)

@@ -1,7 +1,7 @@
-"""Views of what a program declares outside of its stages: structs, uniform blocks and textures.
+"""Views of the structs, uniform blocks and textures that a program declares outside of its stages.
 
-They are made once for a program, however many of its texts declare them. The emitter asks for those
-that a text needs.
+Each view is made once for a program, even if several of its texts have the declaration. The emitter
+and ``stage.py`` ask for those that a text or a stage needs.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .views import BlockView, MemberView, StructView, TextureView
 
 
 class Declarations:
-    """What the texts of one program declare."""
+    """Makes and keeps the views for the texts of one program."""
 
     def __init__(self, context: Context, bindings: Bindings) -> None:
         self._context = context
@@ -51,7 +51,7 @@ class Declarations:
         ]
 
     def parameters(self, passed: Passed) -> list[str]:
-        """What a function gets of a program's blocks, textures and samplers, as parameters."""
+        """The parameters by which a function receives blocks, textures and samplers."""
         forms, declaration = self._context.language.forms, self._context.language.types.declaration
         declared = [self._blocks[name].argument for name in passed.blocks]
         declared += [
@@ -62,7 +62,7 @@ class Declarations:
         return [forms.parameter.format(typed=typed) for typed in declared]
 
     def arguments(self, passed: Passed) -> list[str]:
-        """The same as arguments: they have the same names in every function."""
+        """The arguments for these parameters: everything has the same name in every function."""
         return [
             *(self._blocks[name].variable for name in passed.blocks),
             *(view.name for name in passed.textures for view in self._textures[name]),

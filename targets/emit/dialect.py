@@ -1,4 +1,4 @@
-"""What the printers know about one profile, whatever they print.
+"""Keeps what depends on the profile only, and not on the program that is printed.
 
 ``context.py`` asks for the ``Dialect`` of a profile. It is made for the first program that is
 printed in the profile, and used for all others.

@@ -1,7 +1,7 @@
-"""``#line`` directives, which make a downstream compiler name lines of the material.
+"""Puts ``#line`` directives into texts, so that downstream compilers name lines of the material.
 
-They are put into a finished text. Where a language numbers its files, 0 is the text itself, and a
-comment at its end lists the others.
+``api.py`` calls ``directed`` for each finished text if the user wants directives. Where a language
+numbers its files, 0 is the text itself, and a comment at its end lists the others.
 """
 
 from __future__ import annotations

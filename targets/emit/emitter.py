@@ -31,7 +31,7 @@ ALL_STAGES = "all"
 
 @frozen
 class EmitOptions:
-    """What a caller can choose about the texts."""
+    """Options of a caller that change the texts."""
 
     flip_y: bool = False
     """Negate clip-space y: for passes that draw into textures where row 0 is the bottom one."""
@@ -54,16 +54,16 @@ class EmittedFile:
     text: str
     marks: Marks
     breaks: Breaks
-    """Which lines were broken, as the marks know the text before that."""
+    """The lines that were broken. The marks know the text as it was before."""
 
     def origins(self) -> dict[int, Node]:
-        """By 1-based line of ``text``, what the statement in it computes or is for."""
+        """The value that each statement belongs to, by line of ``text``, counted from 1."""
         return moved(self.marks.origins(), self.breaks)
 
 
 @frozen
 class Emission:
-    """All texts of a program for one profile, and what a host needs to know of them."""
+    """All texts of a program for one profile, and the data about them that the reflection needs."""
 
     files: tuple[EmittedFile, ...]
     names: Names
@@ -71,11 +71,12 @@ class Emission:
     host_uniforms: tuple[str, ...]
     """Names of plain float uniforms that the host has to set, besides the blocks."""
     notes: Notes | None = None
-    """What is noted of the nodes in ``EmittedFile.origins()``, if not by the shader (``Legal``)."""
+    """Names and places of the nodes in ``EmittedFile.origins()``, if ``legalise`` has made nodes of
+    its own; otherwise those of the shader count."""
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
-    """Print a program; ``ValueError`` for one file where the profile cannot have that."""
+    """Print a program. ``ValueError`` if one file is wanted and the profile needs several."""
     options = options or EmitOptions()
     if options.single_file and not legal.profile.single_file:
         raise ValueError(f"{legal.language.name}:{legal.profile.name} has no single-file form")

@@ -27,8 +27,8 @@ from .natives import Callee, Natives
 from .precedence import NAME, POSTFIX, Binding, Field, Printed, choice, within
 
 DEEPEST = 200
-"""The printer calls itself for operands in place. The scheduler names deeper ones long before this;
-naga refuses expressions that are nested much deeper."""
+"""How deeply expressions may nest in a text, as printers call each other for operands. The
+scheduler binds operands to names long before. naga refuses what nests much deeper."""
 
 
 class Expressions:
@@ -57,7 +57,7 @@ class Expressions:
         self._depth = 0
 
     def text(self, node: Node) -> str:
-        """The node as an operand of a statement."""
+        """The text of a node as a part of a statement, where it needs no parentheses."""
         return self.operand(node)[0]
 
     def operand(self, node: Node) -> Printed:
@@ -66,7 +66,7 @@ class Expressions:
         return printed
 
     def operands(self, nodes: Iterable[Node]) -> list[Printed]:
-        """Several, each as above."""
+        """The same for several nodes."""
         assert self._depth < DEEPEST, "the scheduler has to bind deep operands to names"
         self._depth += 1
         bound, printers = self.bound.get, self.PRINTERS
@@ -75,7 +75,7 @@ class Expressions:
         return printed
 
     def expression(self, node: Node) -> Printed:
-        """The node itself, even if it is bound."""
+        """The expression that computes a node, even if the node is bound to a name already."""
         return self.PRINTERS[node.op](self, node)
 
     def accumulated(self, operator: str, name: str, value: Node) -> str:
@@ -223,5 +223,6 @@ class Expressions:
 
 
 def _number(text: str) -> Printed:
-    """A literal: no literal takes a swizzle, and the lowest integer is a difference."""
+    """A literal as an expression. No literal can be swizzled, so it does not bind like a name; the
+    lowest integer is written as a difference."""
     return text, Binding.SUM if " " in text else Binding.PREFIX

@@ -1,4 +1,7 @@
-"""Prints what one stage reads from outside: parameters, textures, inputs and varyings."""
+"""Prints the values that a stage reads from outside: parameters, textures, inputs and varyings.
+
+``stage.py`` makes a ``LeafPrinter`` for each stage. ``expressions.py`` and ``natives.py`` call it.
+"""
 
 from __future__ import annotations
 
@@ -49,7 +52,7 @@ class LeafPrinter:
         return self.loaded((text, NAME), stored)
 
     def loaded(self, member: Printed, type_: Type) -> Printed:
-        """A block's member as a plain value, where it is stored as something else."""
+        """A member of a block as a value of its type, if the block stores it as another type."""
         if not self._stored or str(type_) not in self._stored:
             return member
         value, type_text = Field(*member), self._types.type(type_)

@@ -1,4 +1,4 @@
-"""Numbers as every language reads them: the shortest text that means the same float32."""
+"""Writes constants: the shortest text that every language reads as the same number."""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""Turns a material's names into legal names of one language that differ from each other."""
+"""Turns names of a material into names that are legal in a language and differ from each other.
+
+``names.py`` uses a ``Namer`` for everything that a program declares outside of functions, and
+``stage.py`` one for the locals of each function.
+"""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from .namer import Namer
 
 @frozen
 class Names:
-    """Final names, by the names that the program suggests."""
+    """The final names. Most tables are looked up by the name that the program suggests."""
 
     blocks: Mapping[str, str]
     variables: Mapping[str, str]
@@ -68,7 +68,7 @@ class _Naming:
         self._module = Namer(self._reserved, language.fixed_names)
 
     def names(self) -> Names:
-        """All names. Those that hosts see are declared first."""
+        """Decide all names. Those that hosts see are declared first."""
         program = self._program
         blocks = {block.name: self._declare(block.name) for block in program.blocks}
         variables = self._variables(blocks)

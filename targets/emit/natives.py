@@ -1,4 +1,8 @@
-"""Prints builtins as a language spells them."""
+"""Prints calls of builtins in the words of a language.
+
+By now all of them are ``native`` nodes: operations that the language has itself, or for which
+``legalise`` has added a function to the text. ``expressions.py`` prints the operands first.
+"""
 
 from __future__ import annotations
 
@@ -38,7 +42,7 @@ def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
 
 
 def _special(row: Spelling, operands: Sequence[Type]) -> str:
-    """What a row says of operands of these types in particular."""
+    """The spelling in a row for operands of these types in particular; empty if it has none."""
     if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
         return row.matrix
     if row.vectors and isinstance(operands[0], Vector):
@@ -90,7 +94,7 @@ class Natives:
         return write(operands) if write else self._print(node, builtin, operands)
 
     def _print(self, node: Node, builtin: str, operands: Sequence[Printed]) -> Printed:
-        """A native whose spelling may depend on its operands."""
+        """Print a native that is not among the dialect's writers, or not yet."""
         types = tuple([operand.type for operand in node.operands])
         if (builtin, types) in self._definitions:
             return self._functions[self._definitions[builtin, types].body].call(operands)
@@ -121,7 +125,7 @@ class Natives:
         return self._forms.splat.format(type=text, value=value, lanes=lanes), POSTFIX
 
     def _widened(self, node: Node, operands: Sequence[Printed]) -> Sequence[Printed]:
-        """The operands, scalars among them as vectors where the result is one."""
+        """The operands; if the result is a vector, scalars among them become vectors too."""
         if not isinstance(node.type, Vector):
             return operands
         return [

@@ -37,10 +37,10 @@ class Marks:
         return _MARK.sub("", text)
 
     def origins(self) -> dict[int, Node]:
-        """What each statement of the finished text is for, by 1-based line.
+        """The value that each statement of the finished text belongs to, by line (counted from 1).
 
-        Statements that skeletons add, such as ``return output;``, belong to what stands before them
-        in their function, or else behind.
+        Statements that skeletons add, such as ``return output;``, belong to the same value
+        as the statement before them in their function, or else the one behind.
         """
         lines = self._text.split("\n")
         own = {
@@ -55,7 +55,7 @@ class Marks:
 def _completed(
     lines: Sequence[str], own: Mapping[int, Node], forms: Forms
 ) -> Iterator[tuple[int, Node]]:
-    """The value that each statement computes or is there for, in functions that have any mark."""
+    """The value that each statement belongs to, in functions that have at least one mark."""
     no_statements = {"", forms.end, forms.else_}
     for first, last in _top_level(lines, forms.end):
         node = next((own[number] for number in range(first, last) if number in own), None)

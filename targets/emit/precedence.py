@@ -1,8 +1,10 @@
-"""How tightly expressions bind: the order that all C-like shading languages share.
+"""Decides where parentheses are needed: how tightly each kind of expression binds its operands.
+
+The order is that of C, which all shading languages share.
 
 WGSL demands parentheses where the others only have habits (around operands of bitwise operators
 and shifts, between ``&&`` and ``||``, between comparisons). They read well everywhere, so all
-targets get them.
+languages get them.
 """
 
 from __future__ import annotations
@@ -13,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 
 class Binding(IntEnum):
-    """From loose to tight."""
+    """How tightly an expression holds together, from loose to tight."""
 
     CHOICE = 0
     OR = 1
@@ -99,7 +101,7 @@ def within(printed: Printed, least: Binding) -> str:
 
 
 def _infix(symbol: str, rule: Infix) -> Writer:
-    """What writes ``left symbol right`` with the parentheses that it needs."""
+    """A writer of ``left symbol right``, with parentheses where they are needed."""
     result, least, chains = rule
 
     def write(operands: Sequence[Printed]) -> Printed:
@@ -125,7 +127,11 @@ def choice(condition: Printed, then: Printed, otherwise: Printed) -> Printed:
 
 
 def writer(spelled: str, count: int) -> Writer:
-    """What writes so many operands with a symbol between or before them, or as those of a call."""
+    """Make a writer for so many operands.
+
+    A symbol stands between two operands or before one. Anything else is the name of a function,
+    which is called with them.
+    """
     if count == 2 and spelled in INFIX:
         return _infix(spelled, INFIX[spelled])
     if count == 1 and spelled in PREFIX:

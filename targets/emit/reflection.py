@@ -1,4 +1,8 @@
-"""What the reflection says of one emission: final names, bindings and conventions."""
+"""Tells the reflection about one emission: final names, bindings and conventions.
+
+``compiler/reflection`` knows no language. ``compiled.py`` gives it a ``BackendTable`` for each
+profile.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +32,7 @@ def backend_table(
     flip_y: bool,
     source_maps: Mapping[str, Mapping[int, Span]],
 ) -> BackendTable:
-    """What a host has to know about an emission; ``files`` are file names by stage or ``all``."""
+    """The table of one emission. ``files`` are names of files, by stage or for ``all`` of them."""
     names, bindings = emission.names, emission.bindings
     sampled = program.sampled
     turned = flip_y and not profile.framebuffer.clip_y_down

@@ -13,7 +13,10 @@ _NAME = "\0"
 
 
 class TypeTexts(NamedTuple):
-    """How types have been written, for all programs in a profile: those of which there are few."""
+    """The texts of types that any program may use: scalars, vectors and matrices.
+
+    A ``Dialect`` keeps them for all programs of a profile.
+    """
 
     types: dict[Type, str]
     declared: dict[Type, str]
@@ -23,7 +26,7 @@ class TypeTexts(NamedTuple):
 
 
 class _Written(dict[Type, str]):
-    """The texts of types in one program, which are made when they are first asked for."""
+    """The texts of types in one program. Each is written when it is first looked up."""
 
     def __init__(self, known: dict[Type, str], write: Callable[[Type], str]) -> None:
         super().__init__(known)
@@ -82,7 +85,7 @@ class TypeSpeller:
         return self._names.declaration.format(type=self.type(element), name=name)
 
     def _stored_pattern(self, type_: Type) -> str:
-        """The same as a member of a block."""
+        """The declaration of a block's member that is called ``_NAME``."""
         element, name = self._element_and_name(type_)
         text = self._names.stored.get(str(element)) or self.type(element)
         inner = element.element if isinstance(element, Array) else element
@@ -91,7 +94,7 @@ class TypeSpeller:
         return self._names.declaration.format(type=text, name=name)
 
     def _element_and_name(self, type_: Type) -> tuple[Type, str]:
-        """What stands before a name, and the name, behind which an array's count may stand."""
+        """The type before the name, and the name, which an array's count may follow as in C."""
         if isinstance(type_, Array) and not self._names.array:
             return type_.element, f"{_NAME}[{type_.count}]"
         return type_, _NAME

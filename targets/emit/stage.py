@@ -90,7 +90,7 @@ class StagePrinter:
         return [self._marks.mark(test, condition), INDENT + forms.discard, forms.end]
 
     def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
-        """The two printers of one function body."""
+        """The two printers that every function body needs."""
         expressions = Expressions(self._context, self._leaves, self._natives, self._functions)
         return expressions, Statements(self._context, expressions, namer, self._marks)
 
@@ -170,5 +170,5 @@ class StagePrinter:
 
 
 def _role(output: Output) -> FieldRole:
-    """What an output is to a language: all but render targets goes on along the pipeline."""
+    """Whether an output is a render target, or goes on to the next stage."""
     return "render target" if output.kind == TARGET else "varying"

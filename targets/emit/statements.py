@@ -77,7 +77,7 @@ class Statements:
         return self._mark(text, let.node)
 
     def _form(self, node: Node) -> str:
-        """The form that gives a name to a value that never changes."""
+        """The form of the statement that binds a name to a node."""
         if node.op != "array":
             return self._forms.let
         constant = all(element.op == "constant" for element in node.operands)
@@ -205,14 +205,14 @@ class Statements:
         return self._forms.at_most.format(value=self._expressions.text(loop.count), bound=bound)
 
     def _block(self, region: Region, name: str, value: Node) -> Lines:
-        """A nested region whose last statement assigns ``value`` to the variable ``name``."""
+        """The statements of a nested region, and one that assigns ``value`` to a variable."""
         with self._inside():
             yield from self._region(region)
             yield self._assigned(name, self._expressions.text(value), value)
 
     @contextmanager
     def _inside(self) -> Iterator[None]:
-        """A nested block. The names that are bound in it are forgotten at its end."""
+        """Open a nested block; at its end, forget the names that were bound in it."""
         bound = self._expressions.bound
         outer = len(bound)
         self._namer.enter()

@@ -1,7 +1,7 @@
 """Loads and fills in skeletons, the Jinja2 templates of whole files.
 
-The emitter asks ``renderer`` for what makes a text of a ``FileView``. Text of the user is data to a
-skeleton, never code.
+The emitter asks ``renderer`` for a function that turns a ``FileView`` into a text. Text of the user
+is data to a skeleton, never code.
 
 A language's skeleton extends ``skeleton.j2`` and overrides blocks of it. Jinja resolves inheritance
 each time that a template is rendered: it copies all variables for each block, and a block does not
@@ -43,7 +43,10 @@ Renderer = Callable[["FileView", "Forms", "Profile", bool], str]
 
 @cache
 def renderer(path: Path) -> Renderer:
-    """What fills in the skeleton at ``path``; it is kept between processes by its content."""
+    """The function that fills in the skeleton at ``path``.
+
+    The cache keeps its code for later processes, under a key made of the skeleton's text.
+    """
     sources = tuple(_sources(path))
     compiler = (_HERE / "skeleton_compiler.py").read_text(encoding="utf-8")
     code = cached("skeleton", (*sources, compiler), lambda: _compiled(sources, path.name))

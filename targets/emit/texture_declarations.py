@@ -1,4 +1,4 @@
-"""Types of textures and samplers, and what else a file has to declare in order to read them."""
+"""Writes the types of textures and samplers, and other lines that a file needs to read textures."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class TextureSpeller:
 def opening_lines(
     profile: Profile, textures: TextureSpeller, reads: Iterable[TextureRead]
 ) -> list[str]:
-    """The lines that have to open a file because of how it reads textures."""
+    """The first lines of a file that its texture reads make necessary, such as extensions."""
     found: dict[str, None] = {}
     for read in reads:
         if read.builtin in profile.requires:

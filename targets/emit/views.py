@@ -1,4 +1,4 @@
-"""What a skeleton sees of one file: lists of small records, whose texts are finished.
+"""The records that a skeleton gets to print: all texts in them are finished.
 
 The emitter makes them, and ``skeleton.j2`` puts them together. What belongs between the elements of
 a list, or around them, is the skeleton's business.

@@ -43,11 +43,11 @@ _WORD_END = re.compile(r"(?<![\\\s]) +")
 
 Place = TypeVar("Place")
 Breaks: TypeAlias = Mapping[int, int]
-"""How many lines were made of a line that was too long, by its 1-based number; in order."""
+"""For each line that was too long (counted from 1, in order), how many lines were made of it."""
 
 
 def wrapped(text: str) -> tuple[str, Breaks]:
-    """``text`` with its long lines broken, and which lines these are."""
+    """``text`` with its long lines broken, and into how many lines each of them was."""
     lines = text.split("\n")
     if max(map(len, lines)) <= WIDTH:
         return text, {}
@@ -61,9 +61,9 @@ def wrapped(text: str) -> tuple[str, Breaks]:
 
 
 def moved(places: Mapping[int, Place], breaks: Breaks) -> dict[int, Place]:
-    """What belongs to lines of a text, in order, by the lines after ``wrapped``.
+    """Renumber ``places`` of lines, which are in ascending order, for the wrapped text.
 
-    All lines that were made of one line get what belongs to it.
+    All lines that were made of one line get its place.
     """
     found: dict[int, Place] = {}
     pending = deque(breaks.items())

@@ -1,1 +1,1 @@
-"""From a program that knows no language to the form in which one profile prints it."""
+"""Makes a program legal in one profile, so that `emit` only has to print it."""

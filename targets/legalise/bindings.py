@@ -1,4 +1,4 @@
-"""Which set and binding every block, texture and sampler of a program has.
+"""Assigns a set and a binding to every block, texture and sampler of a program.
 
 The assignment looks at the whole program, so that its stages agree and the reflection can say what
 the text says. In most profiles a number is used once only within a set: DXC maps HLSL's ``b0``,
@@ -94,14 +94,14 @@ class _SlotsByKind:
 
 
 class _Owned(NamedTuple):
-    """What belongs to one group, but for the blocks that the host owns."""
+    """The blocks and textures of one group, without the blocks that the host has bound."""
 
     blocks: list[Block]
     resources: list[Resource]
 
 
 def _by_group(program: Program) -> dict[str, _Owned]:
-    """What there is to number, by group, in the order in which the program has them."""
+    """The blocks and textures of each group; groups are in the order of the program."""
     found: defaultdict[str, _Owned] = defaultdict(lambda: _Owned([], []))
     for block in program.blocks:
         owned = found[block.group].blocks

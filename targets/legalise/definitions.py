@@ -1,4 +1,4 @@
-"""Functions of the text for the builtins that a profile does not have as Burnish means them.
+"""Adds functions to a program for the builtins that a profile does not have as Burnish means them.
 
 ``legalise`` asks for them first. A profile has no word for a builtin (``Profile.lacks``), or its
 own operation has another meaning, or none, for operands of some types (``Profile.agrees``). Then

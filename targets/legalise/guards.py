@@ -1,4 +1,4 @@
-"""Decides about the guards that not every language needs.
+"""Decides about guards that some languages need and others do not.
 
 The passes leave a call where an operation is defined in some languages and left open in others: an
 integer over zero, a shift by more than there are bits. ``legalise`` asks here what the profile
@@ -59,7 +59,7 @@ class _Deciding(Guarding):
         self._known = known
 
     def decided(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """For ``rewrite``, of calls only: what becomes of one."""
+        """Replace one call; ``rewrite`` asks this for each call of the program."""
         self.at = self.notes.spans.get(node.id, self.at)
         for operand, given in zip(operands, node.operands, strict=True):
             self.ranges.assume(operand, self._known.of(given))

@@ -25,4 +25,4 @@ class Legal:
     passed: ResourceArguments
     """The blocks and textures that functions get as arguments."""
     notes: Notes | None = None
-    """What is noted of the program's nodes, if that is more than what their shader notes."""
+    """Names and places of the program's nodes, if nodes were added to those of the shader."""

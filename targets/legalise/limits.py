@@ -1,4 +1,7 @@
-"""What a program may need of a profile that it has not got, or not so many of."""
+"""Finds what a program needs and a profile lacks, or does not have enough of.
+
+``api.py`` asks before anything is printed, and makes errors of the answers.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +27,7 @@ class Excess:
 
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
-    """The limits that a program does not keep."""
+    """The limits of a profile that a program exceeds."""
     textures = max(len(stage.resources) for stage in program.stages)
     # A location counts also where nothing is read at those before it.
     inputs = max((field.location + 1 for field in program.vertex_inputs), default=0)
@@ -62,7 +65,7 @@ COMPARED_AND_LOADED = Lack(
 
 
 def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
-    """What the profile cannot do, each with the id of a node that wants it."""
+    """What the profile cannot do, each with the id of a node that needs it."""
     for stage in program.stages:
         if stage.row not in profile.stages:
             yield Lack(f"{stage.name} stage", OTHER_PROFILE), stage.roots[0].id

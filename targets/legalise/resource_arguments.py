@@ -1,4 +1,4 @@
-"""Which blocks and textures every function reads, for languages without global resources.
+"""Finds the blocks and textures that every function needs, for languages without global resources.
 
 In such a language (``Language.resource_arguments``) an entry point gets all that its stage reads as
 arguments. A function gets what it reads itself, or hands on to the functions that it calls.

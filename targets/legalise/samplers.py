@@ -1,4 +1,4 @@
-"""What the sampler of a texture does, which follows from what the texture holds."""
+"""Tells how a texture's sampler works: a depth texture is compared with, others are filtered."""
 
 from __future__ import annotations
 
@@ -14,5 +14,5 @@ def texture_type(resource: Resource) -> Texture:
 
 
 def sampler_use(resource: Resource) -> SamplerUse:
-    """What the sampler of a texture does."""
+    """Whether the sampler of a texture filters or compares."""
     return "comparison" if texture_type(resource).sample == "depth" else "filtering"
