@@ -17,9 +17,10 @@ from .diagnostics.source import Span
 from .ir.node import Formal, Node, Op, reachable
 from .ir.types import Scalar, Type, Vector
 from .library import MEANING, expansions
+from .semantics.checking.applications import apply_body, best
+from .semantics.checking.expressions import RULES
 from .semantics.inheritance.flattening import Records
-from .semantics.lowering.applications import apply_body, best
-from .semantics.lowering.expressions import RULES
+from .semantics.lowering.interning import Interning
 from .semantics.names.modules import Named
 from .semantics.state.context import Context
 from .semantics.state.scope import Failure
@@ -85,15 +86,17 @@ def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
     report = Report()
     ctx = Context(report, Records(report), RULES)
     arguments = tuple(
-        ctx.graph.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
+        ctx.tree.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
     )
     symbol = best(ctx, list(functions[name]), arguments)
     if symbol is None:
         return None
     value = apply_body(ctx, symbol, arguments, Span(symbol.module.file.source, 0, 0))
     assert not isinstance(value, Failure), report.diagnostics
-    (value,) = erased(ctx.graph, (value,), ctx.notes.follow)
-    return _template(symbol.declaration, arguments, value, ctx.notes.roles)
+    graph = Interning(ctx.notes)
+    *interned, value = graph.interned((*arguments, value))
+    (value,) = erased(graph.graph, (value,), graph.notes.follow)
+    return _template(symbol.declaration, tuple(interned), value, graph.notes.roles)
 
 
 def _template(

@@ -54,6 +54,10 @@ class Span:
         """What stands there."""
         return self.source.text[self.start : self.end]
 
+    def is_before(self, other: Span) -> bool:
+        """Whether this begins before ``other``, in the same text."""
+        return self.source is other.source and self.start < other.start
+
     def to(self, other: Span) -> Span:
         """From the start of this span to the end of ``other``."""
         return Span(self.source, self.start, other.end)

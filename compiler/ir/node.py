@@ -230,6 +230,13 @@ def formals_of(node: Node) -> Formals:
     return node.data.variables if isinstance(node.data, Binder) else ()
 
 
+def key_of(op: Op, type_: Type, operands: tuple[Node, ...], data: Hashable) -> Hashable:
+    """What equal nodes have in common."""
+    # A constant's 0.0 and -0.0, 1 and 1.0 and True compare equal but are different values.
+    # Nodes hash and compare by identity, so operands go into the key as they are.
+    return (op, type_, repr(data) if op == "constant" else data, operands)
+
+
 class Graph:
     """Interns nodes."""
 
@@ -249,9 +256,7 @@ class Graph:
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
     ) -> Node:
         """The one node that is this operation of these operands."""
-        # A constant's 0.0 and -0.0, 1 and 1.0 and True compare equal but are different values.
-        # Nodes hash and compare by identity, so operands go into the key as they are.
-        key = (op, type_, repr(data) if op == "constant" else data, operands)
+        key = key_of(op, type_, operands, data)
         found = self._interned.get(key)
         if found is None:
             found = Node(op, type_, operands, data, len(self._interned))

@@ -5,6 +5,7 @@ Semantics makes a ``Shader``; the passes, the reference and the reflection read 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
@@ -144,6 +145,19 @@ class Notes:
     def copy(self) -> Notes:
         """The notes as they are now."""
         return Notes(*map(dict, self._tables))
+
+    def take_over(self, others: Notes, ids: Mapping[int, int]) -> None:
+        """Keep what ``others`` says of nodes that have other ids here.
+
+        Where several of them are one, what was noted first counts, and the place that comes first.
+        """
+        for table, other in zip(self._tables, others._tables, strict=True):
+            for id_, noted in other.items():
+                if id_ in ids:
+                    table.setdefault(ids[id_], noted)
+        for id_, span in others.spans.items():
+            if id_ in ids and span.is_before(self.spans[ids[id_]]):
+                self.spans[ids[id_]] = span
 
     def forget_function(self, node: Node) -> None:
         """A value that a body gives where it is written out is no body itself."""

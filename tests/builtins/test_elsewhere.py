@@ -8,7 +8,7 @@ import pytest
 
 import burnish
 from burnish import stdlib
-from burnish.compiler.semantics.lowering.calls import NOT_CALLED
+from burnish.compiler.semantics.checking.calls import NOT_CALLED
 from burnish.compiler.semantics.types.typenames import NAMED
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, SAMPLE, TYPES, VALUES

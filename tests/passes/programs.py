@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from burnish.compiler.ir.signatures import parsed, result_type
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, UINT, VEC3, Matrix, Scalar, Type, Vector
 from burnish.compiler.ir.types import width as lanes_of
-from burnish.compiler.semantics.lowering.expressions import OPERATORS
+from burnish.compiler.semantics.checking.expressions import OPERATORS
 from burnish.stdlib.builtins import BUILTINS
 
 VECTORS = tuple(Vector("float", n) for n in (2, 3, 4))

@@ -6,7 +6,7 @@ import pytest
 
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
-from burnish.compiler.semantics.lowering import signatures
+from burnish.compiler.semantics.checking import signatures
 
 from .kit import color, shader
 

@@ -23,7 +23,6 @@ FLOORS: dict[str, str] = {
     # From text to a staged program.
     "compiler.cache": "",
     "compiler.inputs": "",
-    "compiler.trampoline": "",
     "compiler.srgb": "",
     "compiler.diagnostics": "frozen",
     "compiler.syntax": "frozen stdlib cache diagnostics",
@@ -44,20 +43,21 @@ FLOORS: dict[str, str] = {
     "compiler.semantics.declarations": (
         "frozen stdlib diagnostics syntax ir layout types names inheritance state hints"
     ),
-    "compiler.semantics.lowering": (
+    "compiler.semantics.checking": (
         "frozen stdlib diagnostics syntax srgb ir library types names inheritance state hints "
         "declarations"
     ),
+    "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen diagnostics syntax ir types names inheritance state hints declarations lowering"
+        "frozen diagnostics syntax ir types names inheritance state hints declarations "
+        "checking lowering"
     ),
     "compiler.frontend": "inputs diagnostics syntax ir library names inheritance shading",
     "compiler.expansion_templates": (
-        "frozen stdlib diagnostics syntax ir library types names inheritance state lowering"
+        "frozen stdlib diagnostics syntax ir library types names inheritance state checking "
+        "lowering"
     ),
-    "compiler.passes": (
-        "frozen stdlib diagnostics ir layout formula reference trampoline expansion_templates"
-    ),
+    "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
     "compiler.reflection": "frozen diagnostics ir packing",
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",

@@ -16,7 +16,7 @@ from .kit import ROOT, files
 TABLE = "compiler/ir/stages.py"
 
 OUTSIDE = {
-    "compiler/semantics/lowering/expressions.py": "`@vertex` is a word of the language",
+    "compiler/semantics/checking/expressions.py": "`@vertex` is a word of the language",
     "compiler/syntax/advice.py": "`@vertex` is a word of the language",
     "targets/runner/drivers/checks.py": "what reads the vertex inputs",
     "targets/runner/drivers/draw.py": "the vertex inputs' steps, which WebGPU calls so",

@@ -70,7 +70,7 @@ def _is_apart(node: Node | Failure, ctx: Context, declared: Declared) -> TypeGua
 
     Then the meaning that does not fit is reported, and not the type.
     """
-    if isinstance(node, Failure) or coerce(ctx.graph, node, declared.type) is not None:
+    if isinstance(node, Failure) or coerce(ctx.tree, node, declared.type) is not None:
         return False
     found, wanted = ctx.meanings.of(node), declared.meaning
     if found is None or wanted is None or fits(found, wanted):
@@ -106,6 +106,7 @@ def is_unit(ctx: Context, node: Node) -> bool:
         if ctx.ranges.of(choice).unit:
             continue
         if not ctx.constants.is_unit(choice):
+            ctx.progress.unproven += bool(choice.variables)
             return False
         ctx.ranges.assume(choice, UNIT)
     return True
@@ -164,7 +165,7 @@ def _way_out(
 def adapts(ctx: Context, argument: Node, declared: Declared, *, broadcast: bool) -> bool | None:
     """Whether an argument has to change to be what is declared; ``None`` where it cannot."""
     found = ctx.meanings.of(argument)
-    fitted = coerce(ctx.graph, argument, declared.type, broadcast=broadcast)
+    fitted = coerce(ctx.tree, argument, declared.type, broadcast=broadcast)
     if fitted is None or not fits(found, declared.meaning):
         return None
     if needs_unit(declared) and not is_unit(ctx, fitted):

@@ -37,7 +37,7 @@ def extern_value(ctx: Context, symbol: Symbol, span: Span) -> Node | Failure:
     info = ctx.externs.parameters.get((symbol.module, symbol.name))
     if info is None:
         return FAILURE
-    return ctx.graph.node("parameter", info.parameter.type, (), info.parameter)
+    return ctx.tree.node("parameter", info.parameter.type, (), info.parameter)
 
 
 def read_externs(ctx: Context, module: Module) -> None:

@@ -28,7 +28,7 @@ def fit(
     """``node`` as a ``wanted``, or a report at ``span``."""
     if isinstance(node, Failure):
         return FAILURE
-    fitted = coerce(ctx.graph, node, wanted)
+    fitted = coerce(ctx.tree, node, wanted)
     if fitted is None:
         ctx.report.add(
             rules.WRONG_TYPE, span, expected=declared, found=node.type,

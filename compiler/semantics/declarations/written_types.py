@@ -62,7 +62,7 @@ def _resolved(
 def numbers_of(ctx: Context, variables: Variables) -> dict[str, Value]:
     """The type parameters that stand for numbers, as values."""
     return {
-        name: build.constant(ctx.graph, INT, number)
+        name: build.constant(ctx.tree, INT, number)
         for name, number in variables.items()
         if isinstance(number, int)
     }

@@ -1,1 +1,1 @@
-"""Expressions to nodes: a module for each kind of expression."""
+"""From a checked tree to the graph: equal values become one node, and functions share bodies."""

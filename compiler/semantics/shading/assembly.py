@@ -9,10 +9,10 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...ir.leaves import Parameter, Resource
 from ...syntax import ast
+from ..checking.expressions import RULES
 from ..declarations.parameters import Leaves, leaves_of
 from ..inheritance.flattening import Records
 from ..inheritance.records import Record
-from ..lowering.expressions import RULES
 from ..names.modules import Module, Symbol
 from ..state.context import Context
 from ..state.scope import Instance, Replacement

@@ -11,18 +11,18 @@ from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT, TARGET, VERTEX
 from ...ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ...syntax import ast
+from ..checking.slots import slot
+from ..checking.unknown_names import unknown
 from ..declarations.externs import read_externs
 from ..declarations.fitting import fit, typed
 from ..declarations.parameters import Leaves
 from ..inheritance.records import Record
-from ..lowering.slots import slot
-from ..lowering.unknown_names import unknown
+from ..lowering.outlining import lowered
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import Failure, Instance, Scope
 from .assembly import Setting, is_declared_abstract
 from .host_names import check_host_names
-from .outlining import shared
 from .rigs import Entry
 from .slot_checks import check_rig, check_slots
 
@@ -69,14 +69,14 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     leaves, entries = setting.leaves, setting.entries
-    values = shared(ctx, [result.value for result in results])
+    values, graph, notes = lowered(ctx, [result.value for result in results])
     return Shader(
         name=setting.surface.record.name,
         doc=declaration.doc,
         pass_name=setting.passing.record.name,
         rig_name=parts.rig.name,
-        graph=ctx.graph.copy(),
-        notes=ctx.notes.copy(),
+        graph=graph,
+        notes=notes,
         parameters=_all_parameters(leaves, entries, ctx.externs.infos),
         resources=tuple(r for ls in leaves for r in ls.resources)
         + tuple(r for _, _, resources in entries for r in resources),
@@ -164,7 +164,7 @@ def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]
         condition = typed(ctx, discard.condition, scope, BOOL, "bool")
         if isinstance(condition, Failure):
             continue
-        combined = condition if combined is None else ctx.graph.node(
+        combined = condition if combined is None else ctx.tree.node(
             "call", BOOL, (combined, condition), "or"
         )  # fmt: skip
     if combined is not None:

@@ -19,12 +19,12 @@ def instance_of(ctx: Context, record: Record, leaves: Leaves) -> Instance:
     nodes: dict[str, Node] = {}
     for info in leaves.parameters:
         short = info.parameter.name.rpartition(".")[2]
-        nodes[short] = ctx.graph.node("parameter", info.parameter.type, (), info.parameter)
+        nodes[short] = ctx.tree.node("parameter", info.parameter.type, (), info.parameter)
     resources = {}
     for texture in leaves.resources:
         read = texture.resource
         short = read.name.rpartition(".")[2]
-        resources[short] = ctx.graph.node("resource", read.type, (), read)
+        resources[short] = ctx.tree.node("resource", read.type, (), read)
     inputs = dict(_vertex_inputs(ctx, leaves.attributes))
     instance = Instance(record, parameters=nodes, resources=resources, attributes=inputs)
     check_overrides(ctx, instance)
@@ -36,10 +36,10 @@ def _vertex_inputs(ctx: Context, infos: Iterable[AttributeInfo]) -> Iterator[tup
     columns: dict[str, list[Node]] = {}
     for info in infos:
         leaf = info.attribute
-        node = ctx.graph.node("attribute", leaf.type, (), leaf)
+        node = ctx.tree.node("attribute", leaf.type, (), leaf)
         if info.matrix:
             columns.setdefault(info.matrix, []).append(node)
         else:
             yield leaf.name, node
     for name, nodes in columns.items():
-        yield name, ctx.graph.node("matrix", Matrix(len(nodes)), tuple(nodes))
+        yield name, ctx.tree.node("matrix", Matrix(len(nodes)), tuple(nodes))

@@ -20,7 +20,7 @@ def some(
     declared = declared_type(ctx, type_, module, variables)
     if declared is None:
         return FAILURE
-    variable = ctx.graph.node("formal", declared.type, (), Formal(name.text))
+    variable = ctx.tree.node("formal", declared.type, (), Formal(name.text))
     ctx.placeholders.add(variable)
     return assumed(ctx, variable, declared)
 

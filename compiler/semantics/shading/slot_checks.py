@@ -5,9 +5,9 @@ from __future__ import annotations
 from ...diagnostics import rules
 from ...diagnostics.nearest import nearest, respelt
 from ...syntax import ast
+from ..checking.lights import light_instance
+from ..checking.slots import slot
 from ..inheritance.records import Definition
-from ..lowering.lights import light_instance
-from ..lowering.slots import slot
 from ..state.context import Context
 from ..state.scope import Instance
 

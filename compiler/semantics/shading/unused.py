@@ -16,14 +16,14 @@ from ...diagnostics.diagnostic import Diagnostic, Report
 from ...ir.node import Node
 from ...ir.types import BOOL
 from ...syntax import ast
+from ..checking import lookup
+from ..checking.applications import apply_body
+from ..checking.lights import light_instance, per_light
 from ..declarations.externs import read_externs
 from ..declarations.fitting import typed
 from ..declarations.parameters import leaves_of
 from ..declarations.written_types import struct_of
 from ..inheritance.flattening import Records
-from ..lowering import lookup
-from ..lowering.applications import apply_body
-from ..lowering.lights import light_instance, per_light
 from ..names.modules import Module, Symbol
 from ..state.evaluation import node_of
 from ..state.scope import Scope

@@ -71,6 +71,10 @@ class ConstantValues:
             return None
         return _nested(node.type, lanes)
 
+    def is_known(self, node: Node) -> bool:
+        """Whether a node is plainly a constant, which can be computed at once."""
+        return self._small_constant(node)
+
     def known(self, node: Node) -> Value | None:
         """The value of a node where it is plainly a constant, and nothing is reported if not."""
         return _nested(node.type, evaluate(node)) if self._small_constant(node) else None

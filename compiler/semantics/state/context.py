@@ -13,7 +13,7 @@ from ....frozen import fresh, frozen, record
 from ...diagnostics.diagnostic import Diagnostic, Report
 from ...diagnostics.source import Span
 from ...ir.meaning import Meaning
-from ...ir.node import Formal, Graph, Node, reachable
+from ...ir.node import Formal, Node, reachable
 from ...ir.ranges import Ranges
 from ...ir.shader import ExternInfo, Notes, ParameterInfo
 from ...ir.types import Type
@@ -26,6 +26,7 @@ from .constants import ConstantValues
 from .crossings import Crossings
 from .places import Places
 from .scope import Application, Failure, Inner, Instance, RigEntry, Scope, Value
+from .tree import Tree
 
 
 @record
@@ -68,6 +69,9 @@ class Progress:
     """What is defined by itself, which has been reported."""
     recursive: set[Symbol] = fresh(factory=set)
     """Functions that call themselves, which has been reported."""
+    unproven: int = 0
+    """How often something depended on a variable's value, in the body that is being checked: on how
+    large it is, say. Then what was found does not hold for all its values."""
     depth: int = 0
     """How many values are computed inside each other on Python's stack (``evaluation``)."""
 
@@ -84,12 +88,12 @@ class Context:
         self.records = records
         self.rules = rules
         self.rig: tuple[RigEntry, ...] = ()
-        self.graph = Graph()
+        self.tree = Tree()
         self.notes = Notes()
         self.places = Places(self.notes.spans)
-        self.crossings = Crossings(self.graph, report, self.notes, self.places)
+        self.crossings = Crossings(self.tree, report, self.notes, self.places)
         self.constants = ConstantValues(report)
-        self.meanings = Meanings(self.graph)
+        self.meanings = Meanings(self.tree)
         self.ranges = Ranges(())
         """What is known of values already: it bounds loops and proves lengths."""
         self.types = WrittenTypes(TypeResolver(report))
@@ -115,10 +119,7 @@ class Context:
         self.shaded_from: dict[Instance, tuple[Instance, Mapping[str, Node | Failure]]] = {}
         """For each of these the surface without replacements, and the new values."""
         self.bodies: dict[Signature, SharedBody | Failure | None] = {}
-        """Bodies that serve all calls with a signature.
-
-        ``None`` where the body depends on the arguments' values.
-        """
+        """Checked bodies of functions; ``None`` where they depend on the arguments' values."""
         self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
         """What is wrong with a function's body as long as nothing is known of its arguments."""
 
@@ -140,23 +141,31 @@ class Signature:
     symbol: Symbol
     given: tuple[Given, ...]
     """What is known of each argument, and then of each replaced slot."""
-    constants: tuple[Node | None, ...]
-    """For each number, vector and matrix among these the constant that it is, if it is one."""
+    constants: tuple[tuple[str, bool] | None, ...]
+    """For each number, vector and matrix among these the literal that it is, if it is one: its text
+    and whether it has a sign."""
     units: tuple[bool, ...]
-    """For each of them whether it has length one."""
+    """For each of them whether it has length one; nothing, if the body is ``repeated``."""
     surface: Instance | None
     """What is shaded, without replaced slots."""
     slots: tuple[str, ...]
     """The names of the slots that are replaced."""
+    repeated: bool
+    """Whether each call is the body once more, with its own arguments in it; else it applies it."""
 
 
 @frozen
 class SharedBody:
     """What a function gives for a signature."""
 
-    body: Node
-    applied: bool
-    """Whether it is closed, and to be applied to arguments; otherwise it is the value as it is."""
+    value: Node
+    """Of a body that is applied, closed."""
+    formals: tuple[Formal, ...]
+    """Its variables."""
+    parts: tuple[Node, ...] = ()
+    """What the parts of the arguments are in a body that is repeated."""
+    own: tuple[Node, ...] = ()
+    """The nodes of a body that is repeated, operands before users."""
 
 
 @frozen

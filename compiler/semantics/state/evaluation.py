@@ -5,15 +5,16 @@ the operands of an expression before it runs its rule. Equations chain without l
 of one needs that of the next. Such a value is a ``Demand``. While few of them wait for each other,
 the rule that needs one waits for it on Python's stack. Beyond that ``settle`` raises ``Unsettled``:
 the loop puts the demand in front of what is left to do, and afterwards runs the rule once more,
-which then finds the value. So a rule may run several times, and must leave nothing behind that a
-second run would stumble over.
+which then finds the value. So a rule may run several times: it gets the nodes once more that it
+made before, and must leave nothing behind that a second run would stumble over.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Mapping
+from typing import TypeAlias
 
-from ....frozen import frozen
+from ....frozen import EMPTY, frozen
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
@@ -65,10 +66,18 @@ class _Leave:
     start: int
 
 
-_Work = tuple[ast.Expression, Scope, int] | _Finish | _Leave
+_Work: TypeAlias = "tuple[ast.Expression, Scope, int] | _Finish | _Leave | _Again"
 """What is left to do. An expression comes with the place of its first operand's value, or with
 ``_NEW`` as long as its operands have not been evaluated."""
 _NEW = -1
+
+
+@frozen
+class _Again:
+    """Work that was left for a demand, and the nodes that were made until then."""
+
+    work: _Work
+    made: Mapping[Hashable, Node]
 
 
 def evaluate(ctx: Context, expression: ast.Expression, scope: Scope) -> Value:
@@ -95,10 +104,12 @@ def settle(ctx: Context, demand: Demand) -> None:
     if progress.depth >= DEEPEST:
         raise Unsettled(demand)
     progress.depth += 1
+    again, ctx.tree.again = ctx.tree.again, EMPTY
     try:
         _run(ctx, _begun(ctx, demand))
     finally:
         progress.depth -= 1
+        ctx.tree.again = again
 
 
 def _begun(ctx: Context, demand: Demand) -> list[_Work]:
@@ -108,10 +119,10 @@ def _begun(ctx: Context, demand: Demand) -> list[_Work]:
 
 def _run(ctx: Context, work: list[_Work]) -> Value:
     """Do all work; the value is that of the last expression."""
-    table, note = ctx.rules, ctx.places.note
+    table, note, tree = ctx.rules, ctx.places.note, ctx.tree
     values: list[Value] = []
     while True:
-        top = work.pop()
+        top, first = work.pop(), len(tree)
         try:
             if isinstance(top, tuple):
                 written, scope, start = top
@@ -129,20 +140,26 @@ def _run(ctx: Context, work: list[_Work]) -> Value:
                     work.append(_Leave(written, found, start))
                     work += [(e, found.scope, _NEW) for e in reversed(found.expressions)]
                     continue
-            elif isinstance(top, _Finish):
+            elif isinstance(top, _Leave):
+                written, start = top.written, top.start
+                found = top.inner.then(values[start:])
+            elif isinstance(top, _Again):
+                tree.again = top.made
+                work.append(top.work)
+                continue
+            else:
                 top.demand.finish(values[-1])
                 del ctx.progress.active[top.demand.key]
                 if not work:
                     return values[-1]
                 values.pop()
                 continue
-            else:
-                written, start = top.written, top.start
-                found = top.inner.then(values[start:])
         except Unsettled as unsettled:
-            work.append((written, scope, start) if isinstance(top, tuple) else top)
+            work.append(_Again(top, {**tree.again, **tree.made_since(first)}))
             work += _begun(ctx, unsettled.demand)
+            tree.again = EMPTY
             continue
+        tree.again = EMPTY
         del values[start:]
         values.append(found)
         if isinstance(found, Node):

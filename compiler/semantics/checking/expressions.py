@@ -63,24 +63,24 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Value], _scope: Sco
             text = shortened(e.text)
             ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=text, type=type_, hint=hint)
             return FAILURE
-        return build.constant(ctx.graph, type_, whole)
+        return build.constant(ctx.tree, type_, whole)
     value = float(e.text)
     if isinf(value) or value > 3.4028234663852886e38:
         ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=shortened(e.text), type=FLOAT)
         return FAILURE
-    number = build.floating(ctx.graph, radians(value) if e.unit == "deg" else value)
+    number = build.floating(ctx.tree, radians(value) if e.unit == "deg" else value)
     return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
 
 
 def _color(ctx: Context, e: ast.Color, _operands: Sequence[Value], _scope: Scope) -> Value:
     lanes = [linear(channel) for channel in e.channels[:3]]
     lanes += [channel / 255 for channel in e.channels[3:]]
-    color = build.constant(ctx.graph, Vector("float", len(lanes)), tuple(lanes))
+    color = build.constant(ctx.tree, Vector("float", len(lanes)), tuple(lanes))
     return ctx.meanings.ascribed(color, RGB if len(lanes) == 3 else RGBA)
 
 
 def _boolean(ctx: Context, e: ast.Boolean, _operands: Sequence[Value], _scope: Scope) -> Value:
-    return build.constant(ctx.graph, BOOL, e.value)
+    return build.constant(ctx.tree, BOOL, e.value)
 
 
 # --- names ---------------------------------------------------------------------------------------
@@ -117,10 +117,10 @@ def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], _scope: Scope)
                 rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
             )
             return FAILURE
-        return build.part(ctx.graph, operand, known)
-    zero, last = (build.constant(ctx.graph, INT, n) for n in (0, count - 1))
-    clamped = ctx.graph.node("call", INT, (position, zero, last), "clamp")
-    return build.index(ctx.graph, operand, clamped)
+        return build.part(ctx.tree, operand, known)
+    zero, last = (build.constant(ctx.tree, INT, n) for n in (0, count - 1))
+    clamped = ctx.tree.node("call", INT, (position, zero, last), "clamp")
+    return build.index(ctx.tree, operand, clamped)
 
 
 # --- operators -----------------------------------------------------------------------------------
@@ -145,7 +145,7 @@ def _whole(text: str) -> int:
 
 def _unary(ctx: Context, e: ast.Unary, operands: Sequence[Value], scope: Scope) -> Value:
     if not operands:
-        return build.constant(ctx.graph, INT, -int(LOWEST))
+        return build.constant(ctx.tree, INT, -int(LOWEST))
     operand = plain(ctx, operands[0], e.operand)
     if isinstance(operand, Failure):
         return FAILURE
@@ -185,15 +185,15 @@ def _conditional(
             hint="choose between what is read, not between textures",
         )  # fmt: skip
         return FAILURE
-    common = coerce(ctx.graph, then, otherwise.type)
-    fitted = otherwise if common is not None else coerce(ctx.graph, otherwise, then.type)
+    common = coerce(ctx.tree, then, otherwise.type)
+    fitted = otherwise if common is not None else coerce(ctx.tree, otherwise, then.type)
     if fitted is None:
         ctx.report.add(
             rules.BRANCH_TYPES, e.otherwise.span, then=then.type, otherwise=otherwise.type
         )
         return FAILURE
     then = common or then
-    node = ctx.graph.node("select", then.type, (condition, then, fitted))
+    node = ctx.tree.node("select", then.type, (condition, then, fitted))
     sides = (e.condition, e.then, e.otherwise)
     return checked(ctx, node, "if", e.span, sides, scope)
 
@@ -205,6 +205,7 @@ def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Value], _scope: Sco
         return FAILURE
     if isinstance(operand, Failure):
         return FAILURE
+    ctx.progress.unproven += bool(operand.variables)
     return ctx.crossings.interpolated(operand, e.span)
 
 

@@ -233,7 +233,7 @@ def _unguarded(ctx: Context, arguments: tuple[Node, ...], e: ast.Call) -> Value:
         ctx.report.add(rules.UNGUARDED, e.span)
         return FAILURE
     node = bare(arguments[0])
-    native = ctx.graph.node("native", node.type, node.operands, node.data)
+    native = ctx.tree.node("native", node.type, node.operands, node.data)
     return ctx.meanings.ascribed(native, ctx.meanings.of(arguments[0]))
 
 

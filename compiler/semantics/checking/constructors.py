@@ -94,22 +94,22 @@ def _as_floats(arguments: tuple[Node, ...], written: tuple[ast.Expression, ...])
 def _scalar(ctx: Context, type_: Scalar, argument: Node) -> Node | Failure | None:
     if not isinstance(argument.type, Scalar):
         return None
-    adapted = coerce(ctx.graph, argument, type_)
+    adapted = coerce(ctx.tree, argument, type_)
     if adapted is not None:
         return adapted
     if type_.kind == "bool":
-        zero = build.constant(ctx.graph, argument.type, 0.0 if argument.type.kind == "float" else 0)
-        return ctx.graph.node("call", type_, (argument, zero), "ne")
+        zero = build.constant(ctx.tree, argument.type, 0.0 if argument.type.kind == "float" else 0)
+        return ctx.tree.node("call", type_, (argument, zero), "ne")
     if argument.type.kind == "bool":
         return _flag(ctx, type_, argument)
-    return ctx.graph.node("call", type_, (argument,), CONVERSIONS[type_.kind])
+    return ctx.tree.node("call", type_, (argument,), CONVERSIONS[type_.kind])
 
 
 def _flag(ctx: Context, type_: Scalar, argument: Node) -> Node:
     """A bool as one or zero."""
     number = float if type_.kind == "float" else int
-    one, zero = (build.constant(ctx.graph, type_, number(n)) for n in (1, 0))
-    return ctx.graph.node("select", type_, (argument, one, zero))
+    one, zero = (build.constant(ctx.tree, type_, number(n)) for n in (1, 0))
+    return ctx.tree.node("select", type_, (argument, one, zero))
 
 
 def _vector(ctx: Context, type_: Vector, arguments: tuple[Node, ...]) -> Node | Failure | None:
@@ -120,7 +120,7 @@ def _vector(ctx: Context, type_: Vector, arguments: tuple[Node, ...]) -> Node | 
         kind = scalar_kind(argument.type)
         if kind == type_.kind:
             lanes.append(argument)
-        elif is_constant(argument) and (one := coerce(ctx.graph, argument, Scalar(type_.kind))):
+        elif is_constant(argument) and (one := coerce(ctx.tree, argument, Scalar(type_.kind))):
             lanes.append(one)
         elif len(arguments) == 1 and isinstance(argument.type, Vector):
             return _converted(ctx, type_, argument)
@@ -128,10 +128,10 @@ def _vector(ctx: Context, type_: Vector, arguments: tuple[Node, ...]) -> Node | 
             return None
     total = sum(width(lane.type) for lane in lanes)
     if len(lanes) == 1 and total == 1:
-        return build.splat(ctx.graph, lanes[0], type_.size)
+        return build.splat(ctx.tree, lanes[0], type_.size)
     if len(lanes) == 1 and total > type_.size:
-        return build.swizzle(ctx.graph, lanes[0], tuple(range(type_.size)))
-    return build.vector(ctx.graph, tuple(lanes)) if total == type_.size else None
+        return build.swizzle(ctx.tree, lanes[0], tuple(range(type_.size)))
+    return build.vector(ctx.tree, tuple(lanes)) if total == type_.size else None
 
 
 def _converted(ctx: Context, type_: Vector, argument: Node) -> Node | None:
@@ -139,23 +139,23 @@ def _converted(ctx: Context, type_: Vector, argument: Node) -> Node | None:
     if width(argument.type) != type_.size:
         return None
     if "bool" not in (type_.kind, scalar_kind(argument.type)):
-        return ctx.graph.node("call", type_, (argument,), CONVERSIONS[type_.kind])
+        return ctx.tree.node("call", type_, (argument,), CONVERSIONS[type_.kind])
     lanes = []
     for lane in range(type_.size):
-        converted = _scalar(ctx, Scalar(type_.kind), build.swizzle(ctx.graph, argument, (lane,)))
+        converted = _scalar(ctx, Scalar(type_.kind), build.swizzle(ctx.tree, argument, (lane,)))
         if not isinstance(converted, Node):
             return None
         lanes.append(converted)
-    return build.vector(ctx.graph, tuple(lanes))
+    return build.vector(ctx.tree, tuple(lanes))
 
 
 def _matrix(ctx: Context, type_: Matrix, arguments: tuple[Node, ...]) -> Node | Failure | None:
     column = Vector("float", type_.size)
     if len(arguments) == type_.size and all(a.type == column for a in arguments):
-        return build.matrix(ctx.graph, arguments)
+        return build.matrix(ctx.tree, arguments)
     if len(arguments) == 1 and isinstance(source := arguments[0].type, Matrix):
         return _resized(ctx, arguments[0], source.size, type_.size)
-    if len(arguments) == 1 and (diagonal := coerce(ctx.graph, arguments[0], Scalar("float"))):
+    if len(arguments) == 1 and (diagonal := coerce(ctx.tree, arguments[0], Scalar("float"))):
         return _diagonal(ctx, diagonal, type_.size)
     return None
 
@@ -164,23 +164,23 @@ def _resized(ctx: Context, argument: Node, source: int, wanted: int) -> Node:
     """The upper left part of a larger matrix; a smaller one continued by the identity."""
     if source == wanted:
         return argument
-    zero, one = (build.floating(ctx.graph, number) for number in (0.0, 1.0))
+    zero, one = (build.floating(ctx.tree, number) for number in (0.0, 1.0))
     columns = []
     for i in range(wanted):
         lanes: list[Node] = []
         if i < source:
-            column = build.part(ctx.graph, argument, i)
-            lanes.append(build.swizzle(ctx.graph, column, tuple(range(min(source, wanted)))))
+            column = build.part(ctx.tree, argument, i)
+            lanes.append(build.swizzle(ctx.tree, column, tuple(range(min(source, wanted)))))
         filled = range(source if i < source else 0, wanted)
         lanes += (one if row == i else zero for row in filled)
-        columns.append(build.vector(ctx.graph, tuple(lanes)))
-    return build.matrix(ctx.graph, tuple(columns))
+        columns.append(build.vector(ctx.tree, tuple(lanes)))
+    return build.matrix(ctx.tree, tuple(columns))
 
 
 def _diagonal(ctx: Context, lane: Node, size: int) -> Node:
-    zero = build.floating(ctx.graph, 0.0)
+    zero = build.floating(ctx.tree, 0.0)
     columns = [
-        build.vector(ctx.graph, tuple(lane if i == j else zero for i in range(size)))
+        build.vector(ctx.tree, tuple(lane if i == j else zero for i in range(size)))
         for j in range(size)
     ]
-    return build.matrix(ctx.graph, tuple(columns))
+    return build.matrix(ctx.tree, tuple(columns))

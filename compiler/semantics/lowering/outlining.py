@@ -1,10 +1,10 @@
 """Functions whose body serves several calls.
 
-A call is lowered with its own arguments, so that everything is checked where it is called. Its
-value is marked (``call_marks.py``). When all is lowered, each function that is called repeatedly
+In a checked tree, a call is what the function gives for its arguments, and marked as such
+(``call_marks.py``). When the trees have become a graph, each function that is called repeatedly
 gets a body in which variables stand for the arguments. A call becomes an ``apply`` of that body
 where this is the same value: with the arguments in place of the variables they are one node. Where
-they are not, the arguments had a say in how the body was lowered, and the call stays written out.
+they are not, the arguments had a say in what the body is, and the call stays written out.
 """
 
 from __future__ import annotations
@@ -21,20 +21,23 @@ from ...ir.leaves import Resource
 from ...ir.node import Formal, Graph, Node, Roots, reachable
 from ...ir.operations import MEMBER
 from ...ir.rewrite import rewrite
+from ...ir.shader import Notes
 from ...syntax import ast
-from ..lowering.applications import apply_body
-from ..lowering.call_marks import Callee
-from ..lowering.signatures import stand_ins
+from ..checking.applications import apply_body
+from ..checking.call_marks import Callee
+from ..checking.signatures import stand_ins
 from ..state.context import Context
 from ..types.meanings import erased
+from .interning import Interning
 
 Fixed: TypeAlias = tuple[Node | None, ...]
 """For each argument of a call the constant that it is in the body, if it is one there."""
 
 
-def shared(ctx: Context, roots: Iterable[Node]) -> list[Node]:
-    """The roots as bare numbers, in which functions that are called repeatedly are applied."""
-    return _Sharing(ctx).roots(list(roots))
+def lowered(ctx: Context, roots: Iterable[Node]) -> tuple[list[Node], Graph, Notes]:
+    """Checked trees as bare numbers in a graph, where functions called repeatedly are applied."""
+    graph = Interning(ctx.notes)
+    return _Sharing(ctx, graph).roots(graph.interned(roots)), graph.graph, graph.notes
 
 
 @record
@@ -55,10 +58,11 @@ class _Group:
 
 
 class _Sharing:
-    def __init__(self, ctx: Context) -> None:
+    def __init__(self, ctx: Context, graph: Interning) -> None:
         self._ctx = ctx
-        self._graph = ctx.graph
-        self._moved = ctx.notes.follow
+        self._interning = graph
+        self._graph, self._notes = graph.graph, graph.notes
+        self._moved = graph.notes.follow
         self._groups: dict[tuple[Callee, Fixed], _Group] = {}
         """Callees before those that call them: a mark is younger than the marks in its value."""
         self._group_of: dict[int, _Group] = {}
@@ -90,26 +94,28 @@ class _Sharing:
     def _add(self, callee: Callee, fixed: Fixed) -> bool:
         """Lower the body of a group; whatever is wrong with it has been reported of its calls."""
         ctx, found = self._ctx, self._ctx.report.count
-        formals: list[Formal] = []
         function = callee.symbol.declaration
         assert isinstance(function, ast.Function)
         names = [argument.name.text for argument in function.arguments]
-        arguments = tuple(stand_ins(ctx, names, callee.given, fixed, formals))
+        given = self._interning.written[callee].given
+        constants = [c and ctx.tree.node(c.op, c.type, (), c.data) for c in fixed]
+        stand_in = stand_ins(ctx, names, given, constants)
+        formals = stand_in.formals
         span = callee.symbol.declaration.name.span
-        value = apply_body(ctx, callee.symbol, arguments, span)
+        value = apply_body(ctx, callee.symbol, stand_in.values, span)
         failed = ctx.report.count > found
         ctx.report.forget(found)
         if failed or not isinstance(value, Node) or not formals:
             return False
-        body = value.operands[0] if value.op == "called" else value
-        self._groups[callee, fixed] = _Group(callee, fixed, tuple(formals), body)
+        (body,) = self._interning.interned([value.operands[0] if value.op == "called" else value])
+        self._groups[callee, fixed] = _Group(callee, fixed, formals, body)
         return True
 
     def _at_rest(self, group: _Group) -> Node:
         """The body of a group, closed, with what texts show of the function."""
         (body,) = self._rewritten([group.body])
         closed = close(self._graph, body, group.formals, self._moved)
-        notes, function = self._ctx.notes, group.callee.symbol.declaration
+        notes, function = self._notes, group.callee.symbol.declaration
         notes.functions.setdefault(closed.id, self._name(group))
         notes.arguments.setdefault(closed.id, tuple(formal.name for formal in group.formals))
         if function.doc:

@@ -115,10 +115,10 @@ def _turns(
     count, bound = found
     formal = Formal(written.variable.text or "turn")
     ctx.ranges.note_index(formal, bound)
-    turn = ctx.graph.node("formal", INT, (), formal)
+    turn = ctx.tree.node("formal", INT, (), formal)
     index = turn
     if ctx.constants.known_integer(first) != 0:
-        index = ctx.graph.node("call", INT, (turn, first), "add")
+        index = ctx.tree.node("call", INT, (turn, first), "add")
     return _Turns(count, bound, formal, index)
 
 
@@ -126,6 +126,7 @@ def _count(
     ctx: Context, first: Node, end: Node, most: int, written: ast.Turns, span: Span
 ) -> tuple[Node, int] | None:
     """How often a loop turns, and at most; reported where nothing says that."""
+    ctx.progress.unproven += bool(first.variables or end.variables)
     known = [ctx.constants.known_integer(node) for node in (first, end)]
     if known[0] is not None and known[1] is not None:
         turns = max(known[1] - known[0], 0)
@@ -133,7 +134,7 @@ def _count(
         if turns > LONGEST:
             ctx.report.add(rules.FOLD_TOO_LONG, span, count=turns, most=LONGEST)
             return None
-        return build.constant(ctx.graph, INT, turns), turns
+        return build.constant(ctx.tree, INT, turns), turns
     if written.most is not None and most > LONGEST:
         ctx.report.add(rules.FOLD_TOO_LONG, written.most.span, count=most, most=LONGEST)
         return None
@@ -150,7 +151,7 @@ def _count(
         return None
     count = end
     if known[0] != 0:
-        count = ctx.graph.node("call", INT, (end, first), "sub")
+        count = ctx.tree.node("call", INT, (end, first), "sub")
     return count, max(int(bound), 0)
 
 
@@ -183,8 +184,8 @@ def _folded(
         return FAILURE
     if initial is not None:
         assert e.initial is not None
-        fitted: Node | Failure | None = coerce(ctx.graph, initial, body.type)
-        if fitted is None and (adapted := coerce(ctx.graph, body, initial.type)) is not None:
+        fitted: Node | Failure | None = coerce(ctx.tree, initial, body.type)
+        if fitted is None and (adapted := coerce(ctx.tree, body, initial.type)) is not None:
             body, fitted = adapted, initial
         fitted = fitted or fit(ctx, initial, body.type, str(body.type), e.initial.span)
         if isinstance(fitted, Failure):
@@ -228,7 +229,7 @@ def _combined(
     if crosses:
         return _written_out(ctx, operator, turns, body, initial)
     result = folded(
-        ctx.graph, operator, turns.bound, body, turns.formal, ctx.notes.follow, turns.count, initial
+        ctx.tree, operator, turns.bound, body, turns.formal, ctx.notes.follow, turns.count, initial
     )
     ctx.notes.variables.setdefault(result.id, (e.turns.variable.text,))
     return result
@@ -237,12 +238,12 @@ def _combined(
 def _from_first(ctx: Context, operator: FoldOperator, turns: _Turns, body: Node) -> Node:
     """A fold that begins with its first term."""
     first = _at(ctx, body, turns.formal, 0)
-    turn = ctx.graph.node("formal", INT, (), turns.formal)
-    one = build.constant(ctx.graph, INT, 1)
-    later = ctx.graph.node("call", INT, (turn, one), "add")
-    rest = substitute(ctx.graph, body, {turns.formal: later}, ctx.notes.follow)
+    turn = ctx.tree.node("formal", INT, (), turns.formal)
+    one = build.constant(ctx.tree, INT, 1)
+    later = ctx.tree.node("call", INT, (turn, one), "add")
+    rest = substitute(ctx.tree, body, {turns.formal: later}, ctx.notes.follow)
     return folded(
-        ctx.graph, operator, turns.bound - 1, rest, turns.formal, ctx.notes.follow, start=first
+        ctx.tree, operator, turns.bound - 1, rest, turns.formal, ctx.notes.follow, start=first
     )
 
 
@@ -252,16 +253,16 @@ def _written_out(
     """A fold without a loop: the terms of all turns, joined by the operator."""
     terms = [_at(ctx, body, turns.formal, turn) for turn in range(turns.bound)]
     if operator not in ("min", "max") or initial is not None:
-        terms.insert(0, initial or _of_nothing(ctx.graph, operator, body.type))
+        terms.insert(0, initial or _of_nothing(ctx.tree, operator, body.type))
     total = terms[0]
     for term in terms[1:]:
-        total = ctx.graph.node("call", body.type, (total, term), operator)
+        total = ctx.tree.node("call", body.type, (total, term), operator)
     return total
 
 
 def _at(ctx: Context, body: Node, formal: Formal, turn: int) -> Node:
-    number = build.constant(ctx.graph, INT, turn)
-    return substitute(ctx.graph, body, {formal: number}, ctx.notes.follow)
+    number = build.constant(ctx.tree, INT, turn)
+    return substitute(ctx.tree, body, {formal: number}, ctx.notes.follow)
 
 
 # --- states --------------------------------------------------------------------------------------
@@ -291,7 +292,7 @@ def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Value], scope: Scop
     states = _states(ctx, e, initial)
     if isinstance(states, Failure):
         return FAILURE
-    whole = build.assembled(ctx.graph, initial.type, iter(states.variables))
+    whole = build.assembled(ctx.tree, initial.type, iter(states.variables))
     inner = scope.binding({e.turns.variable.text: turns.index, e.state.text: whole})
     written = (e.body,) if e.condition is None else (e.condition, e.body)
     return Inner(written, inner, partial(_iterated, ctx, e, turns, states))
@@ -305,14 +306,14 @@ def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:
             hint="a texture cannot change from turn to turn",
         )  # fmt: skip
         return FAILURE
-    starts = tuple(build.flattened(ctx.graph, initial))
+    starts = tuple(build.flattened(ctx.tree, initial))
     if len(starts) > LARGEST_STATE:
         ctx.report.add(rules.STATE_TOO_LARGE, e.initial.span, count=len(starts), most=LARGEST_STATE)
         return FAILURE
     names = tuple(name for name, _ in build.named_parts(e.state.text, initial.type))
     formals = tuple(map(Formal, names))
     variables = tuple(
-        ctx.graph.node("formal", start.type, (), formal)
+        ctx.tree.node("formal", start.type, (), formal)
         for start, formal in zip(starts, formals, strict=True)
     )
     return _States(initial, starts, formals, variables)
@@ -322,27 +323,27 @@ def _iterated(
     ctx: Context, e: ast.Iterate, turns: _Turns, states: _States, values: Sequence[Value]
 ) -> Value:
     """The last state of a loop of which condition and body are known."""
-    going: Node | Failure = build.constant(ctx.graph, BOOL, True)
+    going: Node | Failure = build.constant(ctx.tree, BOOL, True)
     if e.condition is not None:
         condition = plain(ctx, values[0], e.condition)
         going = fit(ctx, condition, BOOL, "bool", e.condition.span)
     body = _following(ctx, e, plain(ctx, values[-1], e.body), states.initial)
     if isinstance(going, Failure) or isinstance(body, Failure):
         return FAILURE
-    nexts = tuple(build.flattened(ctx.graph, body))
+    nexts = tuple(build.flattened(ctx.tree, body))
     waits = e.condition is not None
     formals = {turns.formal, *states.formals}
     if not _allowed(ctx, turns, (going, *nexts), formals, e.span, waits=waits, states=True):
         return FAILURE
     rows = list(zip(states.formals, states.variables, states.starts, nexts, strict=True))
-    return build.assembled(ctx.graph, states.initial.type, iter(_looped(ctx, turns, rows, going)))
+    return build.assembled(ctx.tree, states.initial.type, iter(_looped(ctx, turns, rows, going)))
 
 
 def _following(ctx: Context, e: ast.Iterate, body: Node | Failure, initial: Node) -> Node | Failure:
     """What a turn makes of the state, as a state."""
     if isinstance(body, Failure):
         return FAILURE
-    fitted = coerce(ctx.graph, body, initial.type)
+    fitted = coerce(ctx.tree, body, initial.type)
     if fitted is None:
         ctx.report.add(
             rules.STATE_CHANGES, e.body.span, name=e.state.text, before=initial.type,
@@ -359,7 +360,7 @@ def _looped(
     going: Node,
 ) -> list[Node]:
     """The last states of a loop; what no turn changes is no part of it."""
-    graph, moved = ctx.graph, ctx.notes.follow
+    graph, moved = ctx.tree, ctx.notes.follow
     fixed = {f: start for f, variable, start, following in states if following is variable}
     kept = [state for state in states if state[0] not in fixed]
     if not kept:

@@ -42,13 +42,13 @@ def _component(ctx: Context, node: Node, e: ast.Field) -> Node | Failure:
     if isinstance(node.type, Struct):
         members = dict(node.type.members)
         if name.text in members:
-            return build.member(ctx.graph, node, name.text)
+            return build.member(ctx.tree, node, name.text)
         unknown(ctx, "member", name.text, name.span, members)
         return FAILURE
     if isinstance(node.type, Vector | Scalar):
         lanes = _swizzle_lanes(name.text, width(node.type))
         if lanes is not None:
-            whole = build.swizzle(ctx.graph, node, lanes)
+            whole = build.swizzle(ctx.tree, node, lanes)
             is_color = ctx.meanings.of(node) == RGB and name.text == "rgb"
             return whole if is_color or whole is not node else ctx.meanings.ascribed(node, None)
     ctx.report.add(

@@ -133,7 +133,7 @@ def _operands(
         )  # fmt: skip
         return None
     left_out = way.row.optional[len(arguments) - least :]
-    fitted = [build.constant(ctx.graph, INT, value) for value in left_out]
+    fitted = [build.constant(ctx.tree, INT, value) for value in left_out]
     given = []
     for node, type_, argument in zip(arguments, way.operands, e.arguments, strict=False):
         operand = fit(ctx, node, type_, str(type_), argument.span)

@@ -34,9 +34,9 @@ def builtin_call(
     fitted = []
     for operand, type_ in zip(operands, found.operands, strict=True):
         # Arithmetic between scalars and vectors exists as such; elsewhere a scalar broadcasts.
-        lane = coerce(ctx.graph, operand, type_, broadcast=True)
+        lane = coerce(ctx.tree, operand, type_, broadcast=True)
         if lane is None:  # A negative literal is no `uint`.
             return no_signature(ctx, name, operands, span, shown, written)
         fitted.append(lane)
-    node = ctx.graph.node("call", found.result, tuple(fitted), name)
+    node = ctx.tree.node("call", found.result, tuple(fitted), name)
     return checked(ctx, node, shown, span, written, scope)

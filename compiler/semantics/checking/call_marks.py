@@ -26,7 +26,7 @@ def marked(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], value: Nod
     if kinds is None:
         return value
     given, parts = kinds
-    return ctx.graph.node("called", value.type, (value, *parts), Callee(symbol, given))
+    return ctx.tree.node("called", value.type, (value, *parts), Callee(symbol, given))
 
 
 def kinds_of(
@@ -42,7 +42,7 @@ def kinds_of(
         if not _is_kept(argument):
             given.append((argument.type, ctx.meanings.of(argument)))
             whole = bare(argument) if isinstance(argument.type, Struct) else argument
-            parts += build.flattened(ctx.graph, whole)
+            parts += build.flattened(ctx.tree, whole)
         elif argument.variables:
             return None
         else:

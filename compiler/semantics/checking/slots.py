@@ -230,6 +230,6 @@ def light_slot(ctx: Context, light: LightVariable, name: ast.Name) -> Value:
         return FAILURE
     variable = light.variables.get(name.text)
     if variable is None:
-        variable = ctx.graph.node("formal", sample.type, (), Formal(name.text))
+        variable = ctx.tree.node("formal", sample.type, (), Formal(name.text))
         light.variables[name.text] = variable
     return contracts.light_variable(ctx, light, name.text, variable, sample)

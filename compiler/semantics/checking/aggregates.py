@@ -46,7 +46,7 @@ def structure(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.
             failed = True
         else:
             parts.append(part)
-    return FAILURE if failed else ctx.graph.node("struct", declared.type, tuple(parts))
+    return FAILURE if failed else ctx.tree.node("struct", declared.type, tuple(parts))
 
 
 def array(ctx: Context, e: ast.Array, operands: Sequence[Value], scope: Scope) -> Value:
@@ -67,10 +67,10 @@ def array(ctx: Context, e: ast.Array, operands: Sequence[Value], scope: Scope) -
             return FAILURE
     types: dict[Type, None] = dict.fromkeys(element.type for element in elements)
     for type_ in types:
-        fitted = [coerce(ctx.graph, element, type_) for element in elements]
+        fitted = [coerce(ctx.tree, element, type_) for element in elements]
         if all(fitted):
             parts = tuple(part for part in fitted if part is not None)
-            whole = ctx.graph.node("array", Array(type_, len(parts)), parts)
+            whole = ctx.tree.node("array", Array(type_, len(parts)), parts)
             return checked(ctx, whole, "[…]", e.span, e.elements, scope)
     _report_odd(ctx, e, elements)
     return FAILURE
@@ -80,7 +80,7 @@ def _report_odd(ctx: Context, e: ast.Array, elements: list[Node]) -> None:
     """Say which element is not like the first."""
     first = elements[0]
     for element, written in zip(elements, e.elements, strict=True):
-        if coerce(ctx.graph, element, first.type) is None:
+        if coerce(ctx.tree, element, first.type) is None:
             ctx.report.add(
                 rules.ELEMENTS_DIFFER, written.span, first=first.type, found=element.type,
                 labels=[Label(e.elements[0].span, f"this is `{first.type}`")],

@@ -74,10 +74,10 @@ def _summed(ctx: Context, body: LightBody, span: Span, surface: Instance) -> Nod
         if formal is not None:
             count = None if entry.count is None else _parameter(ctx, entry.count)
             contribution = folded(
-                ctx.graph, "add", entry.bound, contribution, formal, ctx.notes.follow, count
+                ctx.tree, "add", entry.bound, contribution, formal, ctx.notes.follow, count
             )
         ctx.places.note(contribution, span)
-        total = contribution if total is None else ctx.graph.node(
+        total = contribution if total is None else ctx.tree.node(
             "call", total.type, (total, contribution), "add"
         )  # fmt: skip
     assert total is not None
@@ -121,14 +121,14 @@ def _closed(ctx: Context, symbol: Symbol, light: LightVariable, body: Node) -> L
         )
         return FAILURE
     if body.type == INT and isinstance(body.data, int) and body.op == "constant":
-        body = build.floating(ctx.graph, float(body.data))
+        body = build.floating(ctx.tree, float(body.data))
     formals = [node.data for node in light.variables.values() if isinstance(node.data, Formal)]
     for node in changing((body,), set(formals)):
         if node.op == "cross":
             where = ctx.places.within(node, function.body.span)
             ctx.report.add(rules.CROSSING_PER_LIGHT, where)
             return FAILURE
-    closed = close(ctx.graph, body, formals, ctx.notes.follow)
+    closed = close(ctx.tree, body, formals, ctx.notes.follow)
     ctx.notes.functions.setdefault(closed.id, symbol.name)
     ctx.notes.terms.setdefault(closed.id, symbol.name)
     ctx.notes.arguments.setdefault(closed.id, tuple(light.variables))
@@ -156,7 +156,7 @@ def _contribution(ctx: Context, body: LightBody, instance: Instance, span: Span)
         if isinstance(fitted, Failure):
             return FAILURE
         given.append(fitted)
-    return build.apply(ctx.graph, body.body, tuple(given))
+    return build.apply(ctx.tree, body.body, tuple(given))
 
 
 def light_instance(
@@ -173,7 +173,7 @@ def _new_instance(
     ctx: Context, entry: RigEntry, surface: Instance
 ) -> tuple[Instance, Formal | None]:
     resources = {
-        resource.name.removeprefix(f"{entry.name}."): ctx.graph.node(
+        resource.name.removeprefix(f"{entry.name}."): ctx.tree.node(
             "resource", resource.type, (), resource
         )
         for resource in entry.resources
@@ -191,14 +191,14 @@ def _new_instance(
     formal = Formal("i")
     (array,) = entry.parameters
     element = build.index(
-        ctx.graph, _parameter(ctx, array), ctx.graph.node("formal", INT, (), formal)
+        ctx.tree, _parameter(ctx, array), ctx.tree.node("formal", INT, (), formal)
     )
     assert isinstance(array.type, Array) and isinstance(array.type.element, Struct)
     instance.parameters = {
-        name: build.member(ctx.graph, element, name) for name, _ in array.type.element.members
+        name: build.member(ctx.tree, element, name) for name, _ in array.type.element.members
     }
     return instance, formal
 
 
 def _parameter(ctx: Context, parameter: Parameter) -> Node:
-    return ctx.graph.node("parameter", parameter.type, (), parameter)
+    return ctx.tree.node("parameter", parameter.type, (), parameter)

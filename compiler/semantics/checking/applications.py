@@ -131,7 +131,7 @@ def _fit_arguments(
             return None
         wanted = changed(wanted, text=f"{wanted.text} for `{formal.name.text}`")
         generic = formal.type.name.text in variables
-        broadcast = coerce(ctx.graph, argument, wanted.type, broadcast=generic)
+        broadcast = coerce(ctx.tree, argument, wanted.type, broadcast=generic)
         node = as_declared(ctx, broadcast or argument, wanted, written, scope)
         if isinstance(node, Failure):
             return None
@@ -147,7 +147,7 @@ def apply_body(
     surface: Instance | None = None,
     use: str = "called here",
 ) -> Node | Failure:
-    """A function's value for fitted arguments; the same call is lowered once.
+    """A function's value for fitted arguments; the same call is checked once.
 
     ``use`` is what messages about a generic body say of ``span``.
     """
@@ -158,8 +158,9 @@ def apply_body(
         call = shared_call(ctx, symbol, arguments, surface)
         value = None if call is None else applied(ctx, call, span)
         if value is not None:
-            ctx.applied[key] = value
-            return value
+            repeated = call is not None and call.signature.repeated
+            ctx.applied[key] = _marked(ctx, key, arguments, value) if repeated else value
+            return ctx.applied[key]
         scope = scope_of_body(ctx, symbol, arguments, surface)
         in_use = Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
         finish = partial(_finish, ctx, key, call, arguments, scope, ctx.report.count, in_use)
@@ -177,19 +178,27 @@ def _finish(
     in_use: Label,
     result: Node | Failure,
 ) -> None:
-    """Keep a body's value, marked as that of a call."""
-    symbol, _, surface = key
+    """Keep the value of a body that was checked for this call alone."""
+    symbol, *_ = key
     result = fit_result(ctx, symbol, result, arguments)
     if call is not None and isinstance(result, Failure):
         failed(ctx, call.signature, before)
     if scope.variables:
         ctx.report.explain(before, in_use)
-    if isinstance(result, Node) and result.operands:
-        ctx.notes.roles.setdefault(result.id, symbol.name)
+    ctx.applied[key] = _marked(ctx, key, arguments, result)
+
+
+def _marked(
+    ctx: Context, key: Application, arguments: tuple[Node, ...], value: Node | Failure
+) -> Node | Failure:
+    """A body's value as that of a call, which ``outlining`` may have share a body with others."""
+    symbol, _, surface = key
+    if isinstance(value, Node) and value.operands:
+        ctx.notes.roles.setdefault(value.id, symbol.name)
         if surface is None:
-            result = marked(ctx, symbol, arguments, result)
-            ctx.notes.roles.setdefault(result.id, symbol.name)
-    ctx.applied[key] = result
+            value = marked(ctx, symbol, arguments, value)
+            ctx.notes.roles.setdefault(value.id, symbol.name)
+    return value
 
 
 def library_call(

@@ -1,0 +1,1 @@
+"""Expressions to nodes: a module for each kind of expression."""

@@ -1,0 +1,278 @@
+"""Functions are checked once for each signature, with variables for their arguments.
+
+``applications`` asks this module for every call of a function. The first call with a signature has
+the body checked with variables in the place of its arguments; then each call with that signature is
+this body with its own arguments. What belongs to a signature is all that checks may ask of an
+argument: its kind, whether it is a constant and which one, whether it has length one, and which
+slots ``with`` has replaced. Where the arguments themselves have a say in what the body is (as where
+the range of one bounds a loop), no body serves all calls: then each call is checked by itself.
+
+A call in a body is the called body once more, so what functions come to grows with each that calls
+the one before it twice. A call that would come to more than ``MOST_BODIES`` bodies (``call_sizes``)
+is therefore an ``apply`` of the body, which all such calls share.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from ....frozen import frozen
+from ....stdlib.builtins.facts import UNIT
+from ...diagnostics.source import Span
+from ...ir import build
+from ...ir.binding import close
+from ...ir.node import Formal, Node, bare, reachable
+from ...ir.operations import ASCRIBE, CONSTANT
+from ...ir.types import Matrix, Scalar, Type, Vector
+from ...syntax import ast
+from ..names.modules import Symbol
+from ..state.context import Context, Given, SharedBody, Signature
+from ..state.scope import FAILURE, Failure, Instance
+from ..types.coercion import is_constant
+from .bodies import settle_body
+from .call_marks import kinds_of
+from .call_sizes import bodies_of
+from .functions import fit_result, scope_of_body
+from .loops import changing, compares_neighbours
+from .surfaces import shaded, slots_given
+
+MOST_BODIES = 64
+"""A call that comes to more bodies than this applies its body instead of repeating it."""
+
+
+@frozen
+class SharedCall:
+    """A call of a function by its signature."""
+
+    signature: Signature
+    parts: tuple[Node, ...]
+    """The numbers, vectors and matrices of its arguments, and then of the replaced slots."""
+
+
+def shared_call(
+    ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], surface: Instance | None
+) -> SharedCall | None:
+    """A call by its signature; ``None`` if there is none that says enough of the arguments."""
+    repeated = bodies_of(ctx, symbol) <= MOST_BODIES
+    if repeated and surface is not None:
+        return None  # What a term reads of a surface is not known before its body is checked.
+    base, slots = (None, {}) if surface is None else slots_given(ctx, surface)
+    values = tuple(value for value in slots.values() if isinstance(value, Node))
+    kinds = kinds_of(ctx, (*arguments, *values))
+    if kinds is None or len(values) < len(slots):
+        return None
+    given, parts = kinds
+    if repeated and any(_adapts_to_its_use(ctx, part) for part in parts):
+        return None
+    constants = tuple(_literal(part) for part in parts)
+    units = () if repeated else tuple(_is_unit(ctx, part) for part in parts)
+    signature = Signature(symbol, given, constants, units, base, tuple(slots), repeated)
+    return SharedCall(signature, parts)
+
+
+def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None:
+    """What the body for a signature gives for these arguments; ``None`` if no body serves all."""
+    signature = call.signature
+    if signature not in ctx.bodies:
+        _check_body(ctx, call, span)
+    body = ctx.bodies[signature]
+    if body is None or isinstance(body, Failure):
+        return body
+    if signature.repeated:
+        return _repeated(ctx, body, call.parts)
+    if not body.formals:
+        return body.value
+    pairs = zip(call.parts, signature.constants, strict=True)
+    return build.apply(ctx.tree, body.value, tuple(part for part, fixed in pairs if fixed is None))
+
+
+def failed(ctx: Context, signature: Signature, before: int) -> None:
+    """Note that a call failed with its own arguments, too, so that no further one is checked.
+
+    If nothing was reported since ``before``, what went wrong with the shared body is.
+    """
+    if ctx.report.count == before:
+        ctx.report.extend(ctx.withheld[signature])
+    ctx.bodies[signature] = FAILURE
+
+
+# --- what a signature says of an argument --------------------------------------------------------
+
+
+def _literal(part: Node) -> tuple[str, bool] | None:
+    """A literal as its text and whether it has a sign; ``None`` for any other value.
+
+    Two literals that compare equal, such as ``1`` and ``true``, have different texts or types.
+    """
+    node, negative = bare(part), False
+    if node.op == "call" and node.data == "neg":
+        node, negative = bare(node.operands[0]), True
+    return (repr(node.data), negative) if node.op == "constant" else None
+
+
+def _adapts_to_its_use(ctx: Context, part: Node) -> bool:
+    """Whether checks may look into a value that is no literal: constant expressions are computed
+    and choices between literals adapt where they are used, and of a splat all lanes are equal."""
+    if _literal(part) is not None:
+        return False
+    return bare(part).op == "splat" or is_constant(part) or ctx.constants.is_known(part)
+
+
+def _is_unit(ctx: Context, part: Node) -> bool:
+    return isinstance(part.type, Vector) and ctx.ranges.of(part).unit
+
+
+# --- checking a body -----------------------------------------------------------------------------
+
+
+def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
+    """Check a function's body with variables where calls differ."""
+    signature = call.signature
+    function = signature.symbol.declaration
+    assert isinstance(function, ast.Function)
+    pairs = zip(call.parts, signature.constants, strict=True)
+    fixed = [None if literal is None else part for part, literal in pairs]
+    first = len(ctx.tree)
+    names = (*(a.name.text for a in function.arguments), *signature.slots)
+    stand_in = stand_ins(ctx, names, signature.given, fixed, signature.units)
+    count = len(function.arguments)
+    arguments, surface = stand_in.values[:count], signature.surface
+    if surface is not None and signature.slots:
+        replaced = zip(signature.slots, stand_in.values[count:], strict=True)
+        surface = shaded(ctx, surface, dict(replaced))
+    scope = scope_of_body(ctx, signature.symbol, arguments, surface)
+    around = ctx.report.count, ctx.progress.unproven
+    ctx.progress.unproven = 0
+    finish = partial(_finish, ctx, signature, stand_in, arguments, first, around)
+    settle_body(ctx, signature.symbol, span, scope, finish)
+
+
+@frozen
+class StandIns:
+    """What a body is checked with."""
+
+    values: tuple[Node, ...]
+    """For each argument, and then for each replaced slot."""
+    parts: tuple[Node, ...]
+    """The numbers, vectors and matrices in these: variables, and constants that are the same in
+    all calls."""
+    formals: tuple[Formal, ...]
+
+
+def stand_ins(
+    ctx: Context,
+    names: Sequence[str],
+    given: Sequence[Given],
+    fixed: Sequence[Node | None],
+    units: Sequence[bool] = (),
+) -> StandIns:
+    """Variables for the parts of values that are not ``fixed``, and the values made of these."""
+    parts: list[Node] = []
+    formals: list[Formal] = []
+    constants, unit = iter(fixed), iter(units)
+
+    def leaf(name: str, type_: Type) -> Node:
+        constant, is_unit = next(constants), next(unit, False)
+        if constant is None:
+            formals.append(Formal(name))
+            constant = ctx.tree.node("formal", type_, (), formals[-1])
+            if is_unit:
+                ctx.ranges.assume(constant, UNIT)
+        parts.append(constant)
+        return constant
+
+    values: list[Node] = []
+    for name, kind in zip(names, given, strict=True):
+        if isinstance(kind, Node):
+            values.append(kind)
+            continue
+        type_, meaning = kind
+        leaves = [leaf(short, inner) for short, inner in build.named_parts(name, type_)]
+        whole = build.assembled(ctx.tree, type_, iter(leaves))
+        values.append(ctx.meanings.ascribed(whole, meaning))
+    return StandIns(tuple(values), tuple(parts), tuple(formals))
+
+
+def _finish(
+    ctx: Context,
+    signature: Signature,
+    stand_in: StandIns,
+    arguments: tuple[Node, ...],
+    first: int,
+    around: tuple[int, int],
+    result: Node | Failure,
+) -> None:
+    """Keep a body that serves all calls of its signature, if this one does."""
+    symbol = signature.symbol
+    before, ctx.progress.unproven, unproven = *around, ctx.progress.unproven
+    value = fit_result(ctx, symbol, result, arguments)
+    if ctx.report.count > before or isinstance(value, Failure):
+        # The arguments of a call may tell what is missing here. If not, it is reported then.
+        ctx.withheld[signature] = ctx.report.since(before)
+        ctx.report.forget(before)
+        ctx.bodies[signature] = None
+        return
+    ctx.notes.roles.setdefault(value.id, symbol.name)
+    if signature.repeated:
+        own = () if unproven else tuple(n for n in reachable((value,)) if n.id >= first)
+        body = None if unproven else SharedBody(value, stand_in.formals, stand_in.parts, own)
+    elif value.variables.isdisjoint(stand_in.formals) and not value.free:
+        body = SharedBody(value, ())
+    elif _is_shareable(value, stand_in.formals):
+        closed = _closed(ctx, symbol, value, stand_in.formals)
+        body = SharedBody(closed, stand_in.formals)
+    else:
+        body = None
+    ctx.bodies[signature] = body
+
+
+# --- a body once more ----------------------------------------------------------------------------
+
+
+def _repeated(ctx: Context, body: SharedBody, parts: tuple[Node, ...]) -> Node:
+    """A checked body with other arguments in the place of those that it was checked with."""
+    made = dict(zip(body.parts, parts, strict=True))
+    for node in body.own:
+        if node in made:
+            continue
+        operands = tuple([made.get(operand, operand) for operand in node.operands])
+        new = made[node] = _of_operands(ctx, node, operands)
+        ctx.notes.follow(node, new)
+    return made.get(body.value, body.value)
+
+
+def _of_operands(ctx: Context, node: Node, operands: tuple[Node, ...]) -> Node:
+    """A node with other operands, as checking it with them would have made it."""
+    if node.op == "as":
+        return ctx.meanings.ascribed(operands[0], ASCRIBE.data(node))
+    if node.op == "index" and operands[0].op == "matrix" and operands[1].op == "constant":
+        position = CONSTANT.data(operands[1])
+        assert isinstance(position, int)
+        return build.part(ctx.tree, operands[0], position)
+    return ctx.tree.node(node.op, node.type, operands, node.data)
+
+
+# --- a body to apply -----------------------------------------------------------------------------
+
+
+def _is_shareable(body: Node, formals: tuple[Formal, ...]) -> bool:
+    """Whether a body means the same as where it is called.
+
+    Choices between constants adapt to their use, and crossings and reads that depend on arguments
+    are checked in the loop in which the call stands.
+    """
+    if not isinstance(body.type, Scalar | Vector | Matrix) or is_constant(body):
+        return False
+    inside = changing((body,), set(formals))
+    return not any(node.op == "cross" or compares_neighbours(node) for node in inside)
+
+
+def _closed(ctx: Context, symbol: Symbol, body: Node, formals: tuple[Formal, ...]) -> Node:
+    """A body with its variables bound, and with what texts show of the function."""
+    closed = close(ctx.tree, body, formals, ctx.notes.follow)
+    ctx.notes.functions.setdefault(closed.id, symbol.name)
+    ctx.notes.arguments.setdefault(closed.id, tuple(formal.name for formal in formals))
+    if symbol.declaration.doc:
+        ctx.notes.docs.setdefault(closed.id, symbol.declaration.doc)
+    return closed

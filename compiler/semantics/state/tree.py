@@ -1,0 +1,48 @@
+"""What has been checked: typed trees, in which every use of a value stands in its own place.
+
+A tree is made of the graph's nodes, with the graph's operations, so that whatever can be asked of
+a graph (its types, ranges, constants) can be asked of a tree. But equal expressions are not one
+node: each stands where it is written, and messages and editors can tell them apart. Only what has a
+name is shared, as the value of a slot is by all that read it. ``lowering`` makes a graph of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+
+from ....frozen import EMPTY
+from ...ir.node import Graph, Node, Op, key_of
+from ...ir.types import Type
+
+
+class Tree(Graph):
+    """Makes nodes, and a new one whenever it is asked for one.
+
+    Only a rule that runs once more gets the nodes that it made before (``evaluation``), as what was
+    computed for it in between is known by these.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.nodes: list[Node] = []
+        """All that were made, in order."""
+        self.again: Mapping[Hashable, Node] = EMPTY
+        """What the rule made before that runs once more."""
+
+    def __len__(self) -> int:
+        return len(self.nodes)
+
+    def node(
+        self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
+    ) -> Node:
+        """A new node that is this operation of these operands."""
+        if self.again and (known := self.again.get(key_of(op, type_, operands, data))):
+            return known
+        node = Node(op, type_, operands, data, len(self.nodes))
+        self.nodes.append(node)
+        return node
+
+    def made_since(self, first: int) -> dict[Hashable, Node]:
+        """What was made since there were ``first`` nodes, to be found ``again``."""
+        made = self.nodes[first:]
+        return {key_of(node.op, node.type, node.operands, node.data): node for node in made}
