@@ -14,10 +14,12 @@ from ..ir.operations import MEMBER
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import INT, Array, Matrix
-from ..trampoline import Step, run
 
 NESTED_MATRICES = 8
 """Matrices are chosen by branches; of choices inside of more choices, each column by itself."""
+
+_Read = tuple[Node, str | Node]
+"""What is read of an aggregate: a member, by its name, or an element, by its number."""
 
 
 def replace_aggregates(graph: Graph, roots: Roots, notes: Notes) -> Roots:
@@ -30,78 +32,66 @@ class _Dissolving:
     def __init__(self, graph: Graph, notes: Notes) -> None:
         self._graph = graph
         self._notes = notes
-        self._members: dict[tuple[int, str], Node] = {}
-        self._elements: dict[tuple[int, int], Node] = {}
+        self._read: dict[_Read, Node] = {}
         self._nesting: dict[int, int] = {}
         """Of choices between matrices."""
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Resolve what is read of an aggregate; its own parts have been resolved already."""
         if node.op == "member":
-            return run(self._member(operands[0], MEMBER.data(node)))
+            return self._resolved((operands[0], MEMBER.data(node)))
         if node.op == "index" and isinstance(node.operands[0].type, Array):
-            return run(self._element(operands[0], operands[1]))
+            return self._resolved((operands[0], operands[1]))
         if node.op == "select" and isinstance(node.type, Matrix):
             return self._matrix(node.type, operands)
         return None
 
-    def _member(self, source: Node, name: str) -> Step[Node]:
-        key = source.id, name
-        if key not in self._members:
-            self._members[key] = yield self._new_member(source, name)
-        return self._members[key]
+    def _resolved(self, wanted: _Read) -> Node:
+        """What is read, without the choices and arrays that it is read through."""
+        pending = [wanted]
+        while pending:
+            read = pending[-1]
+            if read in self._read:
+                pending.pop()
+            elif missing := [need for need in self._needs(read) if need not in self._read]:
+                pending += reversed(missing)
+            else:
+                self._read[read] = self._made(read)
+        return self._read[wanted]
 
-    def _new_member(self, source: Node, name: str) -> Step[Node]:
+    def _needs(self, read: _Read) -> list[_Read]:
+        """What has to be read first: the same part of each side, or of each element."""
+        source, part = read
         if source.op == "select":
-            condition, then, otherwise = source.operands
-            first = yield self._member(then, name)
-            second = yield self._member(otherwise, name)
-            return self._chosen(condition, first, second)
+            return [(side, part) for side in source.operands[1:]]
+        if _in_made_array(source) and not _is_flattened(source, part):
+            return [(element, part) for element in source.operands[0].operands]
+        return []
+
+    def _made(self, read: _Read) -> Node:
+        """What is read, once all that it needs has been."""
+        source, part = read
+        if source.op == "select":
+            then, otherwise = (self._read[need] for need in self._needs(read))
+            return self._chosen(source.operands[0], then, otherwise)
         if _in_made_array(source):
             array, position = source.operands
-            parts: list[Node] = []
-            for element in array.operands:
-                part = yield self._member(element, name)
-                parts.append(part)
-            found: Node = yield self._element(self._array(parts, array, name), position)
-            return found
-        return build.member(self._graph, source, name)
+            if isinstance(part, Node) and _is_flattened(source, part):
+                return self._of_rows(array, position, part)
+            parts = [self._read[need] for need in self._needs(read)]
+            name = part if isinstance(part, str) else ""
+            return build.index(self._graph, self._array(parts, array, name), position)
+        if isinstance(part, str):
+            return build.member(self._graph, source, part)
+        return build.index(self._graph, source, part)
 
-    def _element(self, source: Node, position: Node) -> Step[Node]:
-        key = source.id, position.id
-        if key not in self._elements:
-            self._elements[key] = yield self._new_element(source, position)
-        return self._elements[key]
-
-    def _new_element(self, source: Node, position: Node) -> Step[Node]:
-        if source.op == "select":
-            condition, then, otherwise = source.operands
-            first = yield self._element(then, position)
-            second = yield self._element(otherwise, position)
-            return self._chosen(condition, first, second)
-        if _in_made_array(source):
-            rows, row = source.operands
-            found: Node = yield self._of_nested(rows, row, position)
-            return found
-        return build.index(self._graph, source, position)
-
-    def _of_nested(self, rows: Node, row: Node, position: Node) -> Step[Node]:
-        """``rows[row][position]``, where the rows were put together."""
-        if position.op != "constant" and all(inner.op == "array" for inner in rows.operands):
-            width = len(rows.operands[0].operands)
-            flat = [part for inner in rows.operands for part in inner.operands]
-            first = self._graph.node(
-                "call", INT, (row, build.constant(self._graph, INT, width)), "mul"
-            )
-            place = self._graph.node("call", INT, (first, position), "add")
-            found: Node = yield self._element(self._array(flat, rows), place)
-            return found
-        parts: list[Node] = []
-        for inner in rows.operands:
-            part = yield self._element(inner, position)
-            parts.append(part)
-        found = yield self._element(self._array(parts, rows), row)
-        return found
+    def _of_rows(self, rows: Node, row: Node, position: Node) -> Node:
+        """``rows[row][position]``, of the elements of all rows in one array."""
+        width = len(rows.operands[0].operands)
+        flat = [part for inner in rows.operands for part in inner.operands]
+        first = self._graph.node("call", INT, (row, build.constant(self._graph, INT, width)), "mul")
+        place = self._graph.node("call", INT, (first, position), "add")
+        return build.index(self._graph, self._array(flat, rows), place)
 
     def _array(self, parts: list[Node], source: Node, member: str = "") -> Node:
         """An array of what is read of the elements of ``source``, called after it."""
@@ -137,3 +127,10 @@ class _Dissolving:
 def _in_made_array(source: Node) -> bool:
     """Whether an aggregate is an element of an array that was put together."""
     return source.op == "index" and source.operands[0].op == "array"
+
+
+def _is_flattened(source: Node, part: str | Node) -> bool:
+    """Whether an element, by a number that the shader computes, is read of one row of many."""
+    rows = source.operands[0]
+    is_computed = isinstance(part, Node) and part.op != "constant"
+    return is_computed and all(row.op == "array" for row in rows.operands)

@@ -17,7 +17,6 @@ from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.shader import Notes
 from ..ir.types import BOOL, Matrix, Texture
-from ..trampoline import Reply, Step, run
 from .cost import cost_of
 from .naming import Naming
 from .path_conditions import DEEPEST
@@ -46,7 +45,12 @@ class _Block:
     loop: frozenset[Formal] = frozenset()
     """The variables, where this is the body of a loop."""
     depth: int = 0
-    nodes: list[Node] = fresh(factory=list)
+    statements: list[Statement] = fresh(factory=list)
+
+    @property
+    def region(self) -> Region:
+        """What it becomes, once all of its statements are known."""
+        return Region(tuple(self.statements))
 
 
 class Scheduler:
@@ -70,8 +74,9 @@ class Scheduler:
         """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
         self._coordinates: set[int] = set()
         """Operands of texture reads and derivatives. One in which a ``?:`` would be printed has a
-        name, as it is easier to read so in every language. (The SPIR-V that glslang makes is even
-        wrong without: the ``?:`` parts the read from what joins texture and sampler for it.)"""
+        name, as it is easier to read so in every language. The SPIR-V that glslang makes is even
+        wrong without: the ``?:`` parts the read from what joins texture and sampler for it. This
+        is no row of that profile, because texts are laid out alike for all profiles."""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
         self._together = together
@@ -84,9 +89,12 @@ class Scheduler:
         branching = self._branching()
         self._place(branching)
         self._results = self._region_results()
+        # Operands come before users, so what stands inside a loop or a branch comes before it.
         for node in self._order:
-            self._home[node.id].nodes.append(node)
-        return run(self._emit(self._top))
+            statement = self._statement(node)
+            if statement is not None:
+                self._home[node.id].statements.append(statement)
+        return self._top.region
 
     # --- placing ---------------------------------------------------------------------------------
 
@@ -195,57 +203,43 @@ class Scheduler:
 
     # --- printing order --------------------------------------------------------------------------
 
-    def _emit(self, block: _Block) -> Step[Region]:
-        statements: list[Statement] = []
-        for node in block.nodes:
-            statement = yield self._statement(node)
-            if statement is not None:
-                statements.append(statement)
-        return Region(tuple(statements))
-
-    def _statement(self, node: Node) -> Reply[Statement | None]:
+    def _statement(self, node: Node) -> Statement | None:
+        """The statement that computes a node; ``None`` where it is printed in place."""
+        inside = node.op in LOOPS or node.id in self._sides
+        if not inside and not self._bound(node):
+            return None
+        self._size[node.id] = BOUND
         if node.op == "fold":
             return self._loop(node)
         if node.op == "iterate":
             return self._iterate(node)
-        if node.id in self._sides:
+        if inside:
             return self._branch(node)
-        if not self._bound(node):
-            return None
-        self._size[node.id] = BOUND
         return Let(self._naming.name(node), node, self._notes.docs.get(node.id, ""))
 
-    def _branch(self, node: Node) -> Step[Branch]:
-        first, second = self._sides[node.id]
-        then = yield self._emit(first)
-        otherwise = yield self._emit(second)
-        self._size[node.id] = BOUND
-        return Branch(self._naming.name(node), node, then, otherwise)
+    def _branch(self, node: Node) -> Branch:
+        then, otherwise = self._sides[node.id]
+        return Branch(self._naming.name(node), node, then.region, otherwise.region)
 
-    def _loop(self, node: Node) -> Step[Loop]:
+    def _loop(self, node: Node) -> Loop:
         data = FOLD.data(node)
         count, start, value = node.operands
-        name = self._naming.name(node)
-        body = yield self._emit(self._loops[node.id][0])
-        self._size[node.id] = BOUND
+        name, body = self._naming.name(node), self._loops[node.id][0].region
         return Loop(name, node, count, data.bound, start, data.index, data.operator, body, value)
 
-    def _iterate(self, node: Node) -> Step[Iterate]:
+    def _iterate(self, node: Node) -> Iterate:
         data = ITERATE.data(node)
         index, *formals = data.variables
         count, states = data.states, node.operands[1 : 1 + data.states]
         whole = self._naming.name(node)
         names = [whole] if count == 1 else [formal.name for formal in formals]
         head, tail = self._loops[node.id]
-        before = yield self._emit(head)
-        after = yield self._emit(tail)
-        self._size[node.id] = BOUND
         nexts = node.operands[2 + count :]
         order = _order_of_states(nexts, formals)
         return Iterate(
             node, node.operands[0], data.bound, index,
             tuple(State(names[k], formals[k], states[k], nexts[k], kept) for k, kept in order),
-            tuple(k for k, _ in order), before, node.operands[1 + count], after,
+            tuple(k for k, _ in order), head.region, node.operands[1 + count], tail.region,
         )  # fmt: skip
 
     def _bound(self, node: Node) -> bool:

@@ -90,7 +90,11 @@ def _graph_text(shader: Shader) -> str:
 
 @cache
 def _code_digest() -> str:
-    """A digest of the code that defines what programs and textures mean."""
+    """A digest of the code that defines what graphs and textures mean.
+
+    What makes the graph of a shader does not count, since the graph itself is part of the key.
+    """
     root, here = Path(__file__).parents[2], Path(__file__).parent
-    folders = (root / "compiler", root / "stdlib", here / "textures")
+    compiler = root / "compiler"
+    folders = (root / "stdlib", compiler / "ir", compiler / "reference", here / "textures")
     return digest(digest_of_sources(*folders), Path(__file__).read_bytes())

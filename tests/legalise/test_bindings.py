@@ -72,6 +72,29 @@ def test_blocks_of_the_host_have_numbers_of_their_own_where_there_are_no_sets() 
     assert len(set(bindings.blocks.values())) == len(bindings.blocks) > 2
 
 
+@pytest.mark.parametrize("selected", BY_SET, ids=str)
+def test_a_block_of_the_host_stays_where_it_is(selected: Selected) -> None:
+    text = """
+    extern block Sky per frame at group 2, binding 1 { tint : vec3 at 0 }
+    material M {
+        param gain : float = 1
+        map grain : texture2d
+        color = tint * uv.x * gain * grain(uv).rgb
+    }
+    """
+    bindings = assign_bindings(staged(text).program, selected.profile)
+    assert bindings.blocks["Sky"] == BindingSlot(2, 1)
+    assert bindings.blocks["Material"] == BindingSlot(2, 0)
+    assert bindings.textures == {"grain": BindingSlot(2, 2)}
+
+
+@pytest.mark.parametrize("selected", BY_SET, ids=str)
+def test_a_texture_that_is_only_loaded_has_no_sampler(selected: Selected) -> None:
+    text = "material M { map grain : texture2d  color = grain.load(ivec2(uv), 0).rgb }"
+    bindings = assign_bindings(staged(text).program, selected.profile)
+    assert (bindings.textures, bindings.samplers) == ({"grain": BindingSlot(2, 0)}, {})
+
+
 @pytest.mark.parametrize("selected", SEPARATE, ids=str)
 def test_groups_of_the_users_share_a_set(selected: Selected) -> None:
     """WebGPU guarantees four sets, and no number in one is used twice."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 import burnish
+from burnish.compiler.ir.stages import VERTEX
 from burnish.frozen import changed
 from burnish.targets import registry
 from burnish.targets.description.profile import Lack
-from burnish.targets.legalise.limits import lacks
+from burnish.targets.legalise.limits import Excess, excesses, lacks
 
 from .kit import staged
 
@@ -50,6 +51,57 @@ def test_the_limit_is_told_where_the_block_is_declared() -> None:
 @pytest.mark.parametrize("target", ["hlsl", "glsl:gl330", "glsl:es300"])
 def test_other_profiles_have_more_or_bind_by_name(target: str) -> None:
     assert burnish.compile(blocked(7, 2000), [target])["M"].files
+
+
+LARGE = """
+pass P {
+    attribute a : vec4
+    attribute unread : float
+    attribute b : vec3
+    map low : texture2d
+    map high : texture2d
+    map wind : texture2d
+    param tints : rgb[5]
+    param gain : float per draw
+    clip_position = vec4(a.xyz + wind.level(vec2(0), 0).xyz, 1)
+    target x : rgba8 = a * b.x * vec4(tints[int(b.y)], 1)
+    target y : rgba8 = low(a.xy) * high(a.zw)
+    target z : rgba8 = vec4(a.x * gain * b.z)
+}
+material M { color = #fff }
+"""
+HAS = {
+    "varyings": ("varyings", 2),
+    "attributes": ("vertex inputs", 3),
+    "textures": ("textures", 2),
+    "block_bytes": ("bytes in a uniform block", 80),
+    "render_targets": ("render targets", 3),
+}
+"""What a program has of that for which there are limits. Its vertex inputs have three places,
+although nothing reads what is at the second."""
+
+
+@pytest.mark.parametrize(("limit", "what", "count"), [(k, *v) for k, v in HAS.items()], ids=HAS)
+def test_a_program_may_have_as_much_as_the_limit_and_no_more(
+    limit: str, what: str, count: int
+) -> None:
+    program, profile = staged(LARGE, "P").program, registry.load("wgsl").profiles[0]
+    for most, expected in ((count, []), (count - 1, [Excess(what, count, count - 1)])):
+        limits = changed(profile.limits, **{limit: most})
+        assert list(excesses(program, changed(profile, limits=limits))) == expected
+
+
+def test_a_stage_that_a_profile_has_not_got_is_told_once() -> None:
+    program, profile = staged(LARGE, "P").program, registry.load("wgsl").profiles[0]
+    ((found, node),) = lacks(program, changed(profile, stages=(VERTEX,)))
+    assert (found.feature, node) == ("fragment stage", program.stages[1].roots[0].id)
+
+
+def test_a_read_that_a_profile_cannot_do_is_told_once() -> None:
+    lack = Lack("levels", "read level 0")
+    profile = changed(registry.load("wgsl").profiles[0], cannot={"sample_level": lack})
+    program = staged(LARGE, "P").program
+    assert [found for found, _node in lacks(program, profile)] == [lack]
 
 
 def test_any_native_may_be_what_a_profile_cannot_do() -> None:

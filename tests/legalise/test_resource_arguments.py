@@ -60,6 +60,30 @@ def test_the_function_of_a_light_gets_the_blocks_that_it_reads() -> None:
     assert "lambert_phong(material, " in found["main"][1]
 
 
+def test_a_function_gets_what_only_those_read_that_it_calls() -> None:
+    text = """
+    fn grit(t: texture2d, steps: float[4], p: vec2) -> vec3 =
+        t.level(p, steps[clamp(int(p.x), 0, 3)]).rgb * sin(p.x) + t.level(p.yx, 2).bgr * cos(p.y)
+    fn layers(t: texture2d, steps: float[4], p: vec2) -> vec3 =
+        grit(t, steps, p) * exp(p.x) + grit(t, steps, p * p.y) * tan(p.x) + grit(t, steps, sin(p))
+    material M {
+        map grain : texture2d
+        param steps : float[4]
+        color = layers(grain, steps, uv) + layers(grain, steps, uv.yx)
+            + layers(grain, steps, 2 * uv)
+    }
+    """
+    found = functions(printed(text).files[1].text)
+    passed = "material_derived, grain, grain_sampler, "
+    declared = (
+        "material_derived: ptr<uniform, MaterialDerived>, grain: texture_2d<f32>, grain_sampler:"
+    )
+    for name, called in (("main", "layers_grain"), ("layers_grain", "grit_grain")):
+        assert found[called][0].startswith(declared)
+        assert f"{called}({passed}" in found[name][1]
+    assert "steps" not in found["layers_grain"][1]
+
+
 @pytest.mark.parametrize("path", SINGLE, ids=lambda path: path.stem)
 def test_functions_get_what_they_read_or_hand_on(path: Path) -> None:
     emission = printed(path)

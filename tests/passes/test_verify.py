@@ -10,9 +10,10 @@ from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter
 from burnish.compiler.ir.node import Folding, Formal, Graph, Node, Roots
 from burnish.compiler.ir.operations import Form
-from burnish.compiler.ir.stages import FLAT, SMOOTH
+from burnish.compiler.ir.shader import Result
+from burnish.compiler.ir.stages import FLAT, FRAGMENT, RASTERISED, SMOOTH, TARGET
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, VEC4, Matrix, TallMatrix
-from burnish.compiler.ir.verify import InvalidGraphError, verify
+from burnish.compiler.ir.verify import InvalidGraphError, verify, verify_results
 from burnish.compiler.passes import checkpoint
 
 
@@ -54,6 +55,15 @@ def turned(graph: Graph, size: int) -> Node:
     return graph.node("native", VEC4, (turn, attribute(graph)), "mul")
 
 
+INDEX = Formal("i")
+
+
+def beside(graph: Graph) -> Node:
+    """The variable of a loop, and another one."""
+    index = graph.node("call", FLOAT, (graph.node("formal", INT, (), INDEX),), "to_float")
+    return graph.node("call", FLOAT, (index, free(graph)), "add")
+
+
 WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
     ("semantics", lambda g: g.node("call", VEC3, (one(g), one(g)), "add"), "instead of float"),
     ("semantics", lambda g: g.node("call", FLOAT, (one(g), flag(g)), "add"), "does not take"),
@@ -74,6 +84,11 @@ WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
         "crosses from another domain than vertex",
     ),
     ("semantics", lambda g: build.cross(g, flag(g), FLAT), "does not take"),
+    ("semantics", lambda g: g.node("swizzle", FLOAT, (attribute(g),)), "does not take"),
+    ("semantics", lambda g: g.node("parameter", VEC3, (), Attribute("p", VEC3)), "does not take"),
+    ("semantics", lambda g: g.node("vector", VEC2, ()), "does not take"),
+    ("semantics", lambda g: loop(g, beside(g), INDEX), "Formal.*'x'.* is used outside its binder"),
+    ("opened", lambda g: loop(g, one(g)), "has not been opened"),
 ]
 
 
@@ -81,6 +96,24 @@ WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
 def test_what_is_wrong_is_found(form: Form, make: Callable[[Graph], Node], reason: str) -> None:
     with pytest.raises(InvalidGraphError, match=reason):
         verify([make(Graph())], stage=form)
+
+
+def test_only_parameters_are_stored_otherwise() -> None:
+    graph = Graph()
+    verify([graph.node("native", BOOL, (one(graph), one(graph)), "lt")], stage="stored")
+
+
+def test_calls_that_each_profile_decides_about_stay() -> None:
+    graph = Graph()
+    number = graph.node("parameter", INT, (), Parameter("n", INT, "draw"))
+    verify([graph.node("call", INT, (number, number), "div")], stage="stored")
+
+
+def test_a_value_that_is_the_same_all_over_a_draw_exists_in_every_stage() -> None:
+    graph = Graph()
+    color = build.vector(graph, (one(graph),) * 4)
+    verify_results([Result(TARGET, FRAGMENT, color, "color")], RASTERISED)
+    verify([color], stage="stored")
 
 
 def test_a_stored_matrix_is_multiplied_with_a_column() -> None:

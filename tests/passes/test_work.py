@@ -74,6 +74,23 @@ def functions(count: int) -> str:
     return f"{bodies}\n{material(calls, total(count))}"
 
 
+def calls(count: int) -> str:
+    """Functions that each call the one before: all bodies are written out, one in the other."""
+    count += 64  # So many bodies are none that the passes see: semantics evaluates them.
+    bodies = lines(count, lambda i: f"fn f{i}(x : float) -> float = sin(f{i - 1}(x)) + {i}.5")
+    head = f"fn f0(x : float) -> float = sin(x)\n{bodies}\n"
+    return head + material("", f"f{count - 1}(uv.x)")
+
+
+def calls_twice(count: int) -> str:
+    """Functions that each call the one before twice, and so stay functions."""
+    bodies = lines(
+        count, lambda i: f"fn f{i}(x : float) -> float = f{i - 1}(x * {i}.5) + f{i - 1}(x)"
+    )
+    head = f"fn f0(x : float) -> float = sin(x)\n{bodies}\n"
+    return head + material("", f"f{count - 1}(uv.x)")
+
+
 def varyings(count: int) -> str:
     """Values that cross, each by itself."""
     values = lines(count, lambda i: f"s{i} = @vertex sin(uv.x * {i}.0)")
@@ -103,8 +120,8 @@ ALL = {
     **{
         each.__name__: each
         for each in (
-            chain, long_sum, nested, choices, guarded_choices, functions, varyings, elements,
-            parameters, conditions,
+            chain, long_sum, nested, choices, guarded_choices, functions, calls, calls_twice,
+            varyings, elements, parameters, conditions,
         )
     },
 }  # fmt: skip

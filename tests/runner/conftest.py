@@ -1,4 +1,4 @@
-"""The workers of the Vulkan drivers that all tests of this folder share."""
+"""Fixtures of this folder: the workers of the Vulkan drivers, and an instance to set values of."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from collections.abc import Iterator
 
 import pytest
 
+from burnish import Instance
+
+from .instance_kit import REFLECTION
 from .vulkan_kit import Asker
 
 
@@ -15,3 +18,9 @@ def vulkan(request: pytest.FixtureRequest) -> Iterator[Asker]:
     asker = Asker(request.param)
     yield asker
     asker.close()
+
+
+@pytest.fixture
+def instance() -> Instance:
+    """An instance of the material with a parameter of every kind."""
+    return Instance(REFLECTION)

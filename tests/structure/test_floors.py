@@ -23,7 +23,6 @@ FLOORS: dict[str, str] = {
     # From text to a staged program.
     "compiler.cache": "",
     "compiler.inputs": "",
-    "compiler.trampoline": "",
     "compiler.srgb": "",
     "compiler.diagnostics": "frozen",
     "compiler.syntax": "frozen stdlib cache diagnostics",
@@ -58,9 +57,7 @@ FLOORS: dict[str, str] = {
         "frozen stdlib diagnostics syntax ir library types names inheritance state checking "
         "lowering"
     ),
-    "compiler.passes": (
-        "frozen stdlib diagnostics ir layout formula reference trampoline expansion_templates"
-    ),
+    "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
     "compiler.reflection": "frozen diagnostics ir packing",
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
@@ -74,7 +71,9 @@ FLOORS: dict[str, str] = {
     "targets.runner": ("frozen arguments cache diagnostics srgb ir reference closing toolchain"),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
-    "compiled": "frozen inputs diagnostics ir passes reflection description emit selection runner",
+    "compiled": (
+        "frozen garbage inputs diagnostics ir passes reflection description emit selection runner"
+    ),
     "api": (
         "arguments garbage diagnostics ir passes source_map names frontend description emit "
         "legalise selection runner compiled"

@@ -19,6 +19,9 @@ _DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0,
 _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
 """For each face, the directions of its columns and of its rows, and the one in which it lies."""
 
+_AXES = [(np.abs(axes).argmax(axis=1), axes.sum(axis=1)) for axes in (_ACROSS, _DOWN, _OUT)]
+"""The same directions as numbers of lanes, with signs."""
+
 
 @dataclass(frozen=True, slots=True)
 class Met:
@@ -67,17 +70,21 @@ def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[In
     """The texel and the face of a texel that is at most one beyond an edge of a face.
 
     Beyond a corner there is none; the coordinate stays unchanged, and is clamped to the face later.
+    Few texels are beyond an edge, and only those are turned.
     """
-    outside = [(i < 0) | (i >= size) for i in place]
-    over = outside[0] ^ outside[1]
-    across, down = ((2 * i + 1 - size) / size for i in place)
-    weights = (across[..., None] * _ACROSS[face], down[..., None] * _DOWN[face], _OUT[face])
+    column, row, face, size = np.broadcast_arrays(*place, face, size)
+    over = ((column < 0) | (column >= size)) ^ ((row < 0) | (row >= size))
+    if not over.any():
+        return [column, row], face
+    sizes, faces = size[over], face[over]
+    across, down = ((2 * i[over] + 1 - sizes) / sizes for i in (column, row))
+    weights = (across[..., None] * _ACROSS[faces], down[..., None] * _DOWN[faces], _OUT[faces])
     new = met(np.moveaxis(sum(weights[1:], weights[0]), -1, 0))
-    moved = [np.floor(at * size).astype(np.int64) for at in (new.across, new.down)]
-    return (
-        [np.where(over, new_i, i) for new_i, i in zip(moved, place, strict=True)],
-        np.where(over, new.face, face),
-    )
+    column, row, face = column.copy(), row.copy(), face.copy()
+    column[over] = np.floor(new.across * sizes)
+    row[over] = np.floor(new.down * sizes)
+    face[over] = new.face
+    return [column, row], face
 
 
 def beyond_corner(place: Sequence[Ints], size: Ints) -> Bools:
@@ -88,6 +95,5 @@ def beyond_corner(place: Sequence[Ints], size: Ints) -> Bools:
 
 def _turned(face: Ints, lanes: Sequence[Floats]) -> tuple[Floats, Floats, Floats]:
     """The lanes of a direction in a face's own axes: to its right, downwards, and out of it."""
-    stacked = np.stack(np.broadcast_arrays(*lanes), axis=-1)
-    across, down, out = ((axes[face] * stacked).sum(axis=-1) for axes in (_ACROSS, _DOWN, _OUT))
+    across, down, out = (np.choose(lane[face], lanes) * sign[face] for lane, sign in _AXES)
     return across, down, out

@@ -78,7 +78,8 @@ class Image:
         column, row = place[0], place[1]
         slice_ = place[2] if len(place) == 3 else layer
         row = slice_ * self._size[1][level] + row
-        found: Floats = self._table[self._starts[level] + row * self._size[0][level] + column]
+        index = self._starts[level] + row * self._size[0][level] + column
+        found: Floats = np.take(self._table, index, axis=0)
         return found
 
 
