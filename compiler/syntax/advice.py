@@ -17,6 +17,7 @@ from .expression_advice import ExpressionAdvice, array_elements
 from .foreign_functions import ENTRY_POINT, function_hint
 from .foreign_syntax import QUALIFIERS, Row, elsewhere, rewritten, types
 from .forms import DECLARATIONS
+from .lalr_tables import END
 from .outline import Outline
 from .token_view import TokenView
 
@@ -121,7 +122,8 @@ class Advice(TokenView):
         if found.text in _EXTENDS and following.kind == "NAME":
             said = f"a base follows a colon: `{previous.text} : {following.text}`"
             return self.replace(said, index, index, ":")
-        if self.outline.begins_line(index) and self.outline.begins_member(index):
+        begins = self.outline.begins_line(index) and found.kind != END
+        if begins and self.outline.begins_member(index):
             first = next(i for i in range(index - 1, -1, -1) if self.outline.begins_line(i))
             head = self.quoted(first, index)
             return f"the members need braces: `{head} {{ … }}`"
@@ -162,6 +164,8 @@ class Advice(TokenView):
         """About ``inout x: float`` or ``inout float x`` among arguments."""
         names = self.kinds(index, 2) == ["NAME", "NAME"]
         name, type_ = (index + 1, index) if names else (index, index + 2)
+        if self.kinds(name, 1) + self.kinds(type_, 1) != ["NAME", "NAME"]:
+            return ""
         written = f"{self.text(name)}: {types().get(self.text(type_), self.text(type_))}"
         said = f"arguments are values, and nothing changes them: `{written}`"
         return self.replace(said, index - 1, max(name, type_), written)

@@ -23,7 +23,8 @@ Replacement = tuple[Name, Expression]
 Count = tuple[Expression, bool]
 Range = tuple[Expression, Expression]
 Path = tuple[tuple[str, ...], bool]
-Method = Callable[..., object]
+Maker = Callable[..., object]
+"""Makes a node: of the builder, the span, and the parts that the production hands over."""
 
 _KINDS = {production: kind for kind in ast.KINDS for production in kind.productions}
 """The kinds of members by the productions that read them."""
@@ -36,18 +37,8 @@ class Builder:
         self._docs = docs
         self._report = report
 
-    def method(self, production: str) -> Method | None:
-        """What makes the node of a production; None where its parts are handed on as they are."""
-        kind = _KINDS.get(production)
-        if kind is None:
-            made: Method | None = getattr(self, production, None)
-            return made
-        make = kind.productions[production]
-        if "doc" not in kind.node.__match_args__:
-            return make
-        return lambda span, *parts: make(span, self._doc(span), *parts)
-
-    def _doc(self, span: Span) -> str:
+    def doc(self, span: Span) -> str:
+        """The comment about what stands at ``span``."""
         return self._docs.of(span.start, span.end)
 
     # --- file ---
@@ -80,12 +71,12 @@ class Builder:
         return ast.Import(span, path, quoted, names)
 
     def space(self, span: Span, name: Name) -> ast.Space:
-        return ast.Space(span, self._doc(span), name)
+        return ast.Space(span, self.doc(span), name)
 
     def constant(
         self, span: Span, name: Name, kind: ast.TypeName | None, value: Expression
     ) -> ast.Constant:
-        return ast.Constant(span, self._doc(span), name, kind, value)
+        return ast.Constant(span, self.doc(span), name, kind, value)
 
     # --- materials, lights and passes ---
 
@@ -100,7 +91,7 @@ class Builder:
         *members: ast.Member,
     ) -> ast.Record:
         base = bases[0] if bases else None
-        doc, mixins = self._doc(span), bases[1:]
+        doc, mixins = self.doc(span), bases[1:]
         return ast.Record(span, doc, kind, name, abstract is not None, base, blend, members, mixins)
 
     def bases(self, _: Span, base: Name | None, *mixins: Name) -> tuple[Name, ...]:
@@ -113,7 +104,7 @@ class Builder:
         kind: ast.RecordKind | None,
         *members: ast.Member,
     ) -> ast.Mixin:
-        return ast.Mixin(span, self._doc(span), kind or "material", name, members)
+        return ast.Mixin(span, self.doc(span), kind or "material", name, members)
 
     def kind(self, _: Span, word: Token) -> str:
         return word.text
@@ -133,7 +124,7 @@ class Builder:
         body: Expression,
         parts: tuple[ast.Slot, ...],
     ) -> ast.Function:
-        doc = self._doc(span)
+        doc = self.doc(span)
         return ast.Function(
             span, doc, "fn", name, type_parameters, formals, result, None, body, parts
         )
@@ -149,7 +140,7 @@ class Builder:
         body: Expression,
         parts: tuple[ast.Slot, ...],
     ) -> ast.Function:
-        doc = self._doc(span)
+        doc = self.doc(span)
         return ast.Function(
             span, doc, "term", name, type_parameters, formals, result, per, body, parts
         )
@@ -160,7 +151,7 @@ class Builder:
     def part(
         self, span: Span, name: Name, kind: ast.TypeName | None, value: Expression
     ) -> ast.Slot:
-        return ast.Slot(span, self._doc(span), name, kind, value)
+        return ast.Slot(span, self.doc(span), name, kind, value)
 
     def type_parameters(
         self, _: Span, *parameters: ast.TypeParameter
@@ -179,7 +170,7 @@ class Builder:
     # --- rigs and structures ---
 
     def rig(self, span: Span, name: Name, *entries: ast.RigEntry) -> ast.Rig:
-        return ast.Rig(span, self._doc(span), name, entries)
+        return ast.Rig(span, self.doc(span), name, entries)
 
     def entry(
         self,
@@ -190,7 +181,7 @@ class Builder:
         overrides: tuple[ast.Slot, ...],
     ) -> ast.RigEntry:
         number, at_most = count or (None, False)
-        return ast.RigEntry(span, self._doc(span), name, light, number, at_most, overrides)
+        return ast.RigEntry(span, self.doc(span), name, light, number, at_most, overrides)
 
     def exactly(self, _: Span, count: Expression) -> Count:
         return count, False
@@ -202,15 +193,15 @@ class Builder:
         return overrides
 
     def override(self, span: Span, name: Name, value: Expression) -> ast.Slot:
-        return ast.Slot(span, self._doc(span), name, None, value)
+        return ast.Slot(span, self.doc(span), name, None, value)
 
     def structure(
         self, span: Span, name: Name, *members: ast.StructMember
     ) -> ast.StructDeclaration:
-        return ast.StructDeclaration(span, self._doc(span), name, members)
+        return ast.StructDeclaration(span, self.doc(span), name, members)
 
     def field(self, span: Span, name: Name, kind: ast.TypeName) -> ast.StructMember:
-        return ast.StructMember(span, self._doc(span), name, kind)
+        return ast.StructMember(span, self.doc(span), name, kind)
 
     def extern(
         self,
@@ -221,7 +212,7 @@ class Builder:
         binding: ast.Number,
         *members: ast.ExternMember,
     ) -> ast.ExternBlock:
-        return ast.ExternBlock(span, self._doc(span), name, group, bind_group, binding, members)
+        return ast.ExternBlock(span, self.doc(span), name, group, bind_group, binding, members)
 
     def extern_member(
         self,
@@ -231,7 +222,7 @@ class Builder:
         offset: ast.Number,
         default: Expression | None,
     ) -> ast.ExternMember:
-        return ast.ExternMember(span, self._doc(span), name, kind, offset, default)
+        return ast.ExternMember(span, self.doc(span), name, kind, offset, default)
 
     # --- types ---
 
@@ -351,6 +342,18 @@ class Builder:
 
     def name(self, span: Span, token: Token) -> Name:
         return Name(token.text, span)
+
+
+def maker(production: str) -> Maker | None:
+    """What makes the node of a production; None where its parts are handed on as they are."""
+    kind = _KINDS.get(production)
+    if kind is None:
+        method: Maker | None = getattr(Builder, production, None)
+        return method
+    make = kind.productions[production]
+    if "doc" in kind.node.__match_args__:
+        return lambda builder, span, *parts: make(span, builder.doc(span), *parts)
+    return lambda _builder, span, *parts: make(span, *parts)
 
 
 def _path(source: Token | tuple[str, ...]) -> Path:

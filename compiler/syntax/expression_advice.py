@@ -181,5 +181,7 @@ def array_elements(view: TokenView, first: int) -> tuple[int, int] | None:
         opening = first + len(head)
         brackets = "(" if head else "{"
         if tuple(kinds[: len(head)]) == head and view.token(opening).kind == brackets:
-            return opening + 1, view.closing(opening)
+            closing = view.closing(opening)
+            is_closed = view.token(closing).kind in (")", "}")
+            return (opening + 1, closing) if is_closed else None
     return None

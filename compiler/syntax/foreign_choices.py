@@ -24,7 +24,7 @@ def statement_hint(view: TokenView, index: int) -> Hint:
     if view.token(index + 1).kind != "(":
         return _CHOICE
     closing = view.closing(index + 1)
-    condition = view.written(index + 2, closing)
+    condition = view.written(index + 2, closing) if view.token(closing).kind == ")" else ""
     if not condition:
         return _CHOICE
     body = closing + 1

@@ -38,7 +38,7 @@ def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
     """
     if view.text(name) == "main":
         return ENTRY_POINT
-    if view.token(name + 1).kind != "(":
+    if view.token(name + 1).kind != "(" or view.token(view.closing(name + 1)).kind != ")":
         return DECLARATIONS["fn"]
     head, opening = _head(view, name)
     body = _body(view, opening) if view.token(opening).kind == "{" else ""
@@ -104,6 +104,8 @@ def _body(view: TokenView, opening: int) -> str:
     """
     parts: list[_Part] = []
     first, closing = opening + 1, view.closing(opening)
+    if view.token(closing).kind != "}":
+        return ""
     while first < closing:
         end = next((i for i in range(first, closing) if view.token(i).kind == ";"), closing)
         value = first + (view.text(first) == "return")

@@ -41,6 +41,8 @@ def called_fold(view: TokenView, index: int) -> Hint:
     if view.kinds(opening, 3) != ["(", "NAME", "NAME"] or FOLDS.get(view.text(fold)) != "in":
         return ""
     closing = view.closing(opening)
+    if view.token(closing).kind != ")":
+        return ""
     head = view.quoted(opening + 1, closing)
     open_, close = view.span(opening, opening), view.span(closing, closing)
     if ":" in view.kinds(opening, closing - opening):
@@ -55,6 +57,8 @@ def called_fold(view: TokenView, index: int) -> Hint:
         body += 1
     elif view.token(body).kind == "{":
         end = view.closing(body)
+        if view.token(end).kind != "}":
+            return ""
         edits += [Edit(close, " :"), Edit(view.span(body, body), ""), Edit(view.span(end, end), "")]
         body += 1
     else:

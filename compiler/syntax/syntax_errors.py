@@ -101,12 +101,7 @@ class SyntaxErrors:
         elif found.kind in _COMPARISONS and "and" in expected and found.kind not in expected:
             self._report.add(rules.CHAINED_COMPARISON, span)
         elif self._begins_statement(index, expected):
-            is_statement = found.kind in STATEMENTS and may_begin_member(expected)
-            hint = statement_hint(self._advice, index) if is_statement else ""
-            if self._token(index + 1).kind in ("=", ":"):
-                other = f"{found.text}_"
-                hint = fix_it(f"give it another name, such as `{other}`", (span, other))
-            self._report.add(rules.RESERVED_WORD, span, word=found.text, hint=hint)
+            self._reserved(index, expected)
         elif found.kind == "if" and "NUMBER" in expected:
             self._report.add(rules.UNPARENTHESISED, span, word=found.text)
         elif self._fold_before(index) and (fold := self._tokens[index - 1]):
@@ -117,6 +112,18 @@ class SyntaxErrors:
         else:
             return False
         return True
+
+    def _reserved(self, index: int, expected: set[str]) -> None:
+        """Report a reserved word as the name of something, or as the beginning of a statement."""
+        word = self._tokens[index]
+        hint: Hint = ""
+        if self._token(index + 1).kind in ("=", ":"):
+            other = f"{word.text}_"
+            hint = fix_it(f"give it another name, such as `{other}`", (self._span(word), other))
+        elif word.kind in STATEMENTS and may_begin_member(expected):
+            self._unexpected(word, expected, statement_hint(self._advice, index))
+            return
+        self._report.add(rules.RESERVED_WORD, self._span(word), word=word.text, hint=hint)
 
     def _begins_statement(self, index: int, expected: set[str]) -> bool:
         """Whether a reserved word stands where only a name or a member can."""

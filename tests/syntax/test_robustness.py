@@ -31,8 +31,20 @@ OTHERS = [
     "\0",
 ]
 
+FOREIGN = [
+    "f", "main", "float", "vec3", "float3", "f32", "x", "M", "?", ":", "sum", "i", "in", "(",
+    ")", "{", "}", "[", "]", "0", "..", "4", "-", "to", "if", "else", "return", "let", "var",
+    "const", "inout", "out", "fn", "->", "=", ";", ",", "array", "<", ">", "layout", "uniform",
+    "extends", "discard", "material", "@", "fragment", "group", "struct", "param", "term",
+    "{1,", "float[](", "float[2](", "#version", "\n",
+]  # fmt: skip
+"""What functions, choices, loops and arrays of other languages are made of."""
 
-@given(st.lists(st.sampled_from(WORDS + OTHERS), max_size=40))
+
+@given(
+    st.lists(st.sampled_from(WORDS + OTHERS), max_size=40)
+    | st.lists(st.sampled_from(FOREIGN), max_size=60)
+)
 def test_token_soup_is_reported_not_raised(words: list[str]) -> None:
     report = Report()
     text = " ".join(words)
