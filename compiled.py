@@ -17,6 +17,7 @@ from .compiler.ir.shader import Shader
 from .compiler.passes.guard import Guard
 from .compiler.passes.pipeline import Staged
 from .frozen import EMPTY, frozen
+from .garbage import seldom_collected
 from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
 from .targets.emit.emitter import Emission
@@ -85,6 +86,7 @@ class CompiledMaterial:
         raise KeyError(f"{self.name} has no {stage} text for {target}")
 
     @cached_property
+    @seldom_collected
     def reflection(self) -> dict[str, Any]:
         """What a host needs to bind, as data for JSON (``compiler/reflection`` has the schema)."""
         from .compiler.reflection import reflect

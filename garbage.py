@@ -3,8 +3,8 @@
 Python counts how many objects are made, and looks through them for circles of dropped ones after
 every 700. A compile makes many objects, keeps most of them until it ends, and hardly ever drops a
 circle: a quarter of the time of a long compile would go into looking in vain. So the command line
-sets ``SELDOM`` for the whole process, and ``api.py`` marks the functions that users call with
-``seldom_collected``.
+sets ``SELDOM`` for the whole process, and ``api.py`` and ``compiled.py`` mark the functions
+that users call with ``seldom_collected``.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ from .diagnostics.diagnostic import Report
 from .diagnostics.source import Span
 from .ir.node import Formal, Node, Op, reachable
 from .ir.types import Scalar, Type, Vector
-from .library import MEANING, expansions
+from .library import MEANING, expansion
 from .semantics.checking.applications import apply_body, best
 from .semantics.checking.expressions import RULES
 from .semantics.inheritance.flattening import Records
@@ -82,13 +82,12 @@ def _template_of(function: str, types: tuple[Type, ...]) -> Template:
 
 
 def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
-    _, functions = expansions()
     report = Report()
     ctx = Context(report, Records(report), RULES)
     arguments = tuple(
         ctx.tree.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
     )
-    symbol = best(ctx, list(functions[name]), arguments)
+    symbol = best(ctx, list(expansion(name)), arguments)
     if symbol is None:
         return None
     value = apply_body(ctx, symbol, arguments, Span(symbol.module.file.source, 0, 0))

@@ -1,14 +1,15 @@
 """Reads the standard library, and keeps its syntax trees in the user's cache, keyed by content.
 
 The front end asks for ``standard_library``, the files that are imported from ``std``. Semantics
-asks for ``conversions``, and the passes that expand builtins ask for ``expansions``.
+asks for ``conversions``, and the passes that expand builtins ask for ``expansion``.
 """
 
 from __future__ import annotations
 
 import pickle
-from collections.abc import Callable
-from functools import lru_cache, wraps
+from collections.abc import Callable, Mapping
+from functools import cache, lru_cache, wraps
+from io import BytesIO
 from pathlib import Path
 from threading import RLock
 from typing import TypeVar
@@ -94,7 +95,10 @@ def _tree_shape() -> str:
 @once
 def conversions() -> Module:
     """The module with the functions that convert values from one space to another."""
-    file, path = _internal(CONVERSIONS)
+    path = FOLDER / CONVERSIONS
+    report = Report()
+    file = parse_library(Source(CONVERSIONS, path.read_text(encoding="utf-8")), report)
+    assert not report.failed, report.diagnostics
     module = Module(file, path)
     for declaration in file.declarations:
         assert not isinstance(declaration, ast.Import)
@@ -104,30 +108,72 @@ def conversions() -> Module:
     return module
 
 
-def _internal(name: str) -> tuple[ast.File, Path]:
-    """A library file that no other file can import, with its path."""
-    path = FOLDER / name
-    report = Report()
-    file = parse_library(Source(name, path.read_text(encoding="utf-8")), report)
-    assert not report.failed, report.diagnostics
-    return file, path
+def expansion(function: str) -> tuple[Symbol, ...]:
+    """The functions of that name in the file of the builtins' expansions."""
+    with _MAKING:
+        return _expansion(function)
+
+
+@cache
+def _expansion(function: str) -> tuple[Symbol, ...]:
+    module, trees = _meaning()
+    return _symbols(trees[function], module)
 
 
 @once
-def expansions() -> tuple[Module, dict[str, tuple[Symbol, ...]]]:
-    """The module of the builtins' expansions, and its functions by the builtins that they define.
+def _meaning() -> tuple[Module, Mapping[str, bytes]]:
+    """The module of the builtins' expansions, and the trees of its functions by their names.
 
-    In that module a builtin's name means the builtin itself, so these functions are kept apart.
+    A compile needs few of many expansions, so trees are read one by one. In that module a builtin's
+    name means the builtin itself, so only the other functions, which help them, are declared in it.
     """
     from ..stdlib.builtins import BUILTINS
 
-    file, path = _internal(MEANING)
-    module = Module(file, path)
-    found: dict[str, tuple[Symbol, ...]] = {}
+    path = FOLDER / MEANING
+    source = Source(MEANING, path.read_text(encoding="utf-8"))
+    trees = cached("library", (_tree_shape(), "each", source.text), lambda: _each(source))
+    module = Module(ast.File(source, edition=1, doc="", declarations=()), path)
     expanding = {name for row in BUILTINS.values() for name in (row.expansion, row.definition)}
-    for declaration in file.declarations:
+    module.declared.update(
+        {name: _symbols(tree, module) for name, tree in trees.items() if name not in expanding}
+    )
+    return module, trees
+
+
+def _each(source: Source) -> dict[str, bytes]:
+    """The trees of a file's declarations by their names, each for itself."""
+    report = Report()
+    declared: dict[str, list[ast.Declaration]] = {}
+    for declaration in parse(source, report).declarations:
         assert not isinstance(declaration, ast.Import)
-        name = declaration.name.text
-        names = found if name in expanding else module.declared
-        names[name] = (*names.get(name, ()), Symbol(declaration, module))
-    return module, found
+        declared.setdefault(declaration.name.text, []).append(declaration)
+    assert not report.failed, report.diagnostics
+    trees = {}
+    for name, overloaded in declared.items():
+        stream = BytesIO()
+        _TreePickler(stream, pickle.HIGHEST_PROTOCOL).dump(overloaded)
+        trees[name] = stream.getvalue()
+    return trees
+
+
+def _symbols(tree: bytes, module: Module) -> tuple[Symbol, ...]:
+    declarations = _TreeUnpickler(BytesIO(tree), module.file.source).load()
+    return tuple(Symbol(declaration, module) for declaration in declarations)
+
+
+class _TreePickler(pickle.Pickler):
+    """Writes a part of a file's tree without the source, which all parts of it share."""
+
+    def persistent_id(self, part: object) -> str | None:
+        return "source" if isinstance(part, Source) else None
+
+
+class _TreeUnpickler(pickle.Unpickler):
+    """Reads what ``_TreePickler`` has written."""
+
+    def __init__(self, stream: BytesIO, source: Source) -> None:
+        super().__init__(stream)
+        self._source = source
+
+    def persistent_load(self, _: str) -> Source:
+        return self._source

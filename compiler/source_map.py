@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping
+from collections.abc import Callable, Hashable, ItemsView, Iterator, Mapping, ValuesView
 from functools import cached_property
 
 from .diagnostics.source import Span
@@ -50,6 +50,14 @@ class SourceMap(Mapping[int, Span]):
 
     def __len__(self) -> int:
         return len(self._spans)
+
+    def items(self) -> ItemsView[int, Span]:
+        """Those of the dictionary itself: ``Mapping`` would look each line up."""
+        return self._spans.items()
+
+    def values(self) -> ValuesView[Span]:
+        """Likewise."""
+        return self._spans.values()
 
     def __repr__(self) -> str:
         return repr(self._spans)

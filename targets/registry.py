@@ -20,8 +20,8 @@ def names() -> tuple[str, ...]:
 @cache
 def _names_in(places: tuple[str, ...]) -> tuple[str, ...]:
     """The folders are read once: to look for files takes longer than a whole pass."""
-    rows = (row for place in places for row in Path(place).glob("*/language.py"))
-    return tuple(sorted(row.parent.name for row in rows))
+    inside = (folder for place in places for folder in Path(place).iterdir())
+    return tuple(sorted(each.name for each in inside if (each / "language.py").is_file()))
 
 
 def defaults() -> tuple[str, ...]:

@@ -5,7 +5,8 @@ the result is kept in the cache as plain data, and Lark is not imported again un
 changes.
 """
 
-from __future__ import annotations
+# Annotations are evaluated in this module: a named tuple compiles those that are texts, and to load
+# Python's compiler for them would take a hundredth of a short compile.
 
 from functools import cache
 from pathlib import Path

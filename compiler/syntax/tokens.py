@@ -1,6 +1,7 @@
 """The results of the lexer: tokens, and the doc comments between them."""
 
-from __future__ import annotations
+# Annotations are evaluated in this module: a named tuple compiles those that are texts, and to load
+# Python's compiler for them would take a hundredth of a short compile.
 
 from typing import NamedTuple
 

@@ -17,12 +17,13 @@ _OPEN_END = re.compile(r"[\\\s]+$")
 _INVISIBLE = frozenset({"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"})
 
 
-def comment_lines(text: str, mark: str = "///") -> list[str]:
+@lru_cache(maxsize=1024)
+def comment_lines(text: str, mark: str = "///") -> tuple[str, ...]:
     """``text`` as line comments, one for each of its lines; nothing for a blank text."""
     if not text:
-        return []
+        return ()
     cleaned = [_clean(line) for line in _LINE_ENDS.split(text.strip())]
-    return [f"{mark} {line}".rstrip() for line in cleaned] if any(cleaned) else []
+    return tuple([f"{mark} {line}".rstrip() for line in cleaned]) if any(cleaned) else ()
 
 
 @lru_cache(maxsize=1024)
@@ -34,7 +35,6 @@ def comment_line(text: str, mark: str = "///") -> str:
     return f"{mark} {cleaned}" if cleaned else ""
 
 
-@lru_cache(maxsize=1024)
 def _clean(line: str) -> str:
     closed = _visible(line).replace("*/", "* /").replace("/*", "/ *").replace("??/", "?? /")
     return _OPEN_END.sub("", closed).strip()

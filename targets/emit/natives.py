@@ -7,7 +7,6 @@ By now all of them are ``native`` nodes: operations that the language has itself
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import NATIVE
@@ -21,6 +20,7 @@ from ...compiler.ir.types import (
     scalar_kind,
     width,
 )
+from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ..description.spellings import Read, Spelling, Spellings
 from .context import Context
@@ -53,7 +53,8 @@ def _special(row: Spelling, operands: Sequence[Type]) -> str:
     return row.integers if kind in ("int", "uint") else ""
 
 
-class Callee(NamedTuple):
+@frozen
+class Callee:
     """A function of the text, as its callers know it."""
 
     name: str

@@ -7,7 +7,8 @@ and shifts, between ``&&`` and ``||``, between comparisons). They read well ever
 languages get them.
 """
 
-from __future__ import annotations
+# Annotations are evaluated in this module: a named tuple compiles those that are texts, and to load
+# Python's compiler for them would take a hundredth of a short compile.
 
 from collections.abc import Callable, Iterable, Sequence
 from enum import IntEnum

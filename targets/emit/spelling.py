@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 from ...compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
+from ...frozen import frozen
 from ..description.spellings import TypeNames
 
 _NAME = "\0"
 """Stands for the name in declarations that are kept; no text contains it."""
 
 
-class TypeTexts(NamedTuple):
+@frozen(eq=False)
+class TypeTexts:
     """The texts of types that any program may use: scalars, vectors and matrices.
 
     A ``Dialect`` keeps them for all programs of a profile.

@@ -79,7 +79,7 @@ class InputView:
 class FunctionView:
     """A function."""
 
-    comments: list[str]
+    comments: tuple[str, ...]
     head: str
     lines: list[str]
 

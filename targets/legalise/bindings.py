@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from itertools import count
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 from ...compiler.ir.leaves import Resource
 from ...compiler.ir.program import Block, Program
@@ -93,7 +93,8 @@ class _SlotsByKind:
         return BindingSlot(0, next(self._numbers[kind]))
 
 
-class _Owned(NamedTuple):
+@frozen(eq=False)
+class _Owned:
     """The blocks and textures of one group, without the blocks that the host has bound."""
 
     blocks: list[Block]

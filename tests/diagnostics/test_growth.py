@@ -75,7 +75,14 @@ def test_unknown_names_are_compared_with_known_ones_only_so_often(
     assert compared < 110_000
 
 
-@pytest.mark.parametrize("text", ["a++ " * 40_000, "20.5.1 = " * 40_000, "a" * 10_000_000])
+LONG = {
+    "operators": "a++ " * 40_000,
+    "numbers": "20.5.1 = " * 40_000,
+    "one name": "a" * 10_000_000,
+}
+
+
+@pytest.mark.parametrize("text", LONG.values(), ids=LONG)
 def test_one_long_line_of_mistakes_is_read_at_once(text: str) -> None:
     report = Report()
     parse(Source("long", text), report)

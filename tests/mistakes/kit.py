@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import burnish
@@ -65,8 +66,12 @@ def _case(part: str) -> Case:
     return Case(title, written, said.rstrip("\n") + "\n")
 
 
+@cache
 def told(case: Case) -> tuple[Diagnostic, ...]:
-    """All diagnostics of a program, compiled with the last pass that it declares."""
+    """All diagnostics of a program, compiled with the last pass that it declares.
+
+    Several tests ask for those of each program.
+    """
     path = Path("m.burnish")
     path.write_text(case.program, encoding="utf-8")
     passes = _PASS.findall(case.program)

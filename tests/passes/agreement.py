@@ -89,7 +89,11 @@ def disagreements(given: Shader, worlds: list[World], options: Options | None = 
         expected = lanes(original, world)
         allowed = tolerances(shaken, expected, world)
         informed = World(world.seed, world.traps, past.staged.derived)
+        before: list[Node] = []
         for name, roots in past.roots.items():
+            if roots == before:  # The pass had nothing to do.
+                continue
+            before = roots
             with hardware():
                 values = lanes(roots, informed)
             for i, value in enumerate(values):

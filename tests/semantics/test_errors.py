@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -48,8 +49,9 @@ def _among_the_sources(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(FOLDER)
 
 
+@cache
 def told(name: str) -> tuple[Diagnostic, ...]:
-    """All that is said of a source, which its own last pass draws."""
+    """All that is said of a source, which its own last pass draws; three tests ask for it."""
     path = Path(f"{name}.burnish")
     passes: list[str] = _PASS.findall(path.read_text(encoding="utf-8"))
     found = burnish.check(path, pass_=passes[-1] if passes else None)

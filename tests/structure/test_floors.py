@@ -71,7 +71,9 @@ FLOORS: dict[str, str] = {
     "targets.runner": ("frozen arguments cache diagnostics srgb ir reference closing toolchain"),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
-    "compiled": "frozen inputs diagnostics ir passes reflection description emit selection runner",
+    "compiled": (
+        "frozen garbage inputs diagnostics ir passes reflection description emit selection runner"
+    ),
     "api": (
         "arguments garbage diagnostics ir passes source_map names frontend description emit "
         "legalise selection runner compiled"

@@ -45,7 +45,7 @@ def test_any(text: str) -> None:
 
 
 def test_lines_are_kept() -> None:
-    assert comment_lines("one\ntwo\n") == ["/// one", "/// two"]
+    assert comment_lines("one\ntwo\n") == ("/// one", "/// two")
     assert comment_line("one\ntwo\n") == "/// one two"
-    assert comment_lines("  \n ") == []
+    assert comment_lines("  \n ") == ()
     assert comment_line("") == ""

@@ -32,7 +32,7 @@ from ..hints import advice
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from ..types import overloads
-from ..types.overloads import Operand
+from ..types.operand import Operand
 
 _INTEGERS = frozenset(FAMILIES["I"].kinds)
 _LANES = "xyzw"

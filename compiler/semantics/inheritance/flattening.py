@@ -64,7 +64,7 @@ class Records:
 
     def _flattened(self, symbol: Symbol, chain: tuple[Symbol, ...]) -> Record:
         record = Record(symbol, chain, baseless=not self._astray.isdisjoint(chain))
-        statements: dict[object, Statement[ast.Member]] = {}
+        statements: dict[object, Statement] = {}
         for level in reversed(range(len(chain))):
             owner = chain[level]
             declaration = owner.declaration

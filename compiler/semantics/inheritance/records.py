@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Generic, NamedTuple, TypeVar
+from typing import TypeVar
 
 from ....frozen import fresh, frozen, record
 from ...syntax import ast
@@ -22,10 +22,11 @@ class Definition:
     """0 for the most derived record."""
 
 
-class Statement(NamedTuple, Generic[M]):
+@frozen
+class Statement:
     """A member that expressions cannot read, such as a target, with where it stands."""
 
-    member: M
+    member: ast.Member
     owner: Symbol
     level: int
 
@@ -41,7 +42,7 @@ class Record:
     """Of each name, most derived first; names in order of first declaration, ancestors first."""
     requirements: list[Definition] = fresh(factory=list)
     """What mixins ask for that the chain behind them has: slots with a type and no value."""
-    statements: tuple[Statement[ast.Member], ...] = ()
+    statements: tuple[Statement, ...] = ()
     """The members of the chain that count and have no definition, as nothing reads them."""
     baseless: bool = False
     """Whether a base is wrong, so that no name can be said to be missing."""
@@ -56,11 +57,12 @@ class Record:
         """The ancestor without a base."""
         return self.chain[-1]
 
-    def every(self, node: type[M]) -> Iterator[Statement[M]]:
-        """The statements of one kind, ancestors first."""
-        for member, owner, level in self.statements:
+    def every(self, node: type[M]) -> Iterator[tuple[M, Symbol, int]]:
+        """The statements of one kind, ancestors first: the member, its owner and the level."""
+        for statement in self.statements:
+            member = statement.member
             if isinstance(member, node):
-                yield Statement(member, owner, level)
+                yield member, statement.owner, statement.level
 
     def declaration(self, name: str) -> Definition:
         """Where ``name`` was first declared (the furthest ancestor)."""

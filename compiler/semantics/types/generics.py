@@ -18,7 +18,7 @@ from ...ir.types import Array, Matrix, Scalar, Texture, Type, Vector
 from ...syntax import ast
 from . import overloads
 from .meaning_rules import joined, weakened
-from .overloads import Operand
+from .operand import Operand
 from .typenames import GENERIC_VECTOR, NAMED, Declared, Variable, Variables
 
 SPACES, WIDTHS, COUNTS = "spaces", "widths", "counts"

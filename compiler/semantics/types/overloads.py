@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from typing import NamedTuple
 
 from ....frozen import frozen
 from ....stdlib.builtins import BUILTINS
@@ -29,6 +28,7 @@ from ...ir.signatures import (
 )
 from ...ir.types import Matrix, Scalar, ScalarKind, Type, Vector, scalar_kind, width, with_width
 from .coercion import is_constant
+from .operand import Operand
 
 WRITTEN_FAMILIES: Mapping[str, Family] = {
     "floats": FAMILIES["T"],
@@ -39,14 +39,6 @@ WRITTEN_FAMILIES: Mapping[str, Family] = {
     "bools": FAMILIES["B"],
 }
 """The families of numbers and vectors that a function's type parameters may name."""
-
-
-class Operand(NamedTuple):
-    """What resolution needs to know of an operand; part of keys more often than anything else."""
-
-    type: Type
-    constant: bool = False
-    """Constants of kind int adapt to the kind that is wanted."""
 
 
 @frozen
