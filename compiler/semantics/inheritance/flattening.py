@@ -17,7 +17,6 @@ from ..names.modules import Module, Symbol
 from .inherited import inherited_names
 from .records import Definition, Record, Statement, is_abstract
 
-
 MOST_BASES = 64
 """How many records one may extend, bases of bases included. Each record of a chain is flattened by
 itself, so the work would grow with the square of its length."""
