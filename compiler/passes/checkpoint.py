@@ -1,6 +1,6 @@
 """Checks every graph between two passes if the variable ``BURNISH_VERIFY`` is 1.
 
-``pipeline.stage`` calls ``passed`` after each pass. The tests always set the variable; users do
+``pipeline.stage`` calls ``verified`` after each pass. The tests always set the variable; users do
 not, because verifying a graph takes as long as a pass.
 """
 
@@ -19,7 +19,7 @@ VARIABLE = "BURNISH_VERIFY"
 """Set to ``1`` in all tests; off for users, since verifying costs as much as a pass."""
 
 
-def passed(name: str, form: Form, roots: Roots) -> Roots:
+def verified(name: str, form: Form, roots: Roots) -> Roots:
     """``roots`` as pass ``name`` made them, verified where that is wanted."""
     if os.environ.get(VARIABLE) == "1":
         from ..ir.verify import InvalidGraphError, verify
@@ -32,7 +32,7 @@ def passed(name: str, form: Form, roots: Roots) -> Roots:
     return roots
 
 
-def chained(shader: Shader) -> tuple[Result, ...]:
+def verified_results(shader: Shader) -> tuple[Result, ...]:
     """What a shader delivers; where that is wanted, it is verified to fit the shader's stages."""
     if os.environ.get(VARIABLE) == "1":
         from ..ir.verify import verify_results

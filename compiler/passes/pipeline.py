@@ -10,7 +10,7 @@ from ..ir.node import Graph, Roots
 from ..ir.program import Program
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Result, Shader
-from .checkpoint import chained, passed
+from .checkpoint import verified, verified_results
 from .expand_builtins import expand_builtins
 from .fuse import fuse
 from .guard import Guard, Guarding
@@ -76,10 +76,10 @@ class Staged:
 def stage(shader: Shader, options: Options) -> Staged:
     """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
     graph, notes = shader.graph, shader.notes
-    results = chained(shader)
-    roots = passed("semantics", "semantics", Roots([result.value for result in results]))
-    roots = passed("open_binders", "opened", open_binders(graph, roots, notes))
-    roots = passed("replace_aggregates", "flat", replace_aggregates(graph, roots, notes))
+    results = verified_results(shader)
+    roots = verified("semantics", "semantics", Roots([result.value for result in results]))
+    roots = verified("open_binders", "opened", open_binders(graph, roots, notes))
+    roots = verified("replace_aggregates", "flat", replace_aggregates(graph, roots, notes))
     # Passes keep values, so what is known of a node, or of a variable, stays true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
@@ -88,15 +88,15 @@ def stage(shader: Shader, options: Options) -> Staged:
     evidence = Evidence(
         (*simplifier.remarks.values(), *guarding.remarks.values()), ranges, notes.copy()
     )
-    roots = passed("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
+    roots = verified("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
         declared = (info.parameter.name for info in shader.parameters)
         roots, derived = hoist(graph, roots, notes, ranges, declared)
-        passed("hoist", "guarded", roots)
-    roots = passed("lift_lambdas", "guarded", lift_lambdas(graph, roots, notes))
-    roots = passed("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
-    roots = passed("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
+        verified("hoist", "guarded", roots)
+    roots = verified("lift_lambdas", "guarded", lift_lambdas(graph, roots, notes))
+    roots = verified("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
+    roots = verified("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
     results = tuple(changed(r, value=v) for r, v in zip(results, roots, strict=True))
     program = split_stages(shader, results, derived)
     undecided = Undecided(shader, results, derived, ranges) if guarding.undecided else None
@@ -105,14 +105,14 @@ def stage(shader: Shader, options: Options) -> Staged:
 
 def _simplified(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
     """Simplify, fuse sums over lights, and write out what is used once."""
-    roots = passed("simplify", "flat", simplifier.simplified(roots))
-    roots = passed("fuse", "flat", fuse(graph, roots, notes, simplifier))
-    return passed("inline", "flat", inline(graph, roots, notes, simplifier))
+    roots = verified("simplify", "flat", simplifier.simplified(roots))
+    roots = verified("fuse", "flat", fuse(graph, roots, notes, simplifier))
+    return verified("inline", "flat", inline(graph, roots, notes, simplifier))
 
 
 def _guarded(graph: Graph, roots: Roots, notes: Notes, ranges: Ranges) -> tuple[Roots, Guarding]:
-    roots = passed("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
+    roots = verified("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
     guarding = Guarding(graph, ranges, notes, PathConditions(roots, ranges))
-    roots = passed("guard", "guarded", guarding.simplified(roots))
-    roots = passed("inline", "guarded", inline(graph, roots, notes, guarding))
+    roots = verified("guard", "guarded", guarding.simplified(roots))
+    roots = verified("inline", "guarded", inline(graph, roots, notes, guarding))
     return roots, guarding

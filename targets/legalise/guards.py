@@ -16,7 +16,7 @@ from ...compiler.ir.program import Program
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.rewrite import rewrite
 from ...compiler.ir.shader import Notes
-from ...compiler.passes.checkpoint import passed
+from ...compiler.passes.checkpoint import verified
 from ...compiler.passes.guard import Guard, Guarding
 from ...compiler.passes.inline import inline
 from ...compiler.passes.path_conditions import PathConditions
@@ -36,7 +36,7 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     given = Roots([result.value for result in undecided.results])
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
     roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
-    roots = passed("guards of a profile", "stored", inline(graph, roots, notes, deciding))
+    roots = verified("guards of a profile", "stored", inline(graph, roots, notes, deciding))
     made = zip(undecided.results, roots, strict=True)
     results = tuple(changed(result, value=value) for result, value in made)
     return split_stages(shader, results, undecided.derived), notes

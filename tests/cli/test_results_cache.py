@@ -113,7 +113,7 @@ def test_many_at_once(place: Place) -> None:
 def test_many_answers(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cache, "KEPT", 2)
     place.cache.mkdir()
-    other = place.cache / "library-0123456789abcdef.bin"
+    other = place.cache / "other-0123456789abcdef.bin"
     other.touch()
     os.utime(other, (0, 0))
     for number in range(4):

@@ -30,7 +30,7 @@ from burnish.compiler.ir.types import (
     width,
 )
 from burnish.compiler.passes import pipeline
-from burnish.compiler.passes.checkpoint import passed
+from burnish.compiler.passes.checkpoint import verified
 from burnish.compiler.passes.hoist import Derived
 from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
@@ -84,9 +84,9 @@ def history(given: Shader, options: Options | None = None) -> History:
 
     def record(name: str, form: Any, found: Roots) -> Roots:
         roots[name] = list(found)
-        return passed(name, form, found)
+        return verified(name, form, found)
 
-    with patch.object(pipeline, "passed", record):
+    with patch.object(pipeline, "verified", record):
         staged = pipeline.stage(given, options or Options())
     return History(roots, staged)
 

@@ -152,7 +152,7 @@ def test_deep_graphs_are_verified_without_recursion() -> None:
 
 def test_the_error_names_the_pass(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InvalidGraphError) as caught:
-        checkpoint.passed("fuse", "opened", Roots([free(Graph())]))
+        checkpoint.verified("fuse", "opened", Roots([free(Graph())]))
     assert caught.value.__notes__ == ["after fuse"]
     monkeypatch.delenv(checkpoint.VARIABLE)
-    checkpoint.passed("fuse", "opened", Roots([free(Graph())]))
+    checkpoint.verified("fuse", "opened", Roots([free(Graph())]))
