@@ -15,7 +15,6 @@ from ..declarations.contracts import as_declared
 from ..declarations.written_types import struct_of
 from ..names.modules import Symbol
 from ..state.context import Context
-from ..state.evaluation import plain
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types.coercion import coerce
 from .combinations import checked
@@ -49,12 +48,8 @@ def structure(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.
     return FAILURE if failed else ctx.tree.node("struct", declared.type, tuple(parts))
 
 
-def array(ctx: Context, e: ast.Array, operands: Sequence[Value], scope: Scope) -> Value:
+def array(ctx: Context, e: ast.Array, elements: Sequence[Node], scope: Scope) -> Value:
     """``[a, b, c]``: elements of one type, to which constants among them adapt."""
-    values = (plain(ctx, value, part) for value, part in zip(operands, e.elements, strict=True))
-    elements = [element for element in values if isinstance(element, Node)]
-    if len(elements) < len(operands):
-        return FAILURE
     if len(elements) > LONGEST:
         ctx.report.add(rules.BAD_COUNT, e.span, count=len(elements))
         return FAILURE
@@ -76,7 +71,7 @@ def array(ctx: Context, e: ast.Array, operands: Sequence[Value], scope: Scope) -
     return FAILURE
 
 
-def _report_odd(ctx: Context, e: ast.Array, elements: list[Node]) -> None:
+def _report_odd(ctx: Context, e: ast.Array, elements: Sequence[Node]) -> None:
     """Say which element is not like the first."""
     first = elements[0]
     for element, written in zip(elements, e.elements, strict=True):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 
 from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
-from ...ir.node import Node
+from ...ir.node import Formals, Node
 from ...syntax import ast
 from ...syntax.quoting import counted
 from ..declarations import contracts
@@ -21,10 +22,10 @@ from ..types.coercion import coerce
 from ..types.generics import of_unknown_family, shown, uninferable
 from . import lights
 from .bodies import settle_body
-from .call_marks import marked
+from .call_marks import Callee, marked
 from .functions import bound, fit_result, may_enter, scope_of_body, usage
 from .operands import listed
-from .signatures import SharedCall, applied, failed, shared_call
+from .signatures import SharedCall, applied, failed, shared_call, stand_ins
 
 
 def apply_best(
@@ -199,6 +200,26 @@ def _marked(
             value = marked(ctx, symbol, arguments, value)
             ctx.notes.roles.setdefault(value.id, symbol.name)
     return value
+
+
+def checked_body(
+    ctx: Context, callee: Callee, fixed: Sequence[Node | None]
+) -> tuple[Node, Formals] | None:
+    """What a function gives for variables in the place of its arguments, but for ``fixed`` ones.
+
+    ``lowering`` asks for this, for calls that could apply one body. There is none if the body is
+    wrong for variables, about which nothing is reported: the calls have been checked.
+    """
+    function, found = callee.symbol.declaration, ctx.report.count
+    assert isinstance(function, ast.Function)
+    names = [argument.name.text for argument in function.arguments]
+    stand_in = stand_ins(ctx, names, callee.given, fixed)
+    value = apply_body(ctx, callee.symbol, stand_in.values, function.name.span)
+    failed = ctx.report.count > found
+    ctx.report.forget(found)
+    if failed or isinstance(value, Failure) or not stand_in.formals:
+        return None
+    return value.operands[0] if value.op == "called" else value, stand_in.formals
 
 
 def library_call(

@@ -65,7 +65,8 @@ def _finish_part(ctx: Context, parts: FunctionParts, name: str, value: Value) ->
             FAILURE if wanted is None else as_declared(ctx, result, wanted, written.value, scope)
         )
     parts.values[name] = result
-    if isinstance(result, Node) and result.operands:
+    if isinstance(result, Node) and (result.operands or result.op == "formal"):
+        # An argument may be a variable here that stands for what calls compute (``signatures``).
         ctx.notes.names.setdefault(result.id, name)
         if written.doc:
             ctx.notes.docs.setdefault(result.id, written.doc)

@@ -20,7 +20,6 @@ from ...syntax.rewriting import declared_space, rewritten
 from ..declarations import transform_paths
 from ..names.modules import Module
 from ..state.context import Context
-from ..state.evaluation import plain
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types import meaning_rules
 from ..types.typenames import HOMOGENEOUS, SPACES
@@ -30,11 +29,11 @@ from .operands import listed
 from .slots import slot
 
 
-def convert(ctx: Context, e: ast.Conversion, operands: Sequence[Value], scope: Scope) -> Value:
+def convert(ctx: Context, e: ast.Conversion, operands: Sequence[Node], scope: Scope) -> Value:
     """The value of ``x in S``."""
-    node = plain(ctx, operands[0], e.operand)
+    (node,) = operands
     space = _space(ctx, e.space, scope)
-    if isinstance(node, Failure) or space is None:
+    if space is None:
         return FAILURE
     meaning = ctx.meanings.of(node)
     if meaning is None or meaning.kind not in GEOMETRY:

@@ -28,8 +28,7 @@ from ..declarations import contracts
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
 from ..hints import advice
-from ..state.context import Context, Rule, Rules
-from ..state.evaluation import plain
+from ..state.context import Context, OpenRule, Rule, Rules
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types.coercion import coerce, is_negated_literal
 from . import aggregates, calls, conversions, lookup, loops
@@ -51,7 +50,7 @@ LOWEST = str(2**31)
 # --- literals ------------------------------------------------------------------------------------
 
 
-def _number(ctx: Context, e: ast.Number, _operands: Sequence[Value], _scope: Scope) -> Value:
+def _number(ctx: Context, e: ast.Number, _operands: Sequence[Node], _scope: Scope) -> Value:
     if e.kind in ("int", "uint"):
         limit, type_ = (2**31 - 1, INT) if e.kind == "int" else (2**32 - 1, UINT)
         whole = _whole(e.text)
@@ -72,21 +71,21 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Value], _scope: Sco
     return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
 
 
-def _color(ctx: Context, e: ast.Color, _operands: Sequence[Value], _scope: Scope) -> Value:
+def _color(ctx: Context, e: ast.Color, _operands: Sequence[Node], _scope: Scope) -> Value:
     lanes = [linear(channel) for channel in e.channels[:3]]
     lanes += [channel / 255 for channel in e.channels[3:]]
     color = build.constant(ctx.tree, Vector("float", len(lanes)), tuple(lanes))
     return ctx.meanings.ascribed(color, RGB if len(lanes) == 3 else RGBA)
 
 
-def _boolean(ctx: Context, e: ast.Boolean, _operands: Sequence[Value], _scope: Scope) -> Value:
+def _boolean(ctx: Context, e: ast.Boolean, _operands: Sequence[Node], _scope: Scope) -> Value:
     return build.constant(ctx.tree, BOOL, e.value)
 
 
 # --- names ---------------------------------------------------------------------------------------
 
 
-def _reference(ctx: Context, e: ast.Reference, _operands: Sequence[Value], scope: Scope) -> Value:
+def _reference(ctx: Context, e: ast.Reference, _operands: Sequence[Node], scope: Scope) -> Value:
     return lookup.value(ctx, e.name, e.span, scope)
 
 
@@ -94,13 +93,13 @@ def _field(ctx: Context, e: ast.Field, operands: Sequence[Value], _scope: Scope)
     return member_of(ctx, operands[0], e)
 
 
-def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], _scope: Scope) -> Value:
-    operand = plain(ctx, operands[0], e.operand)
-    if isinstance(operand, Node) and isinstance(operand.type, Texture):
+def _index(ctx: Context, e: ast.Index, operands: Sequence[Node], _scope: Scope) -> Value:
+    operand, index = operands
+    if isinstance(operand.type, Texture):
         ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type, hint=advice.READ)
         return FAILURE
-    position = fit(ctx, plain(ctx, operands[1], e.index), INT, "int", e.index.span)
-    if isinstance(operand, Failure) or isinstance(position, Failure):
+    position = fit(ctx, index, INT, "int", e.index.span)
+    if isinstance(position, Failure):
         return FAILURE
     match operand.type:
         case Array(count=count) | Vector(size=count) | Matrix(size=count):
@@ -143,22 +142,18 @@ def _whole(text: str) -> int:
     return int(text.lstrip("0")[:11] or "0")
 
 
-def _unary(ctx: Context, e: ast.Unary, operands: Sequence[Value], scope: Scope) -> Value:
+def _unary(ctx: Context, e: ast.Unary, operands: Sequence[Node], scope: Scope) -> Value:
     if not operands:
         return build.constant(ctx.tree, INT, -int(LOWEST))
-    operand = plain(ctx, operands[0], e.operand)
-    if isinstance(operand, Failure):
-        return FAILURE
+    (operand,) = operands
     name = PREFIXES[e.operator]
     if name == "neg" and is_negated_literal(operand):
         return bare(operand).operands[0]
     return builtin_call(ctx, name, (operand,), e.span, e.operator, (e.operand,), scope)
 
 
-def _binary(ctx: Context, e: ast.Binary, operands: Sequence[Value], scope: Scope) -> Value:
-    left, right = plain(ctx, operands[0], e.left), plain(ctx, operands[1], e.right)
-    if isinstance(left, Failure) or isinstance(right, Failure):
-        return FAILURE
+def _binary(ctx: Context, e: ast.Binary, operands: Sequence[Node], scope: Scope) -> Value:
+    left, right = operands
     if e.operator in ("/", "mod") and ctx.constants.is_zero(right):
         ctx.report.add(rules.ZERO_DIVISOR, e.right.span)
         return FAILURE
@@ -170,14 +165,10 @@ def _binary(ctx: Context, e: ast.Binary, operands: Sequence[Value], scope: Scope
     )
 
 
-def _conditional(
-    ctx: Context, e: ast.Conditional, operands: Sequence[Value], scope: Scope
-) -> Value:
-    condition = fit(ctx, plain(ctx, operands[0], e.condition), BOOL, "bool", e.condition.span)
-    then, otherwise = plain(ctx, operands[1], e.then), plain(ctx, operands[2], e.otherwise)
-    if isinstance(condition, Failure) or isinstance(then, Failure):
-        return FAILURE
-    if isinstance(otherwise, Failure):
+def _conditional(ctx: Context, e: ast.Conditional, operands: Sequence[Node], scope: Scope) -> Value:
+    chooses, then, otherwise = operands
+    condition = fit(ctx, chooses, BOOL, "bool", e.condition.span)
+    if isinstance(condition, Failure):
         return FAILURE
     if isinstance(then.type, Texture):
         ctx.report.add(
@@ -198,21 +189,19 @@ def _conditional(
     return checked(ctx, node, "if", e.span, sides, scope)
 
 
-def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Value], _scope: Scope) -> Value:
-    operand = plain(ctx, operands[0], e.operand)
+def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Node], _scope: Scope) -> Value:
+    (operand,) = operands
     if e.rate.text != "vertex":
         ctx.report.add(rules.UNKNOWN_RATE, e.rate.span, name=e.rate.text)
-        return FAILURE
-    if isinstance(operand, Failure):
         return FAILURE
     ctx.progress.unproven += bool(operand.variables)
     return ctx.crossings.interpolated(operand, e.span)
 
 
-def _ascription(ctx: Context, e: ast.Ascription, operands: Sequence[Value], scope: Scope) -> Value:
-    operand = plain(ctx, operands[0], e.operand)
+def _ascription(ctx: Context, e: ast.Ascription, operands: Sequence[Node], scope: Scope) -> Value:
+    (operand,) = operands
     declared = declared_type(ctx, e.type, scope.module, scope.variables)
-    if isinstance(operand, Failure) or declared is None:
+    if declared is None:
         return FAILURE
     fitted = fit(ctx, operand, declared.type, declared.text, e.operand.span)
     if isinstance(fitted, Failure):
@@ -260,7 +249,7 @@ RULES: Rules = {
     ast.Color: Rule(_none, _color),
     ast.Boolean: Rule(_none, _boolean),
     ast.Reference: Rule(_none, _reference),
-    ast.Field: Rule(_operand, _field),
+    ast.Field: OpenRule(_operand, _field),
     ast.Index: Rule(_place, _index),
     ast.Unary: Rule(_signed, _unary),
     ast.Binary: Rule(_sides, _binary),
@@ -271,7 +260,7 @@ RULES: Rules = {
     ast.Array: Rule(_elements, aggregates.array),
     ast.Fold: Rule(loops.bounds_of_fold, loops.fold),
     ast.Iterate: Rule(loops.bounds_of_iterate, loops.iterate),
-    ast.Call: Rule(calls.operands_of_call, calls.call),
-    ast.With: Rule(calls.operands_of_with, calls.replaced),
+    ast.Call: OpenRule(calls.operands_of_call, calls.call),
+    ast.With: OpenRule(calls.operands_of_with, calls.replaced),
 }
-"""How each kind of expression is evaluated."""
+"""How each kind of expression is checked."""

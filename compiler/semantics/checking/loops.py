@@ -21,7 +21,6 @@ from ...ir.types import BOOL, INT, Scalar, Texture, Type, Vector, width
 from ...syntax import ast
 from ..declarations.fitting import fit
 from ..state.context import Context
-from ..state.evaluation import plain
 from ..state.scope import FAILURE, Failure, Inner, Scope, Value
 from ..types.coercion import coerce
 
@@ -92,11 +91,11 @@ def _bounds(turns: ast.Turns) -> tuple[ast.Expression, ...]:
 
 
 def _turns(
-    ctx: Context, written: ast.Turns, values: Sequence[Value], span: Span
+    ctx: Context, written: ast.Turns, values: Sequence[Node], span: Span
 ) -> _Turns | Failure:
     """How often a loop turns, by the values of its ``_bounds``."""
     bounds = [
-        fit(ctx, plain(ctx, value, bound), INT, "int", bound.span)
+        fit(ctx, value, INT, "int", bound.span)
         for value, bound in zip(values, _bounds(written), strict=True)
     ]
     first, end = bounds[:2]
@@ -163,23 +162,23 @@ def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
     return _bounds(e.turns) if e.initial is None else (*_bounds(e.turns), e.initial)
 
 
-def fold(ctx: Context, e: ast.Fold, operands: Sequence[Value], scope: Scope) -> Value | Inner:
+def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``sum i in a..b from x : e`` and its like."""
     outside = list(operands)
-    initial = None if e.initial is None else plain(ctx, outside.pop(), e.initial)
+    initial = None if e.initial is None else outside.pop()
     turns = _turns(ctx, e.turns, outside, e.span)
-    if isinstance(turns, Failure) or isinstance(initial, Failure):
+    if isinstance(turns, Failure):
         return FAILURE
     inner = scope.binding({e.turns.variable.text: turns.index})
     return Inner((e.body,), inner, partial(_folded, ctx, e, turns, initial))
 
 
 def _folded(
-    ctx: Context, e: ast.Fold, turns: _Turns, initial: Node | None, values: Sequence[Value]
+    ctx: Context, e: ast.Fold, turns: _Turns, initial: Node | None, values: Sequence[Node]
 ) -> Value:
     """The fold over a body whose value is known."""
     operator = OPERATORS[e.operator]
-    body = _term(ctx, e, operator, plain(ctx, values[0], e.body))
+    body = _term(ctx, e, operator, values[0])
     if isinstance(body, Failure):
         return FAILURE
     if initial is not None:
@@ -196,12 +195,8 @@ def _folded(
     return _combined(ctx, e, operator, turns, body, initial)
 
 
-def _term(
-    ctx: Context, e: ast.Fold, operator: FoldOperator, body: Node | Failure
-) -> Node | Failure:
+def _term(ctx: Context, e: ast.Fold, operator: FoldOperator, body: Node) -> Node | Failure:
     """A term as one that the fold can take."""
-    if isinstance(body, Failure):
-        return FAILURE
     if operator in ("and", "or"):
         return fit(ctx, body, BOOL, "bool", e.body.span)
     if not isinstance(body.type, Scalar | Vector) or body.type.kind == "bool":
@@ -283,11 +278,11 @@ class _States:
     variables: tuple[Node, ...]
 
 
-def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Value], scope: Scope) -> Value | Inner:
+def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``iterate x from e up to n while c : next``: a structure is several states."""
-    initial = plain(ctx, operands[0], e.initial)
-    turns = _turns(ctx, e.turns, operands[1:], e.span)
-    if isinstance(initial, Failure) or isinstance(turns, Failure):
+    initial, *bounds = operands
+    turns = _turns(ctx, e.turns, bounds, e.span)
+    if isinstance(turns, Failure):
         return FAILURE
     states = _states(ctx, e, initial)
     if isinstance(states, Failure):
@@ -320,14 +315,13 @@ def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:
 
 
 def _iterated(
-    ctx: Context, e: ast.Iterate, turns: _Turns, states: _States, values: Sequence[Value]
+    ctx: Context, e: ast.Iterate, turns: _Turns, states: _States, values: Sequence[Node]
 ) -> Value:
     """The last state of a loop of which condition and body are known."""
     going: Node | Failure = build.constant(ctx.tree, BOOL, True)
     if e.condition is not None:
-        condition = plain(ctx, values[0], e.condition)
-        going = fit(ctx, condition, BOOL, "bool", e.condition.span)
-    body = _following(ctx, e, plain(ctx, values[-1], e.body), states.initial)
+        going = fit(ctx, values[0], BOOL, "bool", e.condition.span)
+    body = _following(ctx, e, values[-1], states.initial)
     if isinstance(going, Failure) or isinstance(body, Failure):
         return FAILURE
     nexts = tuple(build.flattened(ctx.tree, body))
@@ -339,10 +333,8 @@ def _iterated(
     return build.assembled(ctx.tree, states.initial.type, iter(_looped(ctx, turns, rows, going)))
 
 
-def _following(ctx: Context, e: ast.Iterate, body: Node | Failure, initial: Node) -> Node | Failure:
+def _following(ctx: Context, e: ast.Iterate, body: Node, initial: Node) -> Node | Failure:
     """What a turn makes of the state, as a state."""
-    if isinstance(body, Failure):
-        return FAILURE
     fitted = coerce(ctx.tree, body, initial.type)
     if fitted is None:
         ctx.report.add(

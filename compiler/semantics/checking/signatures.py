@@ -233,6 +233,9 @@ def _finish(
 def _repeated(ctx: Context, body: SharedBody, parts: tuple[Node, ...]) -> Node:
     """A checked body with other arguments in the place of those that it was checked with."""
     made = dict(zip(body.parts, parts, strict=True))
+    for variable, part in made.items():
+        if part.operands:
+            ctx.notes.follow(variable, part)
     for node in body.own:
         if node in made:
             continue

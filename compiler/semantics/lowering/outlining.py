@@ -22,10 +22,8 @@ from ...ir.node import Formal, Graph, Node, Roots, reachable
 from ...ir.operations import MEMBER
 from ...ir.rewrite import rewrite
 from ...ir.shader import Notes
-from ...syntax import ast
-from ..checking.applications import apply_body
+from ..checking.applications import checked_body
 from ..checking.call_marks import Callee
-from ..checking.signatures import stand_ins
 from ..state.context import Context
 from ..types.meanings import erased
 from .interning import Interning
@@ -48,7 +46,7 @@ class _Group:
     fixed: Fixed
     formals: tuple[Formal, ...]
     body: Node
-    """As lowered, with marks of its own."""
+    """With marks of its own."""
     applied: Node | None = None
     """The body, closed, once it is known to serve several calls."""
 
@@ -92,22 +90,14 @@ class _Sharing:
                 self._add(callee, fixed)
 
     def _add(self, callee: Callee, fixed: Fixed) -> bool:
-        """Lower the body of a group; whatever is wrong with it has been reported of its calls."""
-        ctx, found = self._ctx, self._ctx.report.count
-        function = callee.symbol.declaration
-        assert isinstance(function, ast.Function)
-        names = [argument.name.text for argument in function.arguments]
-        given = self._interning.written[callee].given
-        constants = [c and ctx.tree.node(c.op, c.type, (), c.data) for c in fixed]
-        stand_in = stand_ins(ctx, names, given, constants)
-        formals = stand_in.formals
-        span = callee.symbol.declaration.name.span
-        value = apply_body(ctx, callee.symbol, stand_in.values, span)
-        failed = ctx.report.count > found
-        ctx.report.forget(found)
-        if failed or not isinstance(value, Node) or not formals:
+        """A group of calls that may share a body; whether there is such a body."""
+        tree = self._ctx.tree
+        constants = [c and tree.node(c.op, c.type, (), c.data) for c in fixed]
+        checked = checked_body(self._ctx, self._interning.written[callee], constants)
+        if checked is None:
             return False
-        (body,) = self._interning.interned([value.operands[0] if value.op == "called" else value])
+        value, formals = checked
+        (body,) = self._interning.interned([value])
         self._groups[callee, fixed] = _Group(callee, fixed, formals, body)
         return True
 

@@ -178,13 +178,23 @@ class LightBody:
 
 @frozen
 class Rule:
-    """How one kind of expression is evaluated; ``Any`` is the class of its syntax tree."""
+    """How one kind of expression is checked; ``Any`` is the class of its syntax tree."""
 
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
-    """The parts that are evaluated first, in the expression's own scope and in this order."""
-    value: Callable[[Context, Any, Sequence[Value], Scope], Value | Inner]
-    """The expression's value, given those of its operands."""
+    """The parts that are checked first, in the expression's own scope and in this order."""
+    value: Callable[[Context, Any, Sequence[Node], Scope], Value | Inner]
+    """The expression's value, given those of its operands. Nobody asks for it where one of them is
+    wrong, or is no value: that has been reported."""
 
 
-Rules: TypeAlias = Mapping[type[ast.Expression], Rule]
+@frozen
+class OpenRule:
+    """The same where an operand may be more than a value: what has members, or may be called."""
+
+    operands: Callable[[Any, Scope], Sequence[ast.Expression]]
+    value: Callable[[Context, Any, Sequence[Value], Scope], Value]
+    """It sees wrong operands, too."""
+
+
+Rules: TypeAlias = Mapping[type[ast.Expression], Rule | OpenRule]
 """The rule for each kind of expression."""

@@ -11,7 +11,7 @@ made before, and must leave nothing behind that a second run would stumble over.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import TypeAlias
 
 from ....frozen import EMPTY, frozen
@@ -19,7 +19,7 @@ from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
-from .context import Context
+from .context import Context, OpenRule, Rule
 from .scope import FAILURE, Failure, Inner, Scope, Value
 
 DEEPEST = 16
@@ -98,6 +98,41 @@ def plain(ctx: Context, value: Value, expression: ast.Expression) -> Node | Fail
     return FAILURE
 
 
+def _value(
+    ctx: Context,
+    rule: Rule | OpenRule,
+    written: ast.Expression,
+    operands: Sequence[Value],
+    scope: Scope,
+) -> Value | Inner:
+    """The value of an expression, given those of its operands."""
+    if isinstance(rule, OpenRule):
+        return rule.value(ctx, written, operands, scope)
+    nodes = _nodes(operands)
+    if nodes is None:
+        return _wrong(ctx, operands, rule.operands(written, scope))
+    return rule.value(ctx, written, nodes, scope)
+
+
+def _value_after(ctx: Context, inner: Inner, values: Sequence[Value]) -> Value:
+    """The value of a loop, given those of its inner expressions."""
+    nodes = _nodes(values)
+    return _wrong(ctx, values, inner.expressions) if nodes is None else inner.then(nodes)
+
+
+def _nodes(values: Sequence[Value]) -> list[Node] | None:
+    """The values as nodes, if all of them are."""
+    nodes = [value for value in values if isinstance(value, Node)]
+    return nodes if len(nodes) == len(values) else None
+
+
+def _wrong(ctx: Context, values: Sequence[Value], written: Sequence[ast.Expression]) -> Failure:
+    """What an expression is of which an operand is wrong: wrong, with nothing said of itself."""
+    for value, expression in zip(values, written, strict=True):
+        plain(ctx, value, expression)
+    return FAILURE
+
+
 def settle(ctx: Context, demand: Demand) -> None:
     """Compute a demand's value and have it kept."""
     progress = ctx.progress
@@ -134,7 +169,7 @@ def _run(ctx: Context, work: list[_Work]) -> Value:
                         work.append((written, scope, start))
                         work += [(operand, scope, _NEW) for operand in reversed(operands)]
                         continue
-                found = rule.value(ctx, written, values[start:], scope)
+                found = _value(ctx, rule, written, values[start:], scope)
                 if isinstance(found, Inner):
                     del values[start:]
                     work.append(_Leave(written, found, start))
@@ -142,7 +177,7 @@ def _run(ctx: Context, work: list[_Work]) -> Value:
                     continue
             elif isinstance(top, _Leave):
                 written, start = top.written, top.start
-                found = top.inner.then(values[start:])
+                found = _value_after(ctx, top.inner, values[start:])
             elif isinstance(top, _Again):
                 tree.again = top.made
                 work.append(top.work)

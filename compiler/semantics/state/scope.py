@@ -126,7 +126,7 @@ class Inner:
 
     expressions: tuple[ast.Expression, ...]
     scope: Scope
-    then: Callable[[Sequence[Value]], Value]
+    then: Callable[[Sequence[Node]], Value]
 
 
 @frozen
