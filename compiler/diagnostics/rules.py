@@ -528,6 +528,11 @@ TOO_MUCH_WORK = _error(
     "iteration. Use fewer iterations, or let the shader compute the value: an equation is not "
     "computed when compiling.",
 )
+TOO_MANY_BASES = _error(
+    "B0414",
+    "`{name}` has more than {most} bases, one above the other",
+    "Bases of bases count, too. Declare what they share in a mixin, or in fewer bases.",
+)
 
 # Mixins
 

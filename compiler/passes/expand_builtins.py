@@ -24,6 +24,9 @@ from .simplify import Simplifier
 OUTLINED = 3
 """Expansions of at least so many operations become functions where they are used repeatedly."""
 
+_HOMELESS = frozenset(name for name, row in BUILTINS.items() if row.domain is nowhere)
+"""The builtins that no backend has."""
+
 
 class Expanding(Simplifier):
     """Builds nodes, and on demand what they mean in terms of simpler ones."""
@@ -120,13 +123,13 @@ def expand_builtins(graph: Graph, roots: Roots, notes: Notes, ranges: Ranges) ->
 
 
 def _is_homeless(node: Node) -> bool:
-    return node.op == "call" and BUILTINS[CALL.data(node)].domain is nowhere
+    return node.op == "call" and node.head in _HOMELESS
 
 
 class _WritingOut(Expanding):
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """Expand what no backend has."""
-        if operands != node.operands:
+        if operands is not node.operands:
             node = super().rule(graph, node, operands)
         if not _is_homeless(node):
             return node

@@ -7,7 +7,8 @@ all operands.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
+from operator import attrgetter
 
 from ..diagnostics.source import Span
 from ..ir.node import AGE, HEADS, Formal, Graph, Node, Op, Roots
@@ -20,6 +21,8 @@ from .path_conditions import PathRefinement
 from .remarks import Outcome, Remark
 from .rules.rule import Builder, Site
 from .rules.table import rule_table
+
+_HEAD: Callable[[Node], Hashable] = attrgetter("head")
 
 
 class Simplifier(Builder):
@@ -64,7 +67,7 @@ class Simplifier(Builder):
     ) -> Node:
         """The simplest node with the value of this operation."""
         head = HEADS.get(op, data)
-        candidates = self._candidates((head, *[operand.head for operand in operands]))
+        candidates = self._candidates((head, *map(_HEAD, operands)))
         for rule, is_swapped, closer in candidates:
             site = Site(op, type_, operands[::-1] if is_swapped else operands, data)
             found = rule.apply(self, site, closer)

@@ -18,6 +18,10 @@ def operands_of(node: Node) -> tuple[Node, ...]:
     return () if node.op == "cross" else node.operands
 
 
+_PARTLY = frozenset({"apply", "cross"})
+"""Operations of which a body does not compute all operands itself."""
+
+
 def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
     """All nodes that a stage computes for ``roots``, operands before users.
 
@@ -26,7 +30,8 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
     seen = set(roots)
     found = list(seen)
     for node in found:  # It grows on the way.
-        for operand in node.operands if into_bodies and node.op == "apply" else operands_of(node):
+        is_whole = node.op not in _PARTLY or (into_bodies and node.op == "apply")
+        for operand in node.operands if is_whole else operands_of(node):
             if operand not in seen:
                 seen.add(operand)
                 found.append(operand)

@@ -5,8 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping
 
 from ..diagnostics.fixes import Hint, fix_it
 from .foreign_syntax import QUALIFIERS, types
@@ -22,13 +21,6 @@ ENTRY_POINT = (
 
 _NO_RESULT = frozenset(("fn", "void", "def", "func", "function"))
 """Words before a function's name that are no type."""
-
-
-class _Part(NamedTuple):
-    """A name that a function's body gives to a value: ``let y = x * x``."""
-
-    name: str
-    value: str
 
 
 def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
@@ -75,26 +67,23 @@ def _type(word: str) -> str:
 
 def _arguments(view: TokenView, first: int, closing: int) -> list[str] | None:
     """The arguments between parentheses, each as ``name: type``; None if one is something else."""
-    found: list[str] = []
-    words: list[str] = []
-    for index in range(first, closing + 1):
-        kind = view.token(index).kind
-        if index == closing or kind == ",":
-            names = [word for word in words if word not in QUALIFIERS]
-            if ":" in names and len(names) == 3:
-                found.append(f"{names[0]}: {_type(names[2])}")
-            elif len(names) == 2 and ":" not in names:
-                found.append(f"{names[1]}: {_type(names[0])}")
-            elif names or kind == ",":
-                return None
-            if {"out", "inout"} & set(words):
-                return None
-            words = []
-        elif kind in ("NAME", ":"):
-            words.append(view.text(index))
-        else:
-            return None
-    return found
+    if first == closing:
+        return []
+    commas = [i for i in range(first, closing) if view.token(i).kind == ","]
+    starts, ends = [first, *(comma + 1 for comma in commas)], [*commas, closing]
+    found = [_argument(view, *bounds) for bounds in zip(starts, ends, strict=True)]
+    return found if all(found) else None
+
+
+def _argument(view: TokenView, first: int, end: int) -> str:
+    """``float x``, ``in float x`` or ``x: f32``; empty for others, and for what is handed out."""
+    words = [token.text for token in view.tokens[first:end]]
+    if {"out", "inout"} & set(words):
+        return ""
+    words = [word for word in words if word not in QUALIFIERS]
+    if len(words) == 3 and words[1] == ":":
+        return f"{words[0]}: {_type(words[2])}"
+    return f"{words[1]}: {_type(words[0])}" if len(words) == 2 else ""
 
 
 def _body(view: TokenView, opening: int) -> str:
@@ -102,21 +91,21 @@ def _body(view: TokenView, opening: int) -> str:
 
     Empty where it has statements that no expression can stand for.
     """
-    parts: list[_Part] = []
+    parts: dict[str, str] = {}
     first, closing = opening + 1, view.closing(opening)
     if view.token(closing).kind != "}":
         return ""
     while first < closing:
         end = next((i for i in range(first, closing) if view.token(i).kind == ";"), closing)
-        value = first + (view.text(first) == "return")
-        if value > first or end == closing:
+        result = first + (view.text(first) == "return")
+        if result > first or end == closing:
             is_last = all(kind == ";" for kind in view.kinds(end, closing - end))
-            return _with_parts(view.written(value, end), parts) if is_last else ""
+            return _with_parts(view.written(result, end), parts) if is_last else ""
         equals = next((i for i in range(first, end) if view.token(i).kind == "="), first)
-        part = _Part(_declared(view, first, equals), view.written(equals + 1, end))
-        if not all(part) or part.name in [other.name for other in parts]:
+        name, value = _declared(view, first, equals), view.written(equals + 1, end)
+        if not name or not value or name in parts:
             return ""
-        parts.append(part)
+        parts[name] = value
         first = end + 1
     return ""
 
@@ -129,6 +118,6 @@ def _declared(view: TokenView, first: int, equals: int) -> str:
     return words[-1] if len(words) > 1 and all(map(str.isidentifier, words)) else ""
 
 
-def _with_parts(value: str, parts: Sequence[_Part]) -> str:
-    named = "; ".join(f"{part.name} = {part.value}" for part in parts)
+def _with_parts(value: str, parts: Mapping[str, str]) -> str:
+    named = "; ".join(f"{name} = {part}" for name, part in parts.items())
     return f"{value} where {{ {named} }}" if value and parts else value

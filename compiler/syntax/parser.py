@@ -6,9 +6,9 @@ every mistake is reported, none is raised, and the tree lacks what could not be 
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from functools import cached_property
-from itertools import chain
+from itertools import accumulate, chain
 from operator import attrgetter
 from typing import TYPE_CHECKING, cast
 
@@ -67,8 +67,13 @@ def _without_skipped(found: Report, skipped: list[range]) -> Report:
     kept = Report()
     kept.unread(found.unread_names)
     rules_found = {each.rule for each in found.diagnostics}
+    skipped = sorted(skipped, key=attrgetter("start"))
+    starts = [part.start for part in skipped]
+    # Of all parts that begin up to each one, the furthest end.
+    ends = [0, *accumulate((part.stop for part in skipped), max)]
     for each in found.diagnostics:
-        within = each.rule in _OF_WORDS and any(_place(each) in part for part in skipped)
+        place = _place(each)
+        within = each.rule in _OF_WORDS and place < ends[bisect_right(starts, place)]
         swallowed = each.rule is rules.UNCLOSED and rules.UNFINISHED_COMMENT in rules_found
         if not within and not swallowed:
             kept.extend((each,))

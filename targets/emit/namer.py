@@ -51,6 +51,7 @@ class Namer:
 
         Only the outermost scope can be asked for inner ones.
         """
+        assert not self._outer, "only the outermost scope has inner ones"
         return Namer(self._reserved, taken, self._taken)
 
     def enter(self) -> None:

@@ -76,11 +76,9 @@ class Natives:
         functions: Mapping[Node, Callee],
     ) -> None:
         self._definitions = context.definitions
-        self._defined = {builtin for builtin, _types in context.definitions}
         self._functions = functions
         self._table = context.dialect.natives
-        # What is defined for some types is written otherwise for these, in this program.
-        self._writers = {} if context.definitions else context.dialect.writers
+        self._writers = context.dialect.writers
         self._forms = context.language.forms
         self._splats = context.language.splats
         self._spell_type = context.types.type
@@ -89,6 +87,10 @@ class Natives:
     def print(self, node: Node, operands: Sequence[Printed]) -> Printed:
         """The native ``node`` applied to printed operands."""
         builtin = NATIVE.data(node)
+        if self._definitions:
+            types = tuple([operand.type for operand in node.operands])
+            if (builtin, types) in self._definitions:
+                return self._functions[self._definitions[builtin, types].body].call(operands)
         if builtin in self._splats:
             operands = self._widened(node, operands)
         write = self._writers.get(builtin)
@@ -96,9 +98,7 @@ class Natives:
 
     def _print(self, node: Node, builtin: str, operands: Sequence[Printed]) -> Printed:
         """Print a native that is not among the dialect's writers, or not yet."""
-        types = tuple([operand.type for operand in node.operands])
-        if (builtin, types) in self._definitions:
-            return self._functions[self._definitions[builtin, types].body].call(operands)
+        types = [operand.type for operand in node.operands]
         reads = bool(types) and isinstance(types[0], Texture)
         if reads:
             operands = [self._leaves.texture(node.operands[0], builtin), *operands[1:]]
@@ -106,8 +106,7 @@ class Natives:
         if "{" in spelled:
             return self._template(spelled, node, operands)
         write = writer(spelled, len(operands))
-        always = isinstance(self._table.get(builtin, ""), str) and builtin not in self._defined
-        if always and not reads:
+        if not reads and isinstance(self._table.get(builtin, ""), str):
             self._writers[builtin] = write
         return write(operands)
 

@@ -48,6 +48,7 @@ SHAPES: dict[str, Callable[[int], str]] = {
     "open brackets": lambda n: material("\n".join(f"a{i} = (1" for i in range(n))),
     "words of declarations": lambda n: "material " * n,
     "foreign declarations": lambda n: "\n".join(f"const vec3 a{i} = 1;" for i in range(n)),
+    "foreign loops": lambda n: "for (int i = 0; i < 3; i++) { x += 1; }\n" * n,
 }
 
 

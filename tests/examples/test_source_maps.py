@@ -7,6 +7,9 @@ from collections.abc import Iterator
 
 import pytest
 
+from burnish.compiler.ir.node import Node
+from burnish.targets.emit.origins import Marks
+
 from .kit import VARIANTS, Variant
 
 FUNCTION = re.compile(r"(?!struct|cbuffer|layout|uniform)\S.*\{$")
@@ -35,3 +38,23 @@ def test_every_statement_has_a_place(variant: Variant) -> None:
             assert found
             assert found == sorted(file.spans), file.name
             assert all(span.start < span.end for span in file.spans.values())
+
+
+def test_source_maps_are_made_when_somebody_looks_into_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    read: list[Marks] = []
+    origins = Marks.origins
+
+    def counted(marks: Marks) -> dict[int, Node]:
+        read.append(marks)
+        return origins(marks)
+
+    monkeypatch.setattr(Marks, "origins", counted)
+    (material, *_) = VARIANTS[0].compile()
+    first, second = material.files[:2]
+    assert not read
+    assert first.spans and first.spans
+    assert len(read) == 1
+    assert second.spans
+    assert len(read) == 2

@@ -2,7 +2,8 @@
 
 Boxes are the floors of the tree, or with a name behind the command (``compiler.semantics``) the
 modules of that package. Arrows point from what is imported to what imports it, from left to right.
-An import that a longer way implies is drawn thin; one that closes a circle is red.
+An import that a longer way implies is left out, or with ``--all`` drawn thin; one that closes a
+circle is red.
 """
 
 from __future__ import annotations
@@ -51,10 +52,11 @@ def imports_within(package: str) -> Graph:
     }
 
 
-def drawn(graph: Graph, title: str) -> str:
-    """The picture of a graph of imports, as SVG."""
+def drawn(graph: Graph, title: str, *, implied: bool = False) -> str:
+    """The picture of a graph of imports, as SVG; with or without those that others imply."""
     number = {name: i for i, circle in enumerate(circles(graph)) for name in circle}
     kinds = {(b, a): _kind(graph, number, a, b) for a, others in graph.items() for b in others}
+    kinds = {edge: kind for edge, kind in kinds.items() if implied or kind != "implied"}
     sizes = {name: (LETTER * len(name) + 16, BOX_HEIGHT) for name in _lowest_first(graph)}
     acyclic = [edge for edge, kind in kinds.items() if kind != "circle"]
     layout = laid_out(sizes, acyclic)
@@ -129,6 +131,7 @@ def main() -> None:
     """Write the picture that the command line asks for."""
     parser = ArgumentParser(prog="python -m tests.structure.picture")
     parser.add_argument("package", nargs="?", help="draw its modules; by default, the floors")
+    parser.add_argument("--all", action="store_true", help="also what a longer way implies")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "build" / "imports.svg")
     asked = parser.parse_args()
     graph = imports_within(asked.package) if asked.package else imports_of_floors()
@@ -136,7 +139,7 @@ def main() -> None:
         parser.error(f"there is no package {asked.package}, or nothing in it")
     asked.output.parent.mkdir(parents=True, exist_ok=True)
     title = f"imports of {asked.package or PACKAGE}, from left to right"
-    asked.output.write_text(drawn(graph, title), encoding="utf-8")
+    asked.output.write_text(drawn(graph, title, implied=asked.all), encoding="utf-8")
     print(f"written to {asked.output}")
 
 

@@ -13,16 +13,18 @@ def _lines(picture: str, style: str) -> int:
 
 
 def test_arrows_by_kind() -> None:
-    graph = {"a": "", "b": "a", "c": "a b", "d": "e", "e": "d a"}
-    picture = drawn({name: frozenset(others.split()) for name, others in graph.items()}, "title")
-    assert _lines(picture, "direct") == 3
-    assert _lines(picture, "implied") == 1
-    assert _lines(picture, "circle") == 2
+    imports = {"a": "", "b": "a", "c": "a b", "d": "e", "e": "d a"}
+    graph = {name: frozenset(others.split()) for name, others in imports.items()}
+    for implied in (False, True):
+        picture = drawn(graph, "title", implied=implied)
+        assert _lines(picture, "direct") == 3
+        assert _lines(picture, "implied") == implied
+        assert _lines(picture, "circle") == 2
 
 
 def test_the_floors() -> None:
     graph = imports_of_floors()
-    picture = drawn(graph, "floors")
+    picture = drawn(graph, "floors", implied=True)
     texts = [
         each.text for each in ElementTree.fromstring(picture).iter() if each.tag.endswith("text")
     ]

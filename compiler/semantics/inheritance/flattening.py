@@ -17,6 +17,10 @@ from ..names.modules import Module, Symbol
 from .inherited import inherited_names
 from .records import Definition, Record, Statement, is_abstract
 
+MOST_BASES = 64
+"""How many records one may extend, bases of bases included. Each record of a chain is flattened by
+itself, so the work would grow with the square of its length."""
+
 
 class Records:
     """Flattens records; each once. Reports what is wrong with an inheritance chain."""
@@ -30,6 +34,8 @@ class Records:
         """Mixins that both declare a name, which has been reported."""
         self._twice: set[Span] = set()
         """Where a mixin is written that is in already, which has been reported."""
+        self._has_long_chain = False
+        """Whether a record has too many bases, which is reported for the first one only."""
 
     def of(self, symbol: Symbol) -> Record:
         """The record that a ``material``, ``light`` or ``pass`` declares."""
@@ -145,9 +151,12 @@ class Records:
         used: dict[Symbol, ast.Name] = {}
         records, chain = [symbol], [symbol, *self._mixins(symbol, used)]
         while (base := self._base(records[-1])) is not None:
-            if base in records:
+            if base in records or len(records) > MOST_BASES:
+                if base in records:
+                    self._report_cycle([*records[records.index(base) :], base])
+                else:
+                    self._report_long_chain(symbol)
                 declaration = records[-1].declaration
-                self._report_cycle([*records[records.index(base) :], base])
                 assert isinstance(declaration, ast.Record)
                 root = self._implied_base(records[-1], declaration)
                 return tuple(chain) if root is None else (*chain, root)
@@ -211,6 +220,15 @@ class Records:
         assert isinstance(declaration, ast.Record)
         base = symbol.module.find(declaration.base.text) if declaration.base is not None else ()
         return bool(base) and isinstance(base[0].declaration, ast.Mixin)
+
+    def _report_long_chain(self, symbol: Symbol) -> None:
+        self._astray.add(symbol)
+        if not self._has_long_chain:
+            self._has_long_chain = True
+            self._report.add(
+                rules.TOO_MANY_BASES, symbol.declaration.name.span, name=symbol.name,
+                most=MOST_BASES,
+            )  # fmt: skip
 
     def _report_cycle(self, steps: list[Symbol]) -> None:
         """Each cycle once, from wherever it was entered."""

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from burnish.compiler.ir import ranges
+from burnish.compiler.ir import range_rules
 from burnish.compiler.passes import guard, move_to_vertices
 from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
@@ -31,7 +31,7 @@ def claimed(builtin: str, rule: RangeRule) -> Plant:
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         row = changed(BUILTINS[builtin], range=rule)
-        patch.setattr(ranges, "BUILTINS", {**BUILTINS, builtin: row})
+        patch.setattr(range_rules, "BUILTINS", {**BUILTINS, builtin: row})
 
     return plant
 
