@@ -37,6 +37,8 @@ _NOT_ROUNDED = (
     EXACT | READS | _COMPARES_NEIGHBOURS | {"neg", "abs", "min", "max", "clamp", "saturate"}
 )
 """Operations that return an operand or an exact float32, or that have a margin of their own."""
+_CORRECTLY_ROUNDED = frozenset({"add", "sub", "mul"})
+"""Operations whose result, where it is a float32, is exact on every device."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,6 +191,8 @@ class StageEvaluator:
             side = (-1.0) ** (next(turns) // np.maximum(self.ways.period, 1))
             absolute = np.where(self.ways.period > 0, side * self._functions[node.data], 0.0)
         off = [self._off(lane, relative, absolute) for lane in value]
+        if node.data in _CORRECTLY_ROUNDED:
+            off = [_unless_exact(lane, moved) for lane, moved in zip(value, off, strict=True)]
         for lane, moved in zip(value, off, strict=True):
             margins.hand_on(lane, moved)
         return tuple(off)
@@ -214,6 +218,12 @@ def _rounds(node: Node, value: Lanes) -> bool:
     if builtin is None or builtin in _NOT_ROUNDED:
         return False
     return scalar_kind(node.type) == "float" and not isinstance(value[0], tuple)
+
+
+def _unless_exact(lane: Lane, moved: Lane) -> Lane:
+    """``moved`` where the result of a correctly rounded operation is no float32, and so rounded."""
+    with np.errstate(over="ignore"):
+        return np.where(np.float32(lane) == lane, lane, moved)
 
 
 def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import takewhile
 from typing import TypeGuard
 
@@ -190,14 +190,19 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
             hint = FixIt(said, (Fix((alone,)), Fix((product,))))
         ctx.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
         return
-    callables = {n for n in BUILTINS if n not in NOT_CALLED} | set(scope.module.visible())
-    for instance in (scope.instance, scope.surface):
-        if instance is not None:
-            callables |= {n for n, d in instance.record.definitions.items() if _is_map(d)}
     if hint := _elsewhere(name, e):
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
-    unknown_here(ctx, "function", name, span, sorted(callables), scope.module)
+    unknown_here(ctx, "function", name, span, _callables(scope), scope.module)
+
+
+def _callables(scope: Scope) -> Iterator[str]:
+    """The names that can be called, as far as somebody asks: for the nearest to an unknown one."""
+    yield from (name for name in BUILTINS if name not in NOT_CALLED)
+    yield from scope.module.visible()
+    for instance in (scope.instance, scope.surface):
+        if instance is not None:
+            yield from (name for name, d in instance.record.definitions.items() if _is_map(d))
 
 
 def _elsewhere(name: str, e: ast.Call) -> Hint:

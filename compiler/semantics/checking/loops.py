@@ -298,7 +298,7 @@ def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:
     if isinstance(initial.type, Texture):
         ctx.report.add(
             rules.WRONG_TYPE, e.initial.span, expected="a value", found=initial.type,
-            hint="a texture cannot change from turn to turn",
+            hint="a texture cannot change from one iteration to the next",
         )  # fmt: skip
         return FAILURE
     starts = tuple(build.flattened(ctx.tree, initial))
@@ -415,7 +415,7 @@ def _allowed(
     if read is None or not (waits or _varies(turns.count)):
         return True
     what = "a texture read" if read.data == "sample" else f"`{read.data}`"
-    labels = [Label(span, "pixels leave this loop at different turns")]
+    labels = [Label(span, "pixels leave this loop after different numbers of iterations")]
     ctx.report.add(rules.READ_IN_LOOP, ctx.places.within(read, span), what=what, labels=labels)
     return False
 
