@@ -22,6 +22,7 @@ from ...syntax import ast
 from ...syntax.quoting import quoted
 from ..inheritance.inherited import leaf_definitions
 from ..inheritance.records import Definition, Record
+from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import Failure, Scope
@@ -67,8 +68,28 @@ def leaves_of(
 
 
 def _of_param(ctx: Context, definition: Definition, name: str) -> Leaves:
-    info = parameter_of(ctx, definition, name)
+    info = _parameter(ctx, definition, name)
     return Leaves() if info is None else Leaves(parameters=(info,))
+
+
+_STANDARD: dict[tuple[Symbol, str, str], ParameterInfo] = {}
+"""Parameters of the standard library that have been met: by owner, declared name and leaf's name.
+They are the same in every compile, and checking their ranges and defaults takes a while."""
+
+
+def _parameter(ctx: Context, definition: Definition, name: str) -> ParameterInfo | None:
+    if not definition.owner.module.is_standard:
+        return parameter_of(ctx, definition, name)
+    key = definition.owner, definition.member.name.text, name
+    known = _STANDARD.get(key)
+    if known is not None:
+        return known
+    before = ctx.report.count
+    info = parameter_of(ctx, definition, name)
+    # A structure is called as is best in each program (``named_struct``).
+    if info is not None and not info.members and ctx.report.count == before:
+        _STANDARD[key] = info
+    return info
 
 
 def _of_map(ctx: Context, definition: Definition, name: str) -> Leaves:

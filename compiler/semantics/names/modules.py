@@ -40,6 +40,8 @@ class Module:
 
     file: ast.File
     path: Path | None
+    is_standard: bool = False
+    """Whether it is the standard library's, and so the same module in all compiles."""
     declared: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
     imported: dict[str, tuple[Symbol, ...]] = fresh(factory=dict)
     chosen: set[tuple[Path | None, str]] = fresh(factory=set)

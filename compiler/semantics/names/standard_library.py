@@ -108,7 +108,7 @@ class StandardLibrary:
             return None
         prelude = self._begun.get(_PRELUDE)
         path = self.folder / relative
-        module = Module(self._parse(source, self.report), path, prelude=prelude)
+        module = Module(self._parse(source, self.report), path, is_standard=True, prelude=prelude)
         # Known before it is linked: the files that the prelude imports see the prelude as well.
         self._begun[relative] = module
         for wanted in declare_all(module, self.report):
