@@ -26,6 +26,7 @@ from burnish.compiler.ir.types import (
     with_width,
 )
 from burnish.compiler.passes.rules.rule import ANY, CONSTANT, Pattern, Rule, Site
+from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, UNKNOWN, Fact
 
@@ -57,6 +58,8 @@ class Sites:
         self._chance = random.Random(f"{rule.name} {seed}")
         self._swapped = rule.either and self._chance.random() < 0.5
         """Whether the operation has its operands the other way round than the pattern."""
+        self._loose = self._chance.random() < 0.2
+        """Whether only the heads of operands are as the pattern asks, which must not be enough."""
         self._outer = Formal("outer")
         """The variable of a loop around all."""
         self._made: list[Node] = []
@@ -99,6 +102,8 @@ class Sites:
         patterns = [given] * count if isinstance(given, Pattern) else list(given)
         if len(patterns) != count:
             raise UnsuitableError
+        if self._loose:
+            patterns = [changed(pattern, parts=()) for pattern in patterns]
         if self._rule.some is not ANY:
             patterns[self._chance.randrange(count)] = self._rule.some
         return patterns

@@ -1,1 +1,1 @@
-"""Expressions to nodes: a module for each kind of expression."""
+"""Expressions to typed trees: a module for each kind of expression, and all that can be wrong."""

@@ -6,7 +6,7 @@ compiling, from the ranges of what its bounds are computed from, or because it i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
 from ....frozen import frozen
@@ -378,14 +378,19 @@ def _looped(
 # --- what may stand in a loop --------------------------------------------------------------------
 
 
-def changing(bodies: Iterable[Node], formals: set[Formal]) -> Iterator[Node]:
-    """What a loop over ``formals`` computes anew in every turn, inner loops included."""
-    seen: set[int] = set()
+def changing(
+    bodies: Iterable[Node], formals: set[Formal], known: Container[Node] = ()
+) -> Iterator[Node]:
+    """What a loop over ``formals`` computes anew in every turn, inner loops included, but for what
+    is ``known`` already."""
+    seen: set[Node] = set()
     pending = list(bodies)
     while pending:
         node = pending.pop()
-        if node.id not in seen and (node.free or not node.variables.isdisjoint(formals)):
-            seen.add(node.id)
+        if node in seen or node in known:
+            continue
+        if node.free or not node.variables.isdisjoint(formals):
+            seen.add(node)
             yield node
             pending += node.operands
 

@@ -219,8 +219,9 @@ def _finish(
         body = None if unproven else SharedBody(value, stand_in.formals, stand_in.parts, own)
     elif value.variables.isdisjoint(stand_in.formals) and not value.free:
         body = SharedBody(value, ())
-    elif _is_shareable(value, stand_in.formals):
+    elif _is_shareable(ctx, value, stand_in.formals):
         closed = _closed(ctx, symbol, value, stand_in.formals)
+        ctx.applicable.add(closed)
         body = SharedBody(closed, stand_in.formals)
     else:
         body = None
@@ -259,7 +260,7 @@ def _of_operands(ctx: Context, node: Node, operands: tuple[Node, ...]) -> Node:
 # --- a body to apply -----------------------------------------------------------------------------
 
 
-def _is_shareable(body: Node, formals: tuple[Formal, ...]) -> bool:
+def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool:
     """Whether a body means the same as where it is called.
 
     Choices between constants adapt to their use, and crossings and reads that depend on arguments
@@ -267,7 +268,7 @@ def _is_shareable(body: Node, formals: tuple[Formal, ...]) -> bool:
     """
     if not isinstance(body.type, Scalar | Vector | Matrix) or is_constant(body):
         return False
-    inside = changing((body,), set(formals))
+    inside = changing((body,), set(formals), ctx.applicable)
     return not any(node.op == "cross" or compares_neighbours(node) for node in inside)
 
 

@@ -1,4 +1,4 @@
-"""A material under a pass and under lights, before anything of it has been lowered."""
+"""A material under a pass and under lights, before anything of it has been checked."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def set_up(parts: Parts, report: Report, records: Records) -> Setting:
 
 
 def set_up_beside(setting: Setting, parts: Parts) -> Setting:
-    """Other parts under the same lights, which share all that has been lowered already."""
+    """Other parts under the same lights, which share all that has been checked already."""
     if parts == setting.parts:
         return setting
     same = parts.material == setting.parts.material and not setting.surface.replaced

@@ -38,7 +38,7 @@ BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
 
 
 def results_of(setting: Setting) -> tuple[Result, ...]:
-    """Lower what the pass delivers, and everything else that the parts say.
+    """Check what the pass delivers, and everything else that the parts say.
 
     What is wrong has been reported, and is not among the results.
     """
@@ -58,7 +58,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     """The shader of a material under a pass and a rig, or ``None`` after reporting why not.
 
     ``reached`` gets every declaration that was checked on the way. The setting can be used on:
-    what is lowered in it later is no part of the shader's graph.
+    what is checked in it later is no part of the shader's graph.
     """
     ctx, parts = setting.ctx, setting.parts
     results = results_of(setting)

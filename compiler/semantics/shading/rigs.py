@@ -113,7 +113,7 @@ def _entry(ctx: Context, rig: Symbol, written: ast.RigEntry, record: Record) -> 
 def _overrides(
     ctx: Context, rig: Symbol, written: ast.RigEntry, record: Record
 ) -> dict[str, Definition]:
-    """``torch : Beam { inner = 10deg }``: equations lowered as the light's own."""
+    """``torch : Beam { inner = 10deg }``: equations checked as the light's own."""
     given: dict[str, Definition] = {}
     for slot in written.overrides:
         if slot.name.text not in record.definitions:

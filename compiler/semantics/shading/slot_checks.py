@@ -13,7 +13,7 @@ from ..state.scope import Instance
 
 
 def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
-    """Lower every slot of a material and its pass; warn of those that look misspelt."""
+    """Check every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
     for instance in (surface, passing):
         check_instance(ctx, instance)
@@ -25,7 +25,7 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
 
 
 def check_rig(ctx: Context, surface: Instance) -> None:
-    """Lower what a rig sets of its lights, whether a term asks for it or not."""
+    """Check what a rig sets of its lights, whether a term asks for it or not."""
     for entry in ctx.rig:
         instance, _ = light_instance(ctx, entry, surface)
         for name, replacement in entry.replaced.items():
@@ -34,7 +34,7 @@ def check_rig(ctx: Context, surface: Instance) -> None:
 
 
 def check_instance(ctx: Context, instance: Instance) -> None:
-    """Lower every slot of an instance."""
+    """Check every slot of an instance."""
     for name, definitions in instance.record.definitions.items():
         if isinstance(definitions[0].member, ast.Slot):
             slot(ctx, instance, name, definitions[0].member.name.span)

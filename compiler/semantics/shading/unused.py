@@ -38,6 +38,8 @@ from .slot_checks import check_instance, check_rig
 
 MOST_EXAMPLES = 256
 """So many ways to fill in type parameters are tried."""
+MOST_SETTINGS = 16
+"""With so many materials and lights a declaration is tried that is wrong with all of them."""
 
 Check = Callable[[Setting], bool]
 """Reports what it finds, and says whether it came to values."""
@@ -83,7 +85,7 @@ class UnusedDeclarations:
         report: Report,
         records: Records,
     ) -> None:
-        """What has been lowered in ``settings`` already is not lowered once more."""
+        """What has been checked in ``settings`` already is not checked once more."""
         self._module = module
         self._around = around
         self._reached = reached
@@ -178,7 +180,8 @@ class UnusedDeclarations:
             yield Attempt((), right=True)
 
     def _tried(self, check: Check) -> Iterator[Attempt]:
-        for material, lights in product(self._around.materials, self._around.lights):
+        settings = product(self._around.materials, self._around.lights)
+        for material, lights in islice(settings, MOST_SETTINGS):
             yield self._trial(material, lights).attempt(check)
 
     def _trial(self, material: Symbol, lights: Symbol) -> _Trial:
@@ -265,7 +268,7 @@ def _check_light(symbol: Symbol, setting: Setting) -> bool:
 
 
 def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
-    """Lower what a mixin says, with stand-ins for what it needs of the records it is for."""
+    """Check what a mixin says, with stand-ins for what it needs of the records it is for."""
     ctx, surface = setting.ctx, setting.surface
     record = ctx.records.alone(symbol)
     if mixin.kind == "light":
@@ -291,7 +294,7 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
 def _check_function(
     symbol: Symbol, function: ast.Function, variables: Variables, setting: Setting
 ) -> bool:
-    """Lower a body for arguments of the declared types."""
+    """Check a body for arguments of the declared types."""
     ctx, span = setting.ctx, function.name.span
     found = [
         some(ctx, argument.name, argument.type, symbol.module, variables)

@@ -120,6 +120,8 @@ class Context:
         """For each of these the surface without replacements, and the new values."""
         self.bodies: dict[Signature, SharedBody | Failure | None] = {}
         """Checked bodies of functions; ``None`` where they depend on the arguments' values."""
+        self.applicable: set[Node] = set()
+        """Those of them, closed, that mean the same wherever they are applied."""
         self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
         """What is wrong with a function's body as long as nothing is known of its arguments."""
 

@@ -1,4 +1,4 @@
-"""Where values are written. Equal expressions are one node, but each stands in its own place."""
+"""Where values are written. What has a name is one node, and stands wherever the name is used."""
 
 from __future__ import annotations
 

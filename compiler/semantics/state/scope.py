@@ -1,4 +1,4 @@
-"""What names stand for while an expression is being lowered."""
+"""What names stand for while an expression is being checked."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ wins over the record's own definitions."""
 class Instance:
     """A record whose names have values: the surface being shaded, one rig entry, the pass.
 
-    Values are lowered on demand and once. ``replaced`` holds slots given from outside (a pass's
+    Values are checked on demand and once. ``replaced`` holds slots given from outside (a pass's
     overrides, ``with { … }``, a rig entry's own settings).
     """
 
@@ -52,18 +52,18 @@ class Instance:
         return name in self.record.definitions or name in self.replaced
 
     def with_replaced(self, replaced: Mapping[str, Replacement]) -> Instance:
-        """The same instance with slots given from outside, and nothing lowered yet."""
+        """The same instance with slots given from outside, and nothing checked yet."""
         return changed(self, replaced={**self.replaced, **replaced}, values={})
 
 
 @frozen
 class Replacement:
-    """A slot's value given from outside its record: already lowered, or to be lowered there."""
+    """A slot's value given from outside its record: already checked, or to be checked there."""
 
     value: Node | Failure | None = None
     definition: Definition | None = None
     within: Instance | None = None
-    """The instance in whose scope ``definition`` is lowered."""
+    """The instance in whose scope ``definition`` is checked."""
 
 
 @frozen
@@ -92,11 +92,11 @@ Application = tuple[Symbol, tuple[int, ...], Instance | None]
 
 @record
 class FunctionParts:
-    """The equations behind a function's ``where``, for one application of it; lowered on demand."""
+    """The equations behind a function's ``where``, for one application of it; checked on demand."""
 
     declared: Mapping[str, ast.Slot]
     scope: Scope
-    """The arguments' scope, in which the equations themselves are lowered."""
+    """The arguments' scope, in which the equations themselves are checked."""
     values: dict[str, Node | Failure] = fresh(factory=dict)
 
 
@@ -107,7 +107,7 @@ class Scope:
     module: Module
     instance: Instance | None = None
     level: int = 0
-    """The level of ``instance``'s chain whose text is being lowered."""
+    """The level of ``instance``'s chain whose text is being checked."""
     surface: Instance | None = None
     locals: Mapping[str, Value] = fresh(factory=dict)
     variables: Variables = fresh(factory=dict)

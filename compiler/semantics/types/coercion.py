@@ -79,10 +79,7 @@ def is_constant(node: Node) -> bool:
 
 
 def _is_literal(node: Node) -> bool:
-    node = bare(node)
-    while node.op == "call" and node.data == "neg":
-        node = bare(node.operands[0])
-    return node.op == "constant"
+    return bare(node).op == "constant" or is_negated_literal(node)
 
 
 def is_negated_literal(node: Node) -> bool:
