@@ -61,7 +61,7 @@ SPELLINGS: dict[str, list[tuple[str, str, str | Spelling]]] = {
         ("hlsl", "trunc", "floor"),
         ("glsl", "fract", "({0:p} - trunc({0}))"),
         ("hlsl", "round", "(sign({0}) * floor(abs({0}) + 0.5))"),
-        ("glsl", "round", "floor({0} + 0.5)"),
+        ("glsl", "round", "floor({0:p} + 0.5)"),
         ("wgsl", "round", "trunc"),
     ],
     "operations: Powers": [
