@@ -10,7 +10,7 @@ they are not, the arguments had a say in what the body is, and the call stays wr
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import TypeAlias
 
@@ -18,7 +18,7 @@ from ....frozen import record
 from ...ir import build
 from ...ir.binding import close, freed, open_body
 from ...ir.leaves import Resource
-from ...ir.node import Formal, Graph, Node, Roots, reachable
+from ...ir.node import Formals, Graph, Node, Roots, reachable
 from ...ir.operations import MEMBER
 from ...ir.rewrite import rewrite
 from ...ir.shader import Notes
@@ -30,6 +30,9 @@ from .interning import Interning
 
 Fixed: TypeAlias = tuple[Node | None, ...]
 """For each argument of a call the constant that it is in the body, if it is one there."""
+
+_Candidate: TypeAlias = tuple[Callee, Fixed, tuple[Node, Formals]]
+"""A body that calls may share, as a tree, with its variables."""
 
 
 def lowered(ctx: Context, roots: Iterable[Node]) -> tuple[list[Node], Graph, Notes]:
@@ -44,7 +47,7 @@ class _Group:
 
     callee: Callee
     fixed: Fixed
-    formals: tuple[Formal, ...]
+    formals: Formals
     body: Node
     """With marks of its own."""
     applied: Node | None = None
@@ -68,10 +71,8 @@ class _Sharing:
         self._names: set[str] = set()
 
     def roots(self, roots: list[Node]) -> list[Node]:
-        """As ``shared`` says."""
-        for callee, marks in _by_callee(roots).items():
-            if len(marks) > 1:
-                self._find_bodies(callee, marks)
+        """As ``lowered`` says."""
+        self._find_bodies(roots)
         self._find_calls([*roots, *(group.body for group in self._groups.values())])
         uses = Counter(self._group_of.values())
         for group in self._groups.values():
@@ -81,25 +82,34 @@ class _Sharing:
 
     # --- bodies ----------------------------------------------------------------------------------
 
-    def _find_bodies(self, callee: Callee, marks: list[Node]) -> None:
+    def _find_bodies(self, roots: list[Node]) -> None:
+        """The bodies of all functions that are called more than once."""
+        found = [
+            candidate
+            for callee, marks in _by_callee(roots).items()
+            if len(marks) > 1
+            for candidate in self._candidates(callee, marks)
+        ]
+        bodies = self._interning.interned([value for *_, (value, _) in found])
+        for (callee, fixed, (_, formals)), body in zip(found, bodies, strict=True):
+            self._groups[callee, fixed] = _Group(callee, fixed, formals, body)
+
+    def _candidates(self, callee: Callee, marks: list[Node]) -> Iterator[_Candidate]:
         """One body for all calls; where constants have to be known, one for those with the same."""
-        if self._add(callee, (None,) * len(marks[0].operands[1:])):
+        nothing: Fixed = (None,) * len(marks[0].operands[1:])
+        whole = self._checked(callee, nothing)
+        if whole is not None:
+            yield callee, nothing, whole
             return
         for fixed, count in Counter(map(_constants, marks)).items():
-            if count > 1 and any(fixed):
-                self._add(callee, fixed)
+            if count > 1 and any(fixed) and (checked := self._checked(callee, fixed)):
+                yield callee, fixed, checked
 
-    def _add(self, callee: Callee, fixed: Fixed) -> bool:
-        """A group of calls that may share a body; whether there is such a body."""
+    def _checked(self, callee: Callee, fixed: Fixed) -> tuple[Node, Formals] | None:
+        """The tree of a body, and its variables, if there is such a body."""
         tree = self._ctx.tree
         constants = [c and tree.node(c.op, c.type, (), c.data) for c in fixed]
-        checked = checked_body(self._ctx, self._interning.written[callee], constants)
-        if checked is None:
-            return False
-        value, formals = checked
-        (body,) = self._interning.interned([value])
-        self._groups[callee, fixed] = _Group(callee, fixed, formals, body)
-        return True
+        return checked_body(self._ctx, self._interning.written[callee], constants)
 
     def _at_rest(self, group: _Group) -> Node:
         """The body of a group, closed, with what texts show of the function."""

@@ -50,6 +50,8 @@ class ConstantValues:
 
     def lanes(self, node: Node, span: Span) -> Lanes | None:
         """The lanes of a node, or ``None`` after reporting why they cannot be known here."""
+        if self.is_known(node):
+            return self._known.value(node)
         try:
             return evaluate(node, most_operations=MOST_OPERATIONS)
         except NotConstantError:
