@@ -28,9 +28,9 @@ LONGEST = 4096
 """Turns of a loop, at most."""
 LARGEST_STATE = 64
 """Numbers, vectors and matrices in the state of a loop."""
-DEEPEST = 64
-"""Loops inside of each other, at most. Compilers of shaders take few more (naga and Tint refuse
-128), and each loop closes and opens all that stands in it again."""
+DEEPEST = 48
+"""Loops inside of each other, at most. Tint takes 127 nested statements, of which each loop is two,
+and there may be branches as well. Besides, every loop closes and opens all that stands in it."""
 CROSSING_TURNS = 16
 """A fold whose terms cross from the vertices one by one is written out, up to so many."""
 
