@@ -86,7 +86,7 @@ def test_what_is_written_instead_compiles() -> None:
         ("return color", "a function is one expression"),
         ("static const = 1", "an equation is `name = expression`"),
         ("uniform float x", "a value that the host sets is a parameter"),
-        ("color = vec3(a < b ? a : b)", "`if condition then a else b`"),
+        ("color = vec3(a < b ? a : b)", "`if a < b then a else b`"),
     ],
 )
 def test_a_habit_is_answered(text: str, hint: str) -> None:

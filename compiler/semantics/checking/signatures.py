@@ -2,14 +2,17 @@
 
 ``applications`` asks this module for every call of a function. The first call with a signature has
 the body checked with variables in the place of its arguments; then each call with that signature is
-this body with its own arguments. What belongs to a signature is all that checks may ask of an
-argument: its kind, whether it is a constant and which one, whether it has length one, and which
-slots ``with`` has replaced. Where the arguments themselves have a say in what the body is (as where
-the range of one bounds a loop), no body serves all calls: then each call is checked by itself.
+this body with its own arguments. A signature is what checks may ask of arguments: the type and the
+meaning of each, and which literal it is, if it is one. Some calls have no signature, and each of
+them is checked by itself: where a body depends on more (as where the range of an argument bounds a
+loop), where checks look into an argument (a constant expression, a splat), and where the function
+is a term, which reads slots of a surface.
 
-A call in a body is the called body once more, so what functions come to grows with each that calls
-the one before it twice. A call that would come to more than ``MOST_BODIES`` bodies (``call_sizes``)
-is therefore an ``apply`` of the body, which all such calls share.
+A call in a body is the called body once more. If each function calls the one before it twice, the
+number of bodies doubles with every function. So a call that would come to more than ``MOST_BODIES``
+bodies (``call_sizes``) is an ``apply`` of one body, which all calls with its signature share, terms
+included. Their signature also says which arguments have length one and which slots ``with`` has
+replaced.
 """
 
 from __future__ import annotations
@@ -19,6 +22,7 @@ from functools import partial
 
 from ....frozen import frozen
 from ....stdlib.builtins.facts import UNIT
+from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import close
@@ -208,9 +212,12 @@ def _finish(
     before, ctx.progress.unproven, unproven = *around, ctx.progress.unproven
     value = fit_result(ctx, symbol, result, arguments)
     if ctx.report.count > before or isinstance(value, Failure):
-        # The arguments of a call may tell what is missing here. If not, it is reported then.
-        ctx.withheld[signature] = ctx.report.since(before)
+        # The arguments of a call may tell what is missing here. If not, it is reported then. But
+        # a function that calls itself does so for all arguments.
+        found = ctx.report.since(before)
         ctx.report.forget(before)
+        ctx.report.extend([d for d in found if d.rule is rules.RECURSIVE_FUNCTION])
+        ctx.withheld[signature] = tuple(d for d in found if d.rule is not rules.RECURSIVE_FUNCTION)
         ctx.bodies[signature] = None
         return
     ctx.notes.roles.setdefault(value.id, symbol.name)
@@ -235,8 +242,9 @@ def _repeated(ctx: Context, body: SharedBody, parts: tuple[Node, ...]) -> Node:
     """A checked body with other arguments in the place of those that it was checked with."""
     made = dict(zip(body.parts, parts, strict=True))
     for variable, part in made.items():
-        if part.operands:
-            ctx.notes.follow(variable, part)
+        for table in (ctx.notes.names, ctx.notes.docs):
+            if part.operands and variable.id in table:
+                table.setdefault(part.id, table[variable.id])
     for node in body.own:
         if node in made:
             continue

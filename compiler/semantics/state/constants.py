@@ -9,10 +9,10 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...diagnostics.source import Span
 from ...ir.build import parts_of
-from ...ir.node import Node, bare, reachable
+from ...ir.node import Node
 from ...ir.shader import ConstantValue as Value
 from ...ir.types import Scalar, Type
-from ...reference.evaluate import NotConstantError, TooLongError, evaluate
+from ...reference.evaluate import Evaluator, NotConstantError, TooLongError, evaluate
 from ...reference.namespace import Lanes
 from .scope import Failure
 
@@ -43,6 +43,10 @@ class ConstantValues:
 
     def __init__(self, report: Report) -> None:
         self._report = report
+        self._plain: dict[Node, bool] = {}
+        """The nodes that were looked at, and whether they are made of constants."""
+        self._known = Evaluator()
+        """Has the values of those that are."""
 
     def lanes(self, node: Node, span: Span) -> Lanes | None:
         """The lanes of a node, or ``None`` after reporting why they cannot be known here."""
@@ -71,39 +75,45 @@ class ConstantValues:
             return None
         return _nested(node.type, lanes)
 
-    def is_known(self, node: Node) -> bool:
-        """Whether a node is plainly a constant, which can be computed at once."""
-        return self._small_constant(node)
-
     def known(self, node: Node) -> Value | None:
         """The value of a node where it is plainly a constant, and nothing is reported if not."""
-        return _nested(node.type, evaluate(node)) if self._small_constant(node) else None
+        return _nested(node.type, self._known.value(node)) if self.is_known(node) else None
 
     def known_integer(self, node: Node) -> int | None:
         """The value of an ``int`` where it is one, and nothing is reported if not."""
-        return int(evaluate(node)[0]) if self._small_constant(node) else None
+        return int(self._known.value(node)[0]) if self.is_known(node) else None
 
     def is_zero(self, node: Node) -> bool:
         """Whether a node is a constant with a lane that counts as zero."""
-        if not self._small_constant(node):
+        if not self.is_known(node):
             return False
-        lanes = evaluate(node)
+        lanes = self._known.value(node)
         return any(not isinstance(v, tuple) and abs(v) < SMALLEST_NORMAL for v in lanes)
 
     def is_unit(self, node: Node) -> bool:
         """Whether a node is a constant vector of length one, up to rounding."""
-        if not self._small_constant(node):
+        if not self.is_known(node):
             return False
-        lanes = [float(v) for v in evaluate(node) if not isinstance(v, tuple)]
+        lanes = [float(v) for v in self._known.value(node) if not isinstance(v, tuple)]
         return abs(hypot(*lanes) - 1.0) < UNIT_SLACK
 
-    def _small_constant(self, node: Node) -> bool:
-        """Whether a node is plainly made of constants; only its near surroundings are looked at."""
-        if bare(node).op == "constant":
-            return True
-        if any(op.op not in _OPERATIONS for op in (node, *node.operands)):
+    def is_known(self, node: Node) -> bool:
+        """Whether a node is plainly made of constants, without loops: it can be computed at once.
+
+        Each node is looked at once, however many values are made of it.
+        """
+        if any(each.op not in _OPERATIONS for each in (node, *node.operands)):
             return False
-        return all(n.op in _OPERATIONS for n in reachable((node,)))
+        plain, pending = self._plain, [node]
+        while pending:
+            top = pending[-1]
+            missing = [operand for operand in top.operands if operand not in plain]
+            if top.op in _OPERATIONS and missing:
+                pending += missing
+                continue
+            plain[top] = top.op in _OPERATIONS and all(plain[o] for o in top.operands)
+            pending.pop()
+        return plain[node]
 
 
 def _nested(type_: Type, lanes: Lanes) -> Value:

@@ -1,4 +1,4 @@
-"""The state of one elaboration: the graph that is being built, and what is known already.
+"""The state of one elaboration: the trees that are being made, and what is known already.
 
 This module holds data and no rules. The rules for each kind of expression are handed in, so that
 the modules in which they stand can import this one.
@@ -81,7 +81,7 @@ Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
 
 
 class Context:
-    """One elaboration: the graph, and everything its expressions can refer to."""
+    """One elaboration: its trees, and everything that its expressions can refer to."""
 
     def __init__(self, report: Report, records: Records, rules: Rules) -> None:
         self.report = report

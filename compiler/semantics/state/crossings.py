@@ -7,13 +7,15 @@ stands under ``@vertex``), the crossings in it are taken out: there is nothing t
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.domains import Domains
-from ...ir.node import Graph, Node, reachable
+from ...ir.node import AGE, Graph, Node
 from ...ir.operations import INPUT
 from ...ir.shader import Notes
 from ...ir.stages import (
@@ -35,7 +37,7 @@ INPUTS = inputs_of(RASTERISED)
 
 
 class Crossings:
-    """Makes and removes crossings in one graph."""
+    """Makes and removes crossings in the trees of one elaboration."""
 
     def __init__(self, graph: Graph, report: Report, notes: Notes, places: Places) -> None:
         self._graph = graph
@@ -43,6 +45,9 @@ class Crossings:
         self._notes = notes
         self._places = places
         self._vertex: dict[int, Node] = {}
+        """What nodes are at the vertices, by their ids."""
+        self._missing: dict[int, Node | None] = {}
+        """What they have that the vertex stage has not."""
         self._domains = Domains()
 
     def attribute(self, leaf: Node) -> Node:
@@ -72,8 +77,7 @@ class Crossings:
     def checked_at_vertex(self, root: Node, span: Span) -> Node | Failure:
         """``root`` as the vertex stage computes it, or a report of what it cannot compute."""
         inner = self.at_vertex(root)
-        missing = (node for node in reachable((inner,)) if not _exists_in(VERTEX, node))
-        found = next(missing, None)
+        found = self._missing_at_vertex(inner)
         if found is None:
             return inner
         read = found.op == "call" and BUILTINS[str(found.data)].sampler is not None
@@ -85,9 +89,7 @@ class Crossings:
 
     def at_vertex(self, root: Node) -> Node:
         """``root`` as the vertex stage computes it."""
-        for node in reachable((root,)):
-            if node.id in self._vertex:
-                continue
+        for node in _unseen(root, self._vertex):
             operands = tuple(self._vertex[operand.id] for operand in node.operands)
             if node.op == "cross":
                 self._vertex[node.id] = operands[0]
@@ -99,6 +101,16 @@ class Crossings:
                 self._notes.follow(node, new)
                 self._places.follow(node, new)
         return self._vertex[root.id]
+
+    def _missing_at_vertex(self, root: Node) -> Node | None:
+        """The first operation in a value that the vertex stage does not have."""
+        known = self._missing
+        for node in _unseen(root, known):
+            found = [known[operand.id] for operand in node.operands]
+            if not _exists_in(VERTEX, node):
+                found.append(node)
+            known[node.id] = min(filter(None, found), key=AGE, default=None)
+        return known[root.id]
 
     def _crossing(self, inner: Node) -> Node:
         kind = scalar_kind(inner.type)
@@ -117,6 +129,18 @@ class Crossings:
             crossed = build.cross(self._graph, number, FLAT)
             lanes.append(self._graph.node("call", with_width("bool", 1), (crossed, zero), "ne"))
         return build.vector(self._graph, tuple(lanes))
+
+
+def _unseen(root: Node, seen: Container[int]) -> list[Node]:
+    """The nodes that ``root`` needs and that have not been seen, operands before users."""
+    found = {root} if root.id not in seen else set()
+    pending = list(found)
+    while pending:
+        for operand in pending.pop().operands:
+            if operand.id not in seen and operand not in found:
+                found.add(operand)
+                pending.append(operand)
+    return sorted(found, key=AGE)
 
 
 def _exists_in(stage: StageRow, node: Node) -> bool:

@@ -39,7 +39,8 @@ class Demand:
     expression: ast.Expression
     scope: Scope
     finish: Callable[[Value], None]
-    """Keeps what is made of the expression's value; who asks looks there."""
+    """Keeps the value where it belongs, such as in ``ctx.applied`` or in an instance's ``values``;
+    whoever asked looks there."""
 
 
 class Unsettled(Exception):  # noqa: N818
@@ -127,7 +128,7 @@ def _nodes(values: Sequence[Value]) -> list[Node] | None:
 
 
 def _wrong(ctx: Context, values: Sequence[Value], written: Sequence[ast.Expression]) -> Failure:
-    """What an expression is of which an operand is wrong: wrong, with nothing said of itself."""
+    """The value of an expression with a wrong operand, about which nothing else is said."""
     for value, expression in zip(values, written, strict=True):
         plain(ctx, value, expression)
     return FAILURE

@@ -103,6 +103,25 @@ def swizzles(size: int) -> str:
 
 
 @shape(125, 4000)
+def constant_divisors(size: int) -> str:
+    """Constants of which each is divided by; none of them may be zero."""
+    return f"c0 = 2.0\n{lines(f'c{i + 1} = 2.0 / c{i}' for i in range(size))}\n" + material(
+        f"alpha = c{size}"
+    )
+
+
+@shape(125, 4000)
+def values_at_the_vertices(size: int) -> str:
+    equations = lines(f"a{i + 1} = @vertex (a{i} * 2)" for i in range(size))
+    return material(f"a0 = uv.x\n{equations}\nalpha = a{size}")
+
+
+@shape(125, 8000)
+def signs_of_a_value(size: int) -> str:
+    return material(f"alpha = {'-' * size}uv.x")
+
+
+@shape(125, 4000)
 def choices_in_a_row(size: int) -> str:
     """``if … else if …``, as deep as it is long."""
     tests = "".join(f"if uv.x < {i + 1}.5 then sin(uv.y * {i}.5)\nelse " for i in range(size))

@@ -1,0 +1,82 @@
+"""Checking looks at each value a fixed number of times: twice the program is twice the work.
+
+Work is counted in executed lines of Python, not in time.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from types import FrameType
+from typing import Any
+
+import pytest
+
+import burnish
+
+
+def lines(count: int, line: Callable[[int], str]) -> str:
+    return "\n".join(map(line, range(1, count)))
+
+
+def divisors(count: int) -> str:
+    links = lines(count, lambda i: f"c{i} = 2.0 / c{i - 1}")
+    return f"c0 = 2.0\n{links}\nmaterial M {{ alpha = c{count - 1} }}"
+
+
+def at_the_vertices(count: int) -> str:
+    links = lines(count, lambda i: f"a{i} = @vertex (a{i - 1} * 2)")
+    return f"material M {{\na0 = uv.x\n{links}\nalpha = a{count - 1}\n}}"
+
+
+def functions(count: int) -> str:
+    links = lines(count, lambda i: f"fn f{i}(x: float) -> float = f{i - 1}(x) + 1")
+    return f"fn f0(x: float) -> float = x\n{links}\nmaterial M {{ alpha = f{count - 1}(uv.x) }}"
+
+
+def functions_twice(count: int) -> str:
+    links = lines(count, lambda i: f"fn f{i}(x: float) -> float = f{i - 1}(x) * f{i - 1}(x + 1)")
+    return f"fn f0(x: float) -> float = x\n{links}\nmaterial M {{ alpha = f{count - 1}(uv.x) }}"
+
+
+def signs(count: int) -> str:
+    return f"material M {{ alpha = {'-' * count}uv.x }}"
+
+
+def unread_lights(count: int) -> str:
+    declared = lines(count, lambda i: f"light L{i} : Unknown {{ }}")
+    return f"{declared}\nmaterial M {{ }}"
+
+
+def work(program: str) -> int:
+    """How many lines of Python it takes to check a program."""
+    lines_run = 0
+
+    def trace(_frame: FrameType, event: str, _argument: object) -> Any:
+        nonlocal lines_run
+        lines_run += event == "line"
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        burnish.check(program)
+    finally:
+        sys.settrace(before)
+    return lines_run
+
+
+@pytest.mark.parametrize(
+    ("program", "size"),
+    [
+        (divisors, 100),
+        (at_the_vertices, 100),
+        (functions, 150),
+        (functions_twice, 100),
+        (signs, 200),
+        (unread_lights, 24),
+    ],
+)
+def test_twice_the_program_is_twice_the_work(program: Callable[[int], str], size: int) -> None:
+    burnish.check(program(2))  # What is loaded once is no work of the program's.
+    assert work(program(2 * size)) < 2.4 * work(program(size))
