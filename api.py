@@ -1,7 +1,7 @@
 """The library's entry points: from a material to shader texts and their reflection.
 
-Users call ``compile``, ``check`` and ``variants`` as ``burnish.compile`` and so on, and the
-commands call them too. This module runs the compiler's phases in order.
+Users call ``compile`` and ``check`` as ``burnish.compile`` and ``burnish.check``. The commands call
+them too, and ``variants`` besides. This module runs the compiler's phases in order.
 """
 
 from __future__ import annotations
@@ -50,7 +50,6 @@ __all__ = [
     "Texture",
     "check",
     "compile",
-    "select_targets",
 ]
 
 
@@ -74,9 +73,10 @@ def compile(
     ``source`` is a path, or the text itself (a ``str`` that contains a line break or a brace).
     ``targets`` are names such as ``"wgsl"``, or with a profile ``"glsl:es300"``; ``"all"`` means
     every profile, and ``"default"`` the first profile of every language that is not marked as
-    unproven. All materials that are not abstract are compiled, unless ``material`` names one.
-    ``rig`` and ``pass_`` are only needed if a file has several. With ``hoist=False`` the shaders
-    compute everything themselves. With ``line_directives``, texts have ``#line`` directives that
+    unproven. All materials that are not abstract are compiled, unless ``material`` names one; then
+    only what it uses is checked, but all of the file is read, with its syntax. ``rig`` and
+    ``pass_`` are only needed if a file has several. With ``hoist=False`` the shaders compute
+    everything themselves. With ``line_directives``, texts have ``#line`` directives that
     name the material's lines, if the language has them. If a profile lacks something that a
     material needs, this is an error; with ``partial``, that material has no text for this profile,
     and its ``lacking`` says why.

@@ -11,7 +11,7 @@ import gc
 import sys
 
 from .commands.results import answer, ask
-from .commands.terminal import FAILED, INTERRUPTED, show_everything
+from .commands.terminal import FAILED, INTERRUPTED, show_everything, show_nothing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,6 +33,9 @@ def main() -> None:
         succeeded = _compiled(arguments, question)
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)
+    except BrokenPipeError:
+        show_nothing()  # A reader that has left, as `head` does: nobody is told, as click does it.
+        sys.exit(FAILED)
     try:
         if succeeded is None:
             from .commands.group import burnish
@@ -58,5 +61,7 @@ def _compiled(arguments: list[str], question: Question | None) -> bool | None:
     show_everything()
     try:
         return succeeds(request, question)
+    except BrokenPipeError:
+        raise
     except OSError:
         return None  # Once more, by the way on which all commands tell of what went wrong.

@@ -25,11 +25,12 @@ from .targets.emit.reflection import backend_table
 from .targets.selection import full_name
 
 if TYPE_CHECKING:
+    from .compiler.ir.program import StageName
     from .compiler.passes.proofs import Proof
     from .targets.runner.instances.instance import Instance
 
-StageName = str
-"""A stage, such as ``vertex`` or ``fragment``; ``all`` for a text that contains all stages."""
+FileStage = str
+"""The stage that a text is for, such as ``vertex``; ``all`` for a text that contains all stages."""
 
 
 @frozen
@@ -41,7 +42,7 @@ class OutputFile:
     ``Plastic.gl330.frag.glsl``."""
     target: str
     profile: str
-    stage: StageName
+    stage: FileStage
     entry_points: Mapping[StageName, str]
     """The entry point of each stage in the text."""
     text: str
@@ -75,7 +76,7 @@ class CompiledMaterial:
         """The material with the names of its files, since the whole shader would fill pages."""
         return f"<CompiledMaterial {self.name}: {', '.join(file.name for file in self.files)}>"
 
-    def text(self, target: str, stage: StageName) -> str:
+    def text(self, target: str, stage: FileStage) -> str:
         """The text of one stage for one target (``"glsl"`` or ``"glsl:gl330"``).
 
         Raises ``KeyError`` if the material was not compiled for it.

@@ -49,7 +49,10 @@ OUTPUT = Option(
     required=True,
 )
 MATERIAL = Option(
-    "material", ("--material",), "Only this material, instead of all in the file.", metavar="NAME"
+    "material",
+    ("--material",),
+    "Only this material, instead of all in the file; the file's syntax has to be right throughout.",
+    metavar="NAME",
 )
 RIG = Option("rig", ("--rig",), "The rig to use, if the file declares several.", metavar="NAME")
 PASS = Option(

@@ -14,7 +14,8 @@ from .. import __version__
 from .terminal import FAILED, INTERRUPTED, show_everything
 
 COMMANDS = ("compile", "check", "graph", "render", "conform", "targets", "doctor", "explain")
-"""The modules of the commands, each of which calls itself so; only those asked for are loaded."""
+"""The modules of the commands, each of which calls itself so. Only the one asked for is loaded; if
+there is none of that name, all are, because click suggests a command from those it knows."""
 FUNCTIONS = {"compile": "compile_"}
 """Their functions, where Python has another use for the name."""
 

@@ -80,7 +80,10 @@ def ask(arguments: Sequence[str]) -> Question | None:
 
 
 def answer(question: Question) -> bool:
-    """Do again what was done for the question before; whether that was possible."""
+    """Do again what was done for the question before; whether that was possible.
+
+    Raises ``BrokenPipeError`` if the reader of the output has left: compiling would not help.
+    """
     import json
 
     stored = load("result", question.key)
@@ -101,6 +104,8 @@ def answer(question: Question) -> bool:
             from .console import print_rendered
 
             print_rendered(output.warnings)
+    except BrokenPipeError:
+        raise
     except (OSError, ValueError, LookupError, TypeError):
         return False
     return True

@@ -33,3 +33,14 @@ def show_everything() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
+
+
+def show_nothing() -> None:
+    """Drop what is left of the output: its reader has left, and Python would complain at its end.
+
+    The stream itself has to stay usable, as Python writes out what it still holds.
+    """
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:
+            os.dup2(nowhere, stream.fileno())

@@ -453,6 +453,11 @@ CROSSING_PER_LIGHT = _error(
     "Put `@vertex` in front of the call of the term, so that the sum over the lights is "
     "interpolated: `@vertex shaded(…)`.",
 )
+LOOPS_TOO_NESTED = _error(
+    "B0389",
+    "loops are nested too deeply: more than {most}",
+    "Compilers of shading languages do not take many more. Join several of these loops into one.",
+)
 
 # --- B04: values and meaning ---------------------------------------------------------------------
 

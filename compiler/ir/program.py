@@ -29,7 +29,8 @@ class StoredMember:
     name: str
     """Suggested identifier, ``torch_axis``; paddings are ``pad_0`` …"""
     type: Type
-    """Stored type: bools as uint, mat2/mat3 and packed arrays as arrays of vec4."""
+    """Stored type: bools as uint, matrices with columns of four rows, packed arrays as arrays of
+    vec4."""
     offset: int
     """Bytes from the start of the block (or of the struct)."""
     size: int

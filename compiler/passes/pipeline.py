@@ -51,12 +51,12 @@ class Evidence:
 
 @frozen
 class Undecided:
-    """What a program was made of that has calls which each profile decides about: there it is made
-    once more, without them (``targets/legalise``)."""
+    """The input of ``split_stages``, for programs with calls that each profile decides about;
+    ``legalise`` builds the program again from it."""
 
     shader: Shader
     results: tuple[Result, ...]
-    """After all passes but the last."""
+    """As they are before ``split_stages``."""
     derived: tuple[Derived, ...]
     ranges: Ranges
 

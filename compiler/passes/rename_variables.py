@@ -3,7 +3,7 @@
 Some passes copy bodies with the loops inside them, after which two loops may bind the same
 variable. A node that depends only on this variable would then be one node for both loops, and the
 scheduler could place it in neither. So this pass runs after all that copy, before the graph is
-split into stages.
+split into stages: in the pipeline, and again where ``targets/legalise/guards.py`` has inlined.
 """
 
 from __future__ import annotations

@@ -74,9 +74,10 @@ class Scheduler:
         """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
         self._coordinates: set[int] = set()
         """Operands of texture reads and derivatives. One in which a ``?:`` would be printed has a
-        name, as it is easier to read so in every language. The SPIR-V that glslang makes is even
-        wrong without: the ``?:`` parts the read from what joins texture and sampler for it. This
-        is no row of that profile, because texts are laid out alike for all profiles."""
+        name in every language, where it is easier to read. glslang needs this name: without, its
+        SPIR-V is wrong, because the ``?:`` comes between the read and what joins texture and
+        sampler for it. This is no row of a profile, because statements are the same for all
+        profiles: it is one of the two exceptions that the architecture page names."""
         self._choosing: set[int] = set()
         """Expressions with a ``?:`` printed in them."""
         self._together = together
@@ -321,14 +322,13 @@ def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[t
     comes after that; where they need each other, one is kept.
     """
     remaining = list(range(len(nexts)))
+    needed = Counter(formal for value in nexts for formal in value.variables)
     order: list[tuple[int, bool]] = []
     while remaining:
-        needed = [f for j in remaining for f in nexts[j].variables]
-        free = [
-            k for k in remaining if needed.count(formals[k]) == (formals[k] in nexts[k].variables)
-        ]
+        free = [k for k in remaining if needed[formals[k]] == (formals[k] in nexts[k].variables)]
         k = free[0] if free else remaining[0]
         remaining.remove(k)
+        needed.subtract(nexts[k].variables)
         order.append((k, not free))
     return order
 

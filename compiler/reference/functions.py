@@ -159,9 +159,6 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
 }
 """Functions of whole values, which do not work lane by lane."""
 
-NAMES = frozenset({*_FLOATS, *_INTEGERS, *_OF_ANOTHER_KIND, *_CONVERSIONS, *_WHOLE, "dot"})
-"""The names of all builtins that have a meaning here."""
-
 
 def evaluate(
     name: str,

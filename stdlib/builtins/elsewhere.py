@@ -21,7 +21,11 @@ class Instead:
     """What to write here for a name of another language."""
 
     written: tuple[str, ...] = ()
-    """Expressions with the same meaning, in the names of ``SAMPLE``; one for each result."""
+    """Expressions with the same meaning, one for each result.
+
+    The letters in them stand for values: ``x``, ``y``, ``z`` are floats, ``n`` and ``m`` ints,
+    ``u`` and ``k`` uints, ``v`` and ``w`` vec3, ``p`` and ``q`` vec4, ``c`` and ``d`` bvec3, ``a``
+    and ``b`` mat3. There are also the ``TEXTURE`` and the surface's ``uv``."""
     reason: str = ""
     """Why there is no such expression, or what else to know."""
 
@@ -41,13 +45,6 @@ class Instead:
         """The hint for somebody who reads this texture."""
         return self.hint.replace(TEXTURE, texture)
 
-
-SAMPLE: Mapping[str, str] = {
-    "x": "float", "y": "float", "z": "float", "n": "int", "m": "int", "u": "uint", "k": "uint",
-    "v": "vec3", "w": "vec3", "p": "vec4", "q": "vec4", "a": "mat3", "b": "mat3",
-}  # fmt: skip
-"""The names in ``Instead.written`` with their types. There are also ``c`` and ``d``, which are
-bvec3, the ``TEXTURE``, and the surface's ``uv``."""
 
 _READ = ("albedo(uv)",)
 _TEXTURES = "a texture is read by calling it: see Textures in the language reference"

@@ -23,7 +23,7 @@ from ...compiler.ir.types import (
 from .context import Context
 from .leaves import LeafPrinter
 from .literals import literal
-from .natives import Callee, Natives
+from .natives import EmittedFunction, Natives
 from .precedence import NAME, POSTFIX, Binding, Field, Printed, choice, within
 
 DEEPEST = 200
@@ -39,7 +39,7 @@ class Expressions:
         context: Context,
         leaves: LeafPrinter,
         natives: Natives,
-        functions: Mapping[Node, Callee],
+        functions: Mapping[Node, EmittedFunction],
     ) -> None:
         self.bound: dict[Node, Printed] = {}
         """The names of bound nodes."""

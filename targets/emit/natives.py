@@ -54,7 +54,7 @@ def _special(row: Spelling, operands: Sequence[Type]) -> str:
 
 
 @frozen
-class Callee:
+class EmittedFunction:
     """A function of the text, as its callers know it."""
 
     name: str
@@ -73,7 +73,7 @@ class Natives:
         self,
         context: Context,
         leaves: LeafPrinter,
-        functions: Mapping[Node, Callee],
+        functions: Mapping[Node, EmittedFunction],
     ) -> None:
         self._definitions = context.definitions
         self._functions = functions

@@ -16,7 +16,7 @@ from .declarations import Declarations
 from .expressions import Expressions
 from .leaves import LeafPrinter
 from .namer import Namer
-from .natives import Callee, Natives
+from .natives import EmittedFunction, Natives
 from .origins import Marks
 from .statements import INDENT, Statements
 from .views import EntryView, FieldView, FunctionView, InputView, StoreView
@@ -43,7 +43,7 @@ class StagePrinter:
         is_first = stage.row == context.program.stages[0].row
         self._input_role: FieldRole = "attribute" if is_first else "varying"
         self._functions = {
-            function.body: Callee(
+            function.body: EmittedFunction(
                 names.function(stage.name, function.body),
                 declarations.arguments(context.passed(stage.name, function.body)),
             )

@@ -21,6 +21,7 @@ from ...compiler.passes.guard import Guard, Guarding
 from ...compiler.passes.inline import inline
 from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.pipeline import Undecided
+from ...compiler.passes.rename_variables import rename_variables
 from ...compiler.passes.split_stages import split_stages
 from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
@@ -36,7 +37,10 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     given = Roots([result.value for result in undecided.results])
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
     roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
-    roots = verified("guards of a profile", "stored", inline(graph, roots, notes, deciding))
+    roots = inline(graph, roots, notes, deciding)
+    # Calls that only these guards make dear are copied here, with the loops in them.
+    roots = rename_variables(graph, roots, notes.follow)
+    roots = verified("guards of a profile", "stored", roots)
     made = zip(undecided.results, roots, strict=True)
     results = tuple(changed(result, value=value) for result, value in made)
     return split_stages(shader, results, undecided.derived), notes

@@ -11,7 +11,7 @@ from burnish import stdlib
 from burnish.compiler.semantics.checking.calls import NOT_CALLED
 from burnish.compiler.semantics.types.typenames import NAMED
 from burnish.stdlib.builtins import BUILTINS
-from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, SAMPLE, TYPES, VALUES
+from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES, VALUES
 
 LANGUAGES = ("glsl", "hlsl", "wgsl")
 OF_THE_LANGUAGE = {"mod", "not"}
@@ -52,6 +52,11 @@ def test_each_says_something() -> None:
         assert not instead.hint.endswith("."), name
 
 
+SAMPLE = {
+    "x": "float", "y": "float", "z": "float", "n": "int", "m": "int", "u": "uint", "k": "uint",
+    "v": "vec3", "w": "vec3", "p": "vec4", "q": "vec4", "a": "mat3", "b": "mat3",
+}  # fmt: skip
+"""The names in ``Instead.written`` with their types; the other names are in ``SURROUNDINGS``."""
 SURROUNDINGS = "\n".join(
     [
         "material Sample {",

@@ -32,7 +32,11 @@ def declared_functions() -> dict[str, int]:
 
 
 def test_every_row_has_a_meaning_and_every_meaning_a_row() -> None:
-    assert BUILTINS.keys() == functions.NAMES
+    meant: set[str] = set().union(
+        functions._FLOATS, functions._INTEGERS, functions._OF_ANOTHER_KIND,
+        functions._CONVERSIONS, functions._WHOLE,
+    )  # fmt: skip
+    assert BUILTINS.keys() == meant | {"dot"}
 
 
 @rows

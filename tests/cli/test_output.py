@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -136,6 +137,41 @@ def test_a_full_disk_leaves_the_old_output_alone(
         output.write_all(tmp_path, {"a": "new", "b": "new", "c": "new"})
     assert tree(tmp_path) == {"a"}
     assert (tmp_path / "a").read_text() == OLD
+
+
+COUNTING = """
+import sys
+from burnish import api, cli
+
+compile = api.compile
+
+def counted(*arguments, **options):
+    print("compiled", file=sys.stderr)
+    return compile(*arguments, **options)
+
+api.compile = counted
+cli.main()
+"""
+
+
+def test_a_reader_that_has_left_does_not_start_another_compile(
+    material: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As in ``burnish compile m.burnish -o - | head``; the second time, the output is known."""
+    monkeypatch.setenv("BURNISH_CACHE", str(tmp_path / "cache"))
+    monkeypatch.delenv("BURNISH_VERIFY", raising=False)  # Nothing is known again where it is set.
+    command = [sys.executable, "-c", COUNTING, "compile", str(material), "-o", "-"]
+    known = subprocess.run([*command, "-t", "wgsl"], capture_output=True, text=True, check=True)
+    assert known.stderr == "compiled\n"
+    for target, said in (("glsl", "compiled\n"), ("wgsl", "")):
+        reading, writing = os.pipe()
+        os.close(reading)
+        with os.fdopen(writing, "wb") as left:
+            run = subprocess.run(
+                [*command, "-t", target],
+                stdout=left, stderr=subprocess.PIPE, text=True, check=False,
+            )  # fmt: skip
+        assert (run.returncode, run.stderr) == (1, said), target
 
 
 def test_two_compiles_at_once(tmp_path: Path) -> None:

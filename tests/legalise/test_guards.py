@@ -114,6 +114,27 @@ def test_a_language_pays_only_for_what_it_leaves_open(
     assert written in burnish.compile(text, [language])["M"].text(language, "fragment")
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_loops_that_a_profile_alone_writes_out_have_variables_of_their_own(language: str) -> None:
+    """With guards, most of the body is for arguments that are the same all over a draw.
+
+    So the calls are written out, for profiles with these guards only, and the loop with them.
+    """
+    quotients = " + ".join(f"float((y + {j}) / (z + {k}))" for j in range(4) for k in range(2))
+    text = f"""
+    fn f(x: int, y: int, z: int) -> float = (sum i in 0..x up to 9 : sin(float(i))) + {quotients}
+    material M {{
+        param n : int = 3
+        param m : int = 5
+        a = ivec2(uv * 7)
+        color = vec3(f(a.x, n, m) + f(a.y, n, m))
+    }}
+    """
+    shader = burnish.compile(text, [language])["M"].text(language, "fragment")
+    assert shader.count("for (") == (1 if language == "wgsl" else 2)
+    assert shader.count("sin(") == shader.count("for (")
+
+
 def test_texts_do_not_depend_on_what_else_is_compiled() -> None:
     together = burnish.compile(MATERIAL, LANGUAGES)["M"].files
     for language in LANGUAGES:

@@ -14,7 +14,7 @@ from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import FLOAT
 from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference.evaluate import evaluate
-from burnish.compiler.semantics.checking.loops import folded
+from burnish.compiler.semantics.checking.loops import DEEPEST, folded
 from burnish.targets.toolchain import Job, Toolchain
 
 from .kit import ops, shader, shaders
@@ -148,8 +148,20 @@ def test_what_a_turn_changes_is_all_that_closing_looks_at(monkeypatch: pytest.Mo
     assert len(looked) < 200 * 60
 
 
-@pytest.mark.parametrize("text", [chain(1700), long_sum(1700)], ids=["chain", "sum"])
-def test_five_thousand_nodes_are_accepted(text: str) -> None:
+def loops_in_loops(depth: int) -> str:
+    """Loops in each other, each of which leaves early."""
+    head = "".join(
+        f"iterate x{i} from x{i - 1} up to 9 while x{i} < {i}.5 : " for i in range(1, depth + 1)
+    )
+    return f"material M {{ x0 = uv.x\ncolor = vec3({head}sin(x{depth})) }}"
+
+
+LARGE = {"chain": chain(1700), "sum": long_sum(1700), "loops": loops_in_loops(DEEPEST)}
+
+
+@pytest.mark.parametrize("name", LARGE)
+def test_every_front_end_accepts_large_programs(name: str) -> None:
+    text = LARGE[name]
     (material,) = burnish.compile(text, TARGETS).materials
     jobs = [
         Job(checker, stage_[:4], file.text, entry, file.name)

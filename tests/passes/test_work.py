@@ -127,6 +127,26 @@ ALL = {
 }  # fmt: skip
 
 
+def short_folds(depth: int) -> str:
+    """Folds of two turns in each other; each turn of each of them has a term of its own."""
+    head = "".join(f"sum i{i} in 0..2 : " for i in range(depth))
+    total = " + ".join(f"float(i{i}) * {i}.5" for i in range(depth))
+    return material("", f"{head}sin(uv.x + {total})")
+
+
+def short_loops(depth: int) -> str:
+    """Loops of two turns in each other, each of which starts with the state of the one around."""
+    head = "".join(f"iterate x{i} from x{i - 1} up to 2 : " for i in range(1, depth))
+    return material("x0 = uv.x", f"{head}sin(x{depth - 1} + 0.5)")
+
+
+@pytest.mark.parametrize("nested", [short_folds, short_loops], ids=lambda each: each.__name__)
+def test_loops_in_loops_do_not_double_with_each_level(nested: Callable[[int], str]) -> None:
+    """The innermost levels are written out, up to a limit; those further out stay loops."""
+    small, large = (work(nested(depth)) for depth in (10, 14))
+    assert large < 1.5 * small
+
+
 @pytest.mark.parametrize("name", ALL)
 def test_work_grows_with_the_program(name: str) -> None:
     small, large = (work(ALL[name](count)) for count in (100, 200))

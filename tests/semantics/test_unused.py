@@ -120,6 +120,12 @@ def test_a_material_that_is_named_is_compiled_whatever_is_wrong_with_others() ->
     assert [found.rule.code for found in burnish.check(text)] == ["B0201"]
 
 
+def test_a_material_that_is_named_is_not_compiled_from_a_file_with_an_error_of_syntax() -> None:
+    text = "material A { color = #fff }  material B { color = }"
+    with pytest.raises(CompileError, match="expression"):
+        burnish.compile(text, "wgsl", material="A")
+
+
 def test_a_material_that_is_named_does_not_wait_for_others(monkeypatch: pytest.MonkeyPatch) -> None:
     entered: list[str] = []
 

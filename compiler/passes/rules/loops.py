@@ -15,9 +15,13 @@ from .rule import ANY, CONSTANT, Builder, Rule, Site, uniform_lane
 from .structure import representable
 
 UNROLLED = 2
-"""Loops of at most so many turns are written out."""
+"""Loops of at most so many turns are written out, if they come to no more operations than
+``LARGEST_UNROLLED``."""
+LARGEST_UNROLLED = 1024
+"""Loops in loops double with each level that is written out, so this has to end somewhere: the
+levels further out stay loops."""
 MOST_UNROLLED = 4
-"""Up to so many, if they come to no more than this many operations:"""
+"""Loops of up to so many turns are written out if they come to no more than ``UNROLLED_COST``."""
 UNROLLED_COST = 12
 LONGEST_FIXED = 4096
 """Loops of constants are computed when compiling if they come to no more operations."""
@@ -153,6 +157,7 @@ def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Form
     """
     if turns is None or turns > MOST_UNROLLED:
         return False
+    most = UNROLLED_COST if turns > UNROLLED else LARGEST_UNROLLED
     spent, seen = 0, set()
     pending = list(bodies)
     while pending:
@@ -163,7 +168,7 @@ def _is_short(turns: int | None, bodies: Iterable[Node], formals: frozenset[Form
         if node.op in LOOPS:
             return False
         spent += (cost(node, UNROLLED_COST) if node.op == "apply" else cost_of(node)) * turns
-        if turns > UNROLLED and spent > UNROLLED_COST:
+        if turns > 1 and spent > most:
             return False
         pending += node.operands
     return True

@@ -28,6 +28,9 @@ LONGEST = 4096
 """Turns of a loop, at most."""
 LARGEST_STATE = 64
 """Numbers, vectors and matrices in the state of a loop."""
+DEEPEST = 48
+"""Loops inside of each other, at most. Tint takes 127 nested statements, of which each loop is two,
+and there may be branches as well. Besides, every loop closes and opens all that stands in it."""
 CROSSING_TURNS = 16
 """A fold whose terms cross from the vertices one by one is written out, up to so many."""
 
@@ -164,12 +167,14 @@ def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
 
 def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``sum i in a..b from x : e`` and its like."""
+    if _too_deep(ctx, e, scope):
+        return FAILURE
     outside = list(operands)
     initial = None if e.initial is None else outside.pop()
     turns = _turns(ctx, e.turns, outside, e.span)
     if isinstance(turns, Failure):
         return FAILURE
-    inner = scope.binding({e.turns.variable.text: turns.index})
+    inner = scope.inside_loop({e.turns.variable.text: turns.index})
     return Inner((e.body,), inner, partial(_folded, ctx, e, turns, initial))
 
 
@@ -280,6 +285,8 @@ class _States:
 
 def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``iterate x from e up to n while c : next``: a structure is several states."""
+    if _too_deep(ctx, e, scope):
+        return FAILURE
     initial, *bounds = operands
     turns = _turns(ctx, e.turns, bounds, e.span)
     if isinstance(turns, Failure):
@@ -288,7 +295,7 @@ def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope
     if isinstance(states, Failure):
         return FAILURE
     whole = build.assembled(ctx.tree, initial.type, iter(states.variables))
-    inner = scope.binding({e.turns.variable.text: turns.index, e.state.text: whole})
+    inner = scope.inside_loop({e.turns.variable.text: turns.index, e.state.text: whole})
     written = (e.body,) if e.condition is None else (e.condition, e.body)
     return Inner(written, inner, partial(_iterated, ctx, e, turns, states))
 
@@ -376,6 +383,14 @@ def _looped(
 
 
 # --- what may stand in a loop --------------------------------------------------------------------
+
+
+def _too_deep(ctx: Context, e: ast.Fold | ast.Iterate, scope: Scope) -> bool:
+    """Whether a loop stands in as many others as there can be; reported."""
+    if scope.loops < DEEPEST:
+        return False
+    ctx.report.add(rules.LOOPS_TOO_NESTED, e.span, most=DEEPEST)
+    return True
 
 
 def changing(

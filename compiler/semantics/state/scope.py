@@ -114,10 +114,12 @@ class Scope:
     """What the type parameters of the function stand for whose body this is."""
     parts: FunctionParts | None = None
     """What that function names behind ``where``."""
+    loops: int = 0
+    """How many loops of the same expression are around the text that is being checked."""
 
-    def binding(self, locals_: Mapping[str, Value]) -> Scope:
-        """This scope with further local names."""
-        return changed(self, locals={**self.locals, **locals_})
+    def inside_loop(self, locals_: Mapping[str, Value]) -> Scope:
+        """The scope of a loop's body: this one with the loop's own names."""
+        return changed(self, locals={**self.locals, **locals_}, loops=self.loops + 1)
 
 
 @frozen

@@ -256,11 +256,25 @@ def loops_in_a_row(size: int) -> str:
     return material(f"x0 = uv.x\n{steps}\nalpha = x{size}")
 
 
-@shape(8, 128)
+@shape(8, 32)
 def loops_in_loops(size: int) -> str:
     head = "".join(f"(sum i{i} in 0..q : " for i in range(size))
     total = "+".join(f"float(i{i})" for i in range(size))
     return material(f"param q : int in 0..3\nalpha = {head}{total}{')' * size}")
+
+
+@shape(4, 32)
+def short_loops_in_loops(size: int) -> str:
+    """Loops of two turns, whose innermost terms all differ: not all of them can be written out."""
+    head = "".join(f"sum i{i} in 0..2 : " for i in range(size))
+    total = " + ".join(f"float(i{i}) * {i}.5" for i in range(size))
+    return material(f"alpha = {head}sin(uv.x + {total})")
+
+
+@shape(4, 32)
+def short_loops_over_states_in_loops(size: int) -> str:
+    head = "".join(f"iterate x{i + 1} from x{i} up to 2 : " for i in range(size))
+    return material(f"x0 = uv.x\nalpha = {head}sin(x{size} + 0.5)")
 
 
 @shape(64, 4096)
