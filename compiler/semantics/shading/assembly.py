@@ -10,6 +10,7 @@ from ...diagnostics.diagnostic import Label, Report
 from ...ir.leaves import Parameter, Resource
 from ...syntax import ast
 from ..checking.expressions import RULES
+from ..declarations.overrides import check_replacements
 from ..declarations.parameters import Leaves, leaves_of
 from ..inheritance.flattening import Records
 from ..inheritance.records import Record
@@ -75,6 +76,7 @@ def _put_together(
     reused = known is not None and not overrides
     surface = known if known is not None and reused else instance_of(ctx, material, material_leaves)
     surface.replaced.update(overrides)
+    check_replacements(ctx, passing, surface)
     passing.surface = surface
     ctx.passing = passing
     for instance in (passing,) if reused else (surface, passing):

@@ -43,15 +43,19 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     What is wrong has been reported, and is not among the results.
     """
     ctx, surface, passing = setting.ctx, setting.surface, setting.passing
-    found = (
-        *_clip_position(ctx, passing, surface),
-        *_targets(ctx, passing.record, passing),
-        *_discard(ctx, passing.record, passing),
-    )
+    found = (*_clip_position(ctx, passing, surface), *written_results(ctx, passing))
     check_slots(ctx, surface, passing)
     read_externs(ctx, setting.parts.module)
     check_host_names(ctx.report, setting.leaves, setting.entries, ctx.externs.infos)
     return found
+
+
+def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
+    """What the members of a pass deliver; or those of a mixin for passes, which is checked so."""
+    return (
+        *_targets(ctx, passing.record, passing),
+        *_discard(ctx, passing.record, passing),
+    )
 
 
 def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
@@ -122,7 +126,8 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
 
 def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
-    if not written and not drawn.baseless and not is_declared_abstract(drawn):
+    is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
+    if not written and not drawn.baseless and is_whole:
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(ctx, drawn, passing, *row) for row in written)
     return (target for target in found if target is not None)
