@@ -179,11 +179,10 @@ def _setting(instance: Instance, definition: Definition, declared: Declared) -> 
         return f"declare a texture with `map {name} : {declared.text}`"
     if record.definitions[name][0] is not definition:
         return f"`inherited.{name}` has no value, so nothing can be computed from it"
-    is_own = owner is record.symbol
-    surface = instance.surface
-    if surface is not None and surface.has(name):
-        if is_own or isinstance(owner.declaration, ast.Mixin):
-            return f"leave it out: a {kind} reads `{name}` of a material without declaring it"
+    is_own, surface = owner is record.symbol, instance.surface
+    is_here = is_own or isinstance(owner.declaration, ast.Mixin)
+    if is_here and surface is not None and surface.has(name):
+        return f"leave it out: a {kind} reads `{name}` of a material without declaring it"
     if is_own:
         value = f"give it a value, `{name} : {declared.text} = …`"
         return f"{value}, or let others extend it: `abstract {kind} {record.name}`"

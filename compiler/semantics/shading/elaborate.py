@@ -22,8 +22,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import Failure, Instance, Scope
 from .assembly import Setting, is_declared_abstract
-from .host_names import check_host_names
-from .rigs import Entry
+from .host_names import Entry, check_host_names
 from .slot_checks import check_rig, check_slots
 
 FORMATS: Mapping[str, Type] = {
@@ -43,10 +42,13 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     What is wrong has been reported, and is not among the results.
     """
     ctx, surface, passing = setting.ctx, setting.surface, setting.passing
+    parts, externs = setting.parts, ctx.externs
     found = (*_clip_position(ctx, passing, surface), *written_results(ctx, passing))
     check_slots(ctx, surface, passing)
-    read_externs(ctx, setting.parts.module)
-    check_host_names(ctx.report, setting.leaves, setting.entries, ctx.externs.infos)
+    read_externs(ctx, parts.module)
+    check_host_names(
+        ctx.report, parts.rig, parts.module, setting.leaves, setting.entries, externs.infos
+    )
     return found
 
 
