@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 from typing import IO, Any
 
@@ -14,6 +14,7 @@ import pytest
 from burnish.commands import output, results
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
+from ..suite.processes import at_once, run
 from .kit import PLAIN, invoke, shell, tree
 
 OLD = "what was there before"
@@ -78,10 +79,8 @@ def test_a_poor_terminal_gets_the_same_shader(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text("/// Größe → 大\nmaterial Plain { }\n", "utf-8")
     command = [sys.executable, "-X", "utf8=0", "-m", "burnish", "compile", str(file), "-o", "-"]
-    run = subprocess.run(
-        command, env={"PYTHONIOENCODING": "ascii"}, capture_output=True, check=True, timeout=60
-    )
-    assert "// Größe → 大".encode() in run.stdout
+    printed = run(command, env={"PYTHONIOENCODING": "ascii"}, check=True).stdout
+    assert "// Größe → 大" in printed
 
 
 def test_a_file_in_the_way_of_the_folder(material: Path, tmp_path: Path) -> None:
@@ -161,17 +160,14 @@ def test_a_reader_that_has_left_does_not_start_another_compile(
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("BURNISH_VERIFY", raising=False)  # Nothing is known again where it is set.
     command = [sys.executable, "-c", COUNTING, "compile", str(material), "-o", "-"]
-    known = subprocess.run([*command, "-t", "wgsl"], capture_output=True, text=True, check=True)
+    known = run([*command, "-t", "wgsl"], check=True)
     assert known.stderr == "compiled\n"
     for target, said in (("glsl", "compiled\n"), ("wgsl", "")):
         reading, writing = os.pipe()
         os.close(reading)
         with os.fdopen(writing, "wb") as left:
-            run = subprocess.run(
-                [*command, "-t", target],
-                stdout=left, stderr=subprocess.PIPE, text=True, check=False,
-            )  # fmt: skip
-        assert (run.returncode, run.stderr) == (1, said), target
+            ended = run([*command, "-t", target], stdout=left)
+        assert (ended.returncode, ended.stderr) == (1, said), target
 
 
 def test_two_compiles_at_once(tmp_path: Path) -> None:
@@ -182,13 +178,9 @@ def test_two_compiles_at_once(tmp_path: Path) -> None:
         assert shell("compile", f"{name}.burnish", "-o", name, folder=tmp_path).returncode == 0
     command = [sys.executable, "-m", "burnish", "compile", "-o", "both"]
     for _ in range(3):
-        running = [
-            subprocess.Popen([*command, f"{name}.burnish"], cwd=tmp_path, stdout=subprocess.PIPE)
-            for name in names
-        ]
-        for process in running:
-            process.communicate(timeout=60)
-        assert [process.returncode for process in running] == [0, 0]
+        commands = [[*command, f"{name}.burnish"] for name in names]
+        done = at_once([partial(run, each, cwd=tmp_path) for each in commands])
+        assert [each.returncode for each in done] == [0, 0]
         assert tree(tmp_path / "both") == tree(tmp_path / "red")
         for path in (tmp_path / "both").iterdir():
             whole = [(tmp_path / name / path.name).read_bytes() for name in names]
