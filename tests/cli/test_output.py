@@ -11,7 +11,7 @@ from typing import IO, Any
 
 import pytest
 
-from burnish.commands import output, results
+from burnish.commands import output, replacing
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
 from ..suite.processes import at_once, run
@@ -131,7 +131,7 @@ def test_a_full_disk_leaves_the_old_output_alone(
             raise OSError(28, "No space left on device")
         return Path(path).open(mode)
 
-    monkeypatch.setattr(results, "open", full, raising=False)
+    monkeypatch.setattr(replacing, "open", full, raising=False)
     with pytest.raises(CompileError, match="No space left on device"):
         output.write_all(tmp_path, {"a": "new", "b": "new", "c": "new"})
     assert tree(tmp_path) == {"a"}
@@ -185,3 +185,49 @@ def test_two_compiles_at_once(tmp_path: Path) -> None:
         for path in (tmp_path / "both").iterdir():
             whole = [(tmp_path / name / path.name).read_bytes() for name in names]
             assert path.read_bytes() in whole
+
+
+def test_a_link_among_the_outputs_is_replaced(material: Path, tmp_path: Path) -> None:
+    other = tmp_path / "other"
+    other.write_text(OLD)
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "Plain.json").symlink_to(other)
+    assert invoke("compile", material, "-o", tmp_path / "out").exit_code == 0
+    assert other.read_text() == OLD
+    assert not (tmp_path / "out" / "Plain.json").is_symlink()
+
+
+def test_a_link_that_the_user_names_is_followed(material: Path, tmp_path: Path) -> None:
+    (tmp_path / "far").mkdir()
+    link = tmp_path / "link.dot"
+    link.symlink_to(tmp_path / "far" / "real.dot")
+    for _ in range(2):  # At first the link leads nowhere.
+        assert invoke("graph", material, "-o", link).exit_code == 0
+        assert link.is_symlink()
+        assert (tmp_path / "far" / "real.dot").read_text().startswith("digraph")
+
+
+@pytest.mark.parametrize(
+    "arguments", [("graph", "--format", "dot"), ("render", "--size", "4")], ids=lambda each: each[0]
+)
+def test_a_device_is_written_to(arguments: tuple[str, ...], material: Path, tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe.png"
+    os.mkfifo(pipe)
+    name, *options = arguments
+    process = subprocess.Popen(
+        [sys.executable, "-m", "burnish", name, str(material), "-o", str(pipe), *options],
+        stdout=subprocess.DEVNULL,
+    )
+    written = pipe.read_bytes()
+    assert process.wait(60) == 0
+    assert written.startswith((b"digraph", b"\x89PNG"))
+    assert pipe.is_fifo()
+    assert tree(tmp_path) == {"m.burnish", "pipe.png"}
+
+
+def test_files_of_other_names_stay(material: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    invoke("compile", material, "-t", "wgsl", "-o", out)
+    material.write_text("material Other { }")
+    invoke("compile", material, "-t", "wgsl", "-o", out)
+    assert {"Plain.json", "Plain.frag.wgsl", "Other.json", "Other.frag.wgsl"} <= tree(out)
