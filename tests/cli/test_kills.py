@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
 import sys
 import threading
 import time
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -15,6 +15,7 @@ import pytest
 from burnish.commands import replacing
 from burnish.commands.replacing import replace_all
 
+from ..suite.processes import Background, at_once, run, started, until
 from .kit import PLAIN, shell, tree
 
 CALLS = ("mkdir", "open", "link", "replace", "unlink", "rmdir", "listdir")
@@ -76,11 +77,8 @@ def test_killed_at_each_call(moment: str, tmp_path: Path) -> None:
     for folder in folders:
         folder.mkdir()
         put_old(folder)
-    run = subprocess.run(
-        [sys.executable, "-c", KILLED, moment, *map(str, folders)],
-        capture_output=True, check=True, timeout=60,
-    )  # fmt: skip
-    codes = list(map(int, run.stdout.split()))
+    killing = run([sys.executable, "-c", KILLED, moment, *map(str, folders)], check=True)
+    codes = list(map(int, killing.stdout.split()))
     calls = codes.count(-signal.SIGKILL)
     assert codes == [-signal.SIGKILL] * calls + [0] * (len(folders) - calls)
     assert 20 < calls < len(folders), "not every call was tried, or hardly any was counted"
@@ -108,16 +106,12 @@ def test_killed_at_any_time(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "burnish", "compile", "-o", "out"]
     for turn in range(12):
         name = ("old", "new")[turn % 2]
-        process = subprocess.Popen(
-            [*command, f"{name}.burnish"], cwd=tmp_path, stdout=subprocess.PIPE
-        )
-        deadline = time.monotonic() + 30
-        while not list(out.glob(".burnish-*/new")) and time.monotonic() < deadline:
-            if process.poll() is not None:
-                break
-        time.sleep(turn * 1e-4)
-        process.kill()
-        process.communicate()
+        with started([*command, f"{name}.burnish"], cwd=tmp_path) as program:
+            until(
+                lambda: list(out.glob(".burnish-*/new")) or not program.runs(),
+                "the first file", pause=0,
+            )  # fmt: skip
+            time.sleep(turn * 1e-4)
         for path in filter(Path.is_file, out.iterdir()):
             whole = [(tmp_path / each / path.name).read_bytes() for each in ("old", "new")]
             assert path.read_bytes() in whole
@@ -135,11 +129,7 @@ def test_writers_take_turns(tmp_path: Path) -> None:
         for _ in range(50):
             replace_all(str(tmp_path), dict.fromkeys("abc", content))
 
-    threads = [threading.Thread(target=write, args=(number,)) for number in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_once([partial(write, number) for number in range(4)])
     assert tree(tmp_path) == {"a", "b", "c"}
     assert len(set(contents(tmp_path).values())) == 1
 
@@ -205,14 +195,13 @@ def test_somebody_who_never_ends(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         write(path, content)
 
     monkeypatch.setattr(replacing, "_write", waiting)
-    other = threading.Thread(target=replace_all, args=(str(tmp_path), NEW))
-    other.start()
+    other = Background(partial(replace_all, str(tmp_path), NEW))
     begun.wait(60)
     with pytest.raises(TimeoutError, match=r"if there is none, delete `.*\.burnish-output-\d+`"):
         replace_all(str(tmp_path), {"a": b"x"})
     assert contents(tmp_path) == OLD
     done.set()
-    other.join()
+    other.returned()
     assert contents(tmp_path) == NEW
 
 

@@ -14,7 +14,7 @@ import pytest
 from burnish.commands import output, replacing
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
-from ..suite.processes import at_once, run
+from ..suite.processes import Background, at_once, run
 from .kit import PLAIN, invoke, shell, tree
 
 OLD = "what was there before"
@@ -214,12 +214,9 @@ def test_a_device_is_written_to(arguments: tuple[str, ...], material: Path, tmp_
     pipe = tmp_path / "pipe.png"
     os.mkfifo(pipe)
     name, *options = arguments
-    process = subprocess.Popen(
-        [sys.executable, "-m", "burnish", name, str(material), "-o", str(pipe), *options],
-        stdout=subprocess.DEVNULL,
-    )
-    written = pipe.read_bytes()
-    assert process.wait(60) == 0
+    reading = Background(pipe.read_bytes)
+    assert shell(name, material, "-o", pipe, *options, folder=tmp_path).returncode == 0
+    written = reading.returned()
     assert written.startswith((b"digraph", b"\x89PNG"))
     assert pipe.is_fifo()
     assert tree(tmp_path) == {"m.burnish", "pipe.png"}

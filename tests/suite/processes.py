@@ -82,6 +82,10 @@ class Program:
         """Send it a signal, or send it to its process group, as a terminal does."""
         (os.killpg if everybody else os.kill)(self.pid, number)
 
+    def runs(self) -> bool:
+        """Whether it has not ended yet."""
+        return self._process.poll() is None
+
     def exit_code(self, limit: float = LIMIT) -> int:
         """Its exit code, when it has ended."""
         return self._process.wait(timeout=limit)
@@ -157,12 +161,14 @@ def run(
     return done
 
 
-def until(condition: Callable[[], object], what: str, limit: float = LIMIT) -> None:
-    """Wait for something that has to happen soon."""
+def until(
+    condition: Callable[[], object], what: str, limit: float = LIMIT, pause: float = 0.02
+) -> None:
+    """Wait for something that has to happen soon; look again after each ``pause``."""
     end = time.monotonic() + limit
     while not condition():
         assert time.monotonic() < end, f"still waiting after {limit:g} s: {what}"
-        time.sleep(0.02)
+        time.sleep(pause)
 
 
 class Background(Generic[T]):
