@@ -136,7 +136,7 @@ class RigEntry:
     """One line of a rig: its light and where its parameters are kept."""
 
     name: str
-    """What a host calls it: ``sun``, or ``Daylight.sun`` where something else is called so."""
+    """What a host calls it: ``sun``, or ``Rig.sun`` where something else is called so."""
     span: Span
     """Of the name."""
     record: Record
