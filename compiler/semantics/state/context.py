@@ -109,6 +109,9 @@ class Context:
         """How many bodies one call of a function comes to (``call_sizes``)."""
         self.entered: set[Symbol] = set()
         """Functions and terms whose bodies were evaluated."""
+        self.twins: dict[Instance, Callable[[], Twin]] = {}
+        """For materials, passes and lights, the same in a context apart (``Twin``)."""
+        self.is_twin = False
         self.placeholders: set[Node] = set()
         """Arguments and slots without a value, in a declaration that is checked by itself."""
         self.light_types: dict[int, Declared] = {}
@@ -134,6 +137,14 @@ class Context:
     def is_left_to_a_use(self, node: Node) -> bool:
         """Whether a value depends on a placeholder, so that only a use can say what it is."""
         return not self.placeholders.isdisjoint(reachable((node,)))
+
+
+Twin: TypeAlias = "tuple[Context, Instance]"
+"""An instance in a context of its own, which is there to ask for the types of what is overridden.
+
+Nothing there is part of the shader or reported, so it does no harm if an overridden equation is
+wrong, or is defined by what overrides it.
+"""
 
 
 @frozen
