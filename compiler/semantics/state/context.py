@@ -80,6 +80,21 @@ Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
 """What a body knows of an argument: its value, or what kind of value it is."""
 
 
+Kinds: TypeAlias = "tuple[tuple[Type, Meaning | None], ...]"
+"""The type and the meaning of each argument of a call."""
+
+
+@frozen
+class Overloads:
+    """The functions that a file has under one name."""
+
+    exact: dict[Kinds, Symbol]
+    """Those without type parameters, by what they declare. The first of equal ones: that there are
+    others has been reported."""
+    of_count: dict[int, list[Symbol]]
+    """All of them, by how many arguments they take."""
+
+
 class Context:
     """One elaboration: its trees, and everything that its expressions can refer to."""
 
@@ -103,6 +118,8 @@ class Context:
         """The pass, whose transforms are in scope everywhere."""
         self.applied: dict[Application, Node | Failure] = {}
         """Values of functions and of the file's constants."""
+        self.overloads: dict[Symbol, Overloads] = {}
+        """By the first of them."""
         self.light_bodies: dict[Application, LightBody | Failure] = {}
         """Bodies of terms that are summed over the lights."""
         self.call_sizes: dict[Symbol, int] = {}
