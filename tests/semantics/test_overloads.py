@@ -28,6 +28,8 @@ CALLS: dict[str, tuple[tuple[str, ...], str]] = {
     "the worst counts": (("x: float, y: float", "x: int, y: vec3"), "1, 2"),
     "a type before any": (("x: float", "<T: floats>(x: T)"), "1.5"),
     "any before another": (("<T: numbers>(x: T)", "x: float"), "1"),
+    "a part of a type": (("<S: spaces>(x: point<S>)", "<T: vectors>(x: T)"), "position"),
+    "vectors before any": (("<N: widths>(x: vec<float, N>)", "<T: floats>(x: T)"), "uv"),
     "fewer type parameters": (
         ("<A: spaces>(x: transform<A, clip>)", "<A: spaces, B: spaces>(x: transform<A, B>)"),
         "view_projection",

@@ -18,8 +18,9 @@ from ..names.modules import Symbol
 from ..state.context import Context, Kinds, Overloads
 from .functions import bound
 
-Rank = tuple[list[Change], int]
-"""What arguments have to change, the worst first; and how many type parameters there are."""
+Rank = tuple[list[Change], int, int]
+"""What arguments have to change, the worst first; how many may be of any type, such as `T`; and how
+many type parameters there are."""
 
 
 def best(ctx: Context, overloaded: Sequence[Symbol], arguments: tuple[Node, ...]) -> list[Symbol]:
@@ -35,12 +36,19 @@ def best(ctx: Context, overloaded: Sequence[Symbol], arguments: tuple[Node, ...]
         changes = _changes(ctx, symbol, arguments)
         if changes is None:
             continue
-        rank = sorted(changes, reverse=True), len(_function(symbol).type_parameters)
+        rank = sorted(changes, reverse=True), *_generality(_function(symbol))
         if least is None or rank < least:
             found, least = [symbol], rank
         elif rank == least:
             found.append(symbol)
     return found
+
+
+def _generality(function: ast.Function) -> tuple[int, int]:
+    parameters = {parameter.name.text for parameter in function.type_parameters}
+    types = (argument.type for argument in function.arguments)
+    any_type = sum(type_.name.text in parameters and type_.count is None for type_ in types)
+    return any_type, len(parameters)
 
 
 def _overloads(ctx: Context, overloaded: Sequence[Symbol]) -> Overloads:
