@@ -1,8 +1,14 @@
-"""Fixtures for all tests. Every test has its graphs verified after each pass."""
+"""Fixtures for all tests. Every test has its graphs verified after each pass.
+
+What the package is generated from may have changed since it was installed. Everything works all the
+same, but each of the many processes that tests start would compute it again.
+"""
 
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from importlib.metadata import Distribution, PackageNotFoundError
 from pathlib import Path
 
@@ -12,6 +18,12 @@ from burnish.compiler.passes.checkpoint import VARIABLE
 from burnish.targets.toolchain import places
 
 os.environ[VARIABLE] = "1"
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Before all tests, and before pytest-xdist starts its workers."""
+    if not hasattr(config, "workerinput"):
+        subprocess.run([sys.executable, "-m", "burnish.generate"], check=False)
 
 
 @pytest.fixture
