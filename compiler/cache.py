@@ -31,13 +31,10 @@ _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY
 
 
 def folder() -> str:
-    """Burnish's cache folder: ``BURNISH_CACHE``, or the platform's place for a user's caches.
+    """Burnish's folder at the platform's place for a user's caches.
 
     It is a path at which nothing can be where nobody knows the user's home.
     """
-    chosen = os.environ.get("BURNISH_CACHE")
-    if chosen:
-        return chosen
     platform: str = sys.platform
     if platform == "linux":
         # What platformdirs says of Linux, without the time that it takes to import.
@@ -53,8 +50,8 @@ def folder() -> str:
 
 
 def private_folder() -> str:
-    """The part of the cache folder that belongs to this user alone; it need not be there."""
-    return os.path.join(folder(), "private")  # noqa: PTH118
+    """The folder in which data are kept; ``BURNISH_CACHE`` says where. It need not be there."""
+    return os.path.join(os.environ.get("BURNISH_CACHE") or folder(), "private")  # noqa: PTH118
 
 
 def digest(data: bytes) -> str:

@@ -7,7 +7,6 @@ same, but each of the many processes that tests start would compute it again.
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from importlib.metadata import Distribution, PackageNotFoundError
 from pathlib import Path
@@ -17,13 +16,15 @@ import pytest
 from burnish.compiler.passes.checkpoint import VARIABLE
 from burnish.targets.toolchain import places
 
+from .suite.processes import run
+
 os.environ[VARIABLE] = "1"
 
 
 def pytest_configure(config: pytest.Config) -> None:
     """Before all tests, and before pytest-xdist starts its workers."""
     if not hasattr(config, "workerinput"):
-        subprocess.run([sys.executable, "-m", "burnish.generate"], check=False)
+        run([sys.executable, "-m", "burnish.generate"])
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from ...compiler.cache import folder as users_folder
+from ...compiler import cache
 from .places import (
     AnyProgram,
     FolderFiles,
@@ -231,7 +231,7 @@ TOOLS: tuple[Tool, ...] = (
 def cache_folder() -> Path:
     """The folder that has a sub-folder for each tool that Burnish has installed itself."""
     moved = os.environ.get("BURNISH_TOOLS")
-    return Path(moved) if moved else Path(users_folder()) / "tools"
+    return Path(moved) if moved else Path(cache.folder()) / "tools"
 
 
 def tool_named(name: str) -> Tool:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+from ..suite.processes import run
 from .kit import ROOT
 
 PARTS = ("compiler", "generated", "stdlib", "targets")
@@ -44,13 +44,8 @@ class Copy:
 
     def run(self, *arguments: str) -> str:
         """What a fresh process says that imports this copy."""
-        run = subprocess.run(
-            [sys.executable, "-P", *arguments],
-            env=os.environ | {"PYTHONPATH": str(self.root.parent)},
-            check=False, capture_output=True, text=True, timeout=120,
-        )  # fmt: skip
-        assert run.returncode == 0, run.stderr
-        return run.stdout
+        environment = os.environ | {"PYTHONPATH": str(self.root.parent)}
+        return run([sys.executable, "-P", *arguments], env=environment, check=True).stdout
 
     def compiled(self) -> tuple[str, bool, bool]:
         """A shader that is compiled here, and whether Jinja and Lark were needed for it."""
