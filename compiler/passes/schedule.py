@@ -16,7 +16,8 @@ from ..ir.node import Formal, Node, bodies_of, formals_of
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
 from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
 from ..ir.shader import Notes
-from ..ir.types import BOOL, Matrix, Texture
+from ..ir.types import Matrix, Texture
+from .choices import chooses, may_skip
 from .cost import cost_of
 from .naming import Naming
 from .path_conditions import DEEPEST
@@ -73,13 +74,14 @@ class Scheduler:
         self._apart: set[int] = set()
         """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
         self._coordinates: set[int] = set()
-        """Operands of texture reads and derivatives. One in which a ``?:`` would be printed has a
-        name in every language, where it is easier to read. glslang needs this name: without, its
-        SPIR-V is wrong, because the ``?:`` comes between the read and what joins texture and
-        sampler for it. This is no row of a profile, because statements are the same for all
-        profiles: it is one of the two exceptions that the architecture page names."""
+        """Operands of texture reads and derivatives. One in which a ``?:``, ``&&`` or ``||`` would
+        be printed has a name in every language, where it is easier to read. glslang needs this
+        name: it makes blocks for each of these operations, and they come between the read and what
+        joins texture and sampler for it, which SPIR-V wants in one block. This is no row of a
+        profile, because statements are the same for all profiles: it is one of the two exceptions
+        that the architecture page names."""
         self._choosing: set[int] = set()
-        """Expressions with a ``?:`` printed in them."""
+        """Expressions with such an operation printed in them."""
         self._together = together
         nodes = in_order_of_use(self._roots)
         self._naming.learn(reversed(nodes))
@@ -123,6 +125,9 @@ class Scheduler:
                 )
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
+            elif node.id in self._coordinates and is_access(node):
+                # It is never named itself.
+                self._coordinates.update(operand.id for operand in node.operands)
             stands_for_whole = self._stands_for_whole(node)
             if stands_for_whole and node.id in self._apart:
                 self._apart.add(node.operands[0].id)
@@ -133,7 +138,7 @@ class Scheduler:
                 region = self._region_of(node, position, home)
                 homes.setdefault(operand.id, []).append(region)
                 self._uses[operand.id] = self._uses.get(operand.id, 0) + uses
-                if node.id in optional or _may_skip(node, position):
+                if node.id in optional or may_skip(node, position):
                     optional.add(operand.id)
 
     def _stands_for_whole(self, node: Node) -> bool:
@@ -268,31 +273,21 @@ class Scheduler:
     def _measure(self, node: Node, own: int) -> tuple[int, int]:
         """Operations and nesting of a node printed in place."""
         size, depth = own, 0
-        chooses = node.op == "select"
+        choosing = chooses(node)
         for operand in operands_of(node):
             part = self._size.get(operand.id, BOUND)
             size += part[0]
             depth = max(depth, part[1])
-            chooses = chooses or (operand.id in self._choosing and part != BOUND)
+            choosing = choosing or (operand.id in self._choosing and part != BOUND)
         depth += own
         self._size[node.id] = (size, depth)
-        if chooses:
+        if choosing:
             self._choosing.add(node.id)
         return size, depth
 
 
 def _reads_texture(node: Node) -> bool:
     return bool(node.operands) and isinstance(node.operands[0].type, Texture)
-
-
-def _may_skip(user: Node, position: int) -> bool:
-    """Whether an operand that is printed in place is computed for some pixels only.
-
-    A `?:` evaluates one of its sides, `&&` and `||` the right one where the left does not decide.
-    """
-    if user.op == "select":
-        return position > 0
-    return user.op == "native" and user.data in ("and", "or") and user.type == BOOL and position > 0
 
 
 def _has_to_branch(select: Node) -> bool:
