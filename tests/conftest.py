@@ -13,6 +13,8 @@ from burnish.targets.toolchain import places
 
 os.environ[VARIABLE] = "1"
 
+pytest_plugins = ["burnish.tests.suite.account"]
+
 
 @pytest.fixture
 def no_tools(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:

@@ -6,7 +6,6 @@ import json
 import os
 import time
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -14,6 +13,7 @@ import pytest
 from burnish.commands import results
 from burnish.compiler import cache
 
+from ..suite.processes import at_once
 from .kit import tree
 from .place import Place
 
@@ -101,8 +101,7 @@ def test_only_texts_are_kept(place: Place) -> None:
 
 def test_many_at_once(place: Place) -> None:
     place.write(main="material Main { alpha = sin(uv.x) }")
-    with ThreadPoolExecutor(6) as pool:
-        runs = list(pool.map(lambda _: place.process(), range(6)))
+    runs = at_once([place.process] * 6)
     assert [run.code for run in runs] == [0] * 6
     assert len(place.results()) == 1
     before = place.fragment()

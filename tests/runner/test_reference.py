@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,6 +17,8 @@ from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import SceneState, set_up
+
+from ..suite.processes import run
 
 ROOT = Path(__file__).parents[2]
 TEXT = "material M { map m : texture2d  param k : float = 1  color = m(uv).rgb * k }"
@@ -82,8 +83,6 @@ for module in list(sys.modules.values()):
 
 
 def test_all_code_that_the_reference_is_made_of_has_a_part_in_the_name() -> None:
-    ran = subprocess.run(
-        [sys.executable, "-c", CLOSURE], check=True, capture_output=True, text=True, timeout=120
-    )
+    ran = run([sys.executable, "-c", CLOSURE], check=True)
     folders = {Path(line).relative_to(ROOT).parts[0] for line in ran.stdout.split()}
     assert folders <= {"compiler", "stdlib", "frozen.py"}, folders

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
@@ -17,6 +16,7 @@ from burnish.targets.emit import emitter, templates
 from burnish.targets.emit.templates import by_jinja, renderer
 from burnish.targets.emit.views import FileView
 
+from ..suite.processes import run
 from .kit import PROFILES, Selected
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -89,14 +89,11 @@ print("jinja2" in sys.modules)
 
 
 def test_jinja_is_imported_once_only(tmp_path: Path) -> None:
+    environment = os.environ | {"BURNISH_CACHE": str(tmp_path)}
     said = [
-        subprocess.run(
-            [sys.executable, "-c", COMPILE],
-            env=os.environ | {"BURNISH_CACHE": str(tmp_path)},
-            capture_output=True, text=True, check=True, timeout=60,
-        ).stdout.strip()
+        run([sys.executable, "-c", COMPILE], env=environment, check=True).stdout.strip()
         for _ in range(2)
-    ]  # fmt: skip
+    ]
     assert said == ["True", "False"]
 
 
