@@ -20,6 +20,8 @@ from .suite.processes import run
 
 os.environ[VARIABLE] = "1"
 
+pytest_plugins = ["burnish.tests.suite.account"]
+
 
 def pytest_configure(config: pytest.Config) -> None:
     """Before all tests, and before pytest-xdist starts its workers."""
