@@ -100,6 +100,9 @@ class Builtin:
     by_profile: Domain = nowhere
     """Where, outside of ``domain``, some language defines the operation as Burnish does: there the
     call is left to ``targets/legalise``, which looks at what the profile promises."""
+    is_promise: bool = False
+    """Whether it says what a host promises of its operand, and computes nothing: ``guard`` decides
+    by its range, and then puts the operand in its place."""
     definition: str = ""
     """Function of ``stdlib/meaning.burnish`` that says the same in other operations, for profiles
     whose language lacks this one, or has it otherwise (``Profile.lacks``, ``Profile.agrees``)."""
@@ -109,6 +112,8 @@ class Builtin:
     """How the operands' meanings make that of the result: a rule of ``meaning_rules.py``."""
     cost: int = 1
     """Rough price in ALU operations a lane, for choosing between a branch and a select."""
+    short_circuits: bool = False
+    """Of single bools, leaves its second operand out where the first one decides."""
     uniform_control_flow: bool = False
     """Needs neighbours' values (derivatives, implicit level of detail)."""
     method: str | None = None

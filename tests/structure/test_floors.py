@@ -22,19 +22,22 @@ FLOORS: dict[str, str] = {
     "stdlib": "frozen",
     # From text to a staged program.
     "compiler.cache": "",
+    "compiler.precomputed": "cache",
     "compiler.inputs": "",
     "compiler.srgb": "",
     "compiler.diagnostics": "frozen",
-    "compiler.syntax": "frozen stdlib cache diagnostics",
+    "compiler.syntax": "frozen stdlib precomputed diagnostics",
     "compiler.ir": "frozen stdlib diagnostics",
     "compiler.layout": "ir",
     "compiler.packing": "frozen ir",
     "compiler.formula": "stdlib ir",
+    "compiler.promises": "frozen stdlib ir formula",
     "compiler.source_map": "diagnostics ir",
     "compiler.reference": "frozen stdlib ir",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
-    "compiler.library": "stdlib cache diagnostics syntax names",
+    "compiler.library_trees": "cache precomputed diagnostics syntax names",
+    "compiler.library": "stdlib precomputed diagnostics syntax names library_trees",
     "compiler.semantics.inheritance": "frozen diagnostics syntax names",
     "compiler.semantics.state": (
         "frozen stdlib diagnostics syntax ir reference types names inheritance"
@@ -58,17 +61,19 @@ FLOORS: dict[str, str] = {
         "lowering"
     ),
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
-    "compiler.reflection": "frozen diagnostics ir packing",
+    "compiler.reflection": "frozen stdlib diagnostics ir packing promises",
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
-    "targets.toolchain": "closing",
+    "targets.toolchain": "cache closing",
     "targets.description": "frozen stdlib ir",
     "targets.legalise": "frozen stdlib ir passes expansion_templates description",
-    "targets.emit": ("frozen stdlib cache diagnostics ir reflection description legalise"),
+    "targets.emit": "frozen stdlib precomputed diagnostics ir reflection description legalise",
     **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
     "targets.selection": "diagnostics description registry",
-    "targets.runner": ("frozen arguments cache diagnostics srgb ir reference closing toolchain"),
+    "targets.runner": (
+        "frozen arguments cache diagnostics srgb ir promises reference closing toolchain"
+    ),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "compiled": (
@@ -82,6 +87,7 @@ FLOORS: dict[str, str] = {
         "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
         "selection runner conformance toolchain compiled api"
     ),
+    "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",
     "__main__": "cli",
 }
