@@ -69,15 +69,17 @@ def _output(request: Request, result: CompileResult) -> Output:
         printed = (heading + file.text for heading, file in zip(headings, files, strict=True))
         return Output(STDOUT, {}, "".join(printed), warnings)
     texts: dict[str, str] = {}
+    reflections: dict[str, str] = {}
     lines = []
     for material in result.materials:
         reflection = f"{material.name}.json"
         texts |= {file.name: file.text for file in material.files}
-        texts[reflection] = _reflection_text(material)
+        reflections[reflection] = _reflection_text(material)
         shaders = f"{len(material.files)} shaders and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
     lines += _remarks_on_languages(result)
-    return Output(request.output, texts, "".join(lines), warnings)
+    # Reflections are put in place last: whoever sees a new one finds the shaders that it describes.
+    return Output(request.output, texts | reflections, "".join(lines), warnings)
 
 
 def _remarks_on_languages(result: CompileResult) -> Iterator[str]:

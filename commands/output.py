@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import stat
 from collections.abc import Mapping
 from pathlib import Path
 
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
-from .results import put_in_place
+from .replacing import replace_all
+from .results import encoded
 
 
 def obstacle(folder: Path, file: str = "") -> str | None:
@@ -18,26 +21,55 @@ def obstacle(folder: Path, file: str = "") -> str | None:
     succeeds.
     """
     try:
+        if file:
+            if (folder / file).is_dir():
+                return "it is a folder"
+            if _is_device(folder / file):
+                return None
+            if (folder / file).is_symlink():
+                folder = Path(os.path.realpath(folder / file)).parent
         nearest = next(path for path in (folder, *folder.absolute().parents) if path.exists())
-        if file and (folder / file).is_dir():
-            return "it is a folder"
     except OSError as error:
         return error.strerror
     if not nearest.is_dir():
         return f"`{nearest}` is a file, not a folder"
-    allowed = os.access(nearest, os.W_OK | os.X_OK)
-    return None if allowed else f"nobody but its owner may write into `{nearest}`"
+    if os.access(nearest, os.W_OK | os.X_OK):
+        return None
+    if os.statvfs(nearest).f_flag & os.ST_RDONLY:
+        return os.strerror(errno.EROFS)
+    return f"nobody but its owner may write into `{nearest}`"
 
 
 def write_all(folder: Path, texts: Mapping[str, str]) -> None:
     """Write each text under its name, or raise ``CompileError`` and change nothing."""
-    blocked = next((name for name in texts if (folder / name).is_dir()), None)
-    if blocked is not None:
-        raise unwritable(folder / blocked, "it is a folder")
     try:
-        put_in_place(str(folder), texts)
+        replace_all(str(folder), encoded(texts))
+    except IsADirectoryError as error:
+        raise unwritable(Path(error.filename), error.strerror or str(error)) from error
     except OSError as error:
         raise unwritable(folder, error.strerror or str(error)) from error
+
+
+def write_file(path: Path, content: bytes) -> None:
+    """Write the file that a user has named, completely or not at all; raises ``OSError``.
+
+    A link is followed. A device or a pipe, such as ``/dev/null``, is written to; it is not replaced
+    by a file.
+    """
+    if _is_device(path):
+        path.write_bytes(content)
+        return
+    folder, name = os.path.split(os.path.realpath(path))
+    replace_all(folder, {name: content})
+
+
+def _is_device(path: Path) -> bool:
+    """Whether something is there that is neither a file nor a folder."""
+    try:
+        mode = path.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
 
 
 def unwritable(path: Path, reason: str) -> CompileError:

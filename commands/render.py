@@ -213,15 +213,21 @@ def _save(drawn: Sequence[Panel], routes: int, request: Request) -> None:
     If there are several subjects and several routes, the sheet is a table with a row for each
     subject; otherwise it is nearly square.
     """
-    from ..targets.runner.pictures import save
+    from ..targets.runner.pictures import encoded
     from ..targets.runner.sheet import sheet
+    from .output import write_file
 
+    path = request.output
     if len(drawn) == 1 and drawn[0].image is not None:
-        save(drawn[0].image, request.output)
-        return
-    is_table = 1 < routes < len(drawn)
-    columns = routes if is_table else math.ceil(math.sqrt(len(drawn)))
-    save(sheet(drawn, columns, request.size), request.output)
+        image = drawn[0].image
+    else:
+        is_table = 1 < routes < len(drawn)
+        columns = routes if is_table else math.ceil(math.sqrt(len(drawn)))
+        image = sheet(drawn, columns, request.size)
+    try:
+        write_file(path, encoded(image, path))
+    except OSError as error:
+        fail(f"cannot write `{path}`: {error.strerror or error}")
 
 
 def _tell_failures(drawn: Sequence[Panel]) -> None:

@@ -16,6 +16,7 @@ import os
 import sys
 
 from ..compiler.cache import digest, load, store
+from .replacing import replace_all
 from .terminal import show_everything, wants_color
 
 TYPE_CHECKING = False
@@ -97,7 +98,7 @@ def answer(question: Question) -> bool:
         if any(os.path.basename(name) != name for name in output.texts):  # noqa: PTH119
             return False
         if output.folder != STDOUT:
-            put_in_place(output.folder, output.texts)
+            replace_all(output.folder, encoded(output.texts))
         show_everything()
         print_output(output.printed)
         if output.warnings:
@@ -131,6 +132,11 @@ def keep(question: Question, output: Output, inputs: Inputs) -> None:
         store("result", question.key, payload)
 
 
+def encoded(texts: Mapping[str, str]) -> dict[str, bytes]:
+    """What files hold that consist of these texts."""
+    return {name: text.encode() for name, text in texts.items()}
+
+
 def print_output(text: str) -> None:
     """Write to standard output: as bytes, whatever the terminal's encoding is."""
     if sys.stdout is None:
@@ -138,30 +144,6 @@ def print_output(text: str) -> None:
     sys.stdout.flush()
     sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
     sys.stdout.flush()
-
-
-def put_in_place(folder: str, texts: Mapping[str, str]) -> None:
-    """Write each text under its name into a folder, or raise ``OSError`` and change nothing.
-
-    Everything is first written to a temporary folder inside the final one, because a rename on the
-    same disk cannot run out of space, and nobody ever sees half a file.
-    """
-    for name in texts:
-        if os.path.isdir(os.path.join(folder, name)):  # noqa: PTH112, PTH118
-            raise IsADirectoryError(os.path.join(folder, name))  # noqa: PTH118
-    staging = os.path.join(folder, f".burnish-{os.urandom(8).hex()}")  # noqa: PTH118
-    os.makedirs(staging)  # noqa: PTH103
-    try:
-        for name, text in texts.items():
-            with open(os.path.join(staging, name), "wb") as file:  # noqa: PTH118, PTH123
-                file.write(text.encode())
-        for name in texts:
-            os.replace(os.path.join(staging, name), os.path.join(folder, name))  # noqa: PTH105, PTH118
-    finally:
-        for name in texts:
-            if os.path.exists(os.path.join(staging, name)):  # noqa: PTH110, PTH118
-                os.unlink(os.path.join(staging, name))  # noqa: PTH108, PTH118
-        os.rmdir(staging)  # noqa: PTH106
 
 
 def _unchanged(kept: dict[str, dict[str, str]]) -> bool:

@@ -115,10 +115,13 @@ def _deliver(request: Request, materials: tuple[CompiledMaterial, ...]) -> None:
     if request.output == STDOUT:
         click.echo(text.encode(), nl=False)
         return
-    from ..output import write_all
+    from ..output import unwritable, write_file
 
     path = Path(request.output)
-    write_all(path.parent, {path.name: text})
+    try:
+        write_file(path, text.encode())
+    except OSError as error:
+        raise unwritable(path, error.strerror or str(error)) from error
 
 
 def _form(request: Request) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import os
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -33,22 +33,14 @@ def check_format(path: Path) -> None:
     _format(path)
 
 
-def save(image: Image.Image, path: Path) -> None:
-    """Write an image in the format that the ending of the name says, completely or not at all.
-
-    Raises ``PictureError``.
-    """
-    form = _format(path)
-    staging = path.with_name(f".burnish-{os.getpid()}{path.suffix}")
+def encoded(image: Image.Image, path: Path) -> bytes:
+    """A file in the format that the ending of its name says; raises ``PictureError``."""
+    file = BytesIO()
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            image.save(staging, format=form)
-            staging.replace(path)
-        finally:
-            staging.unlink(missing_ok=True)
+        image.save(file, format=_format(path))
     except (OSError, ValueError) as error:
         raise _unwritable(path, getattr(error, "strerror", None) or str(error)) from error
+    return file.getvalue()
 
 
 def _format(path: Path) -> str:

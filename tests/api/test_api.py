@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 from pathlib import Path
 
@@ -11,6 +10,8 @@ import pytest
 
 import burnish
 from burnish.targets import registry
+
+from ..suite.processes import run
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PLASTIC = EXAMPLES / "plastic.burnish"
@@ -171,9 +172,7 @@ def test_what_was_compiled_before_changes_nothing() -> None:
         "material = burnish.compile(sys.argv[1]).materials[0]\n"
         "print(json.dumps([[file.text for file in material.files], material.reflection]))"
     )
-    fresh = subprocess.run(
-        [sys.executable, "-c", script, PLASTIC], capture_output=True, check=True, text=True
-    )
+    fresh = run([sys.executable, "-c", script, str(PLASTIC)], check=True)
     for other in ("normal_map", "skinned", "octaves"):
         burnish.compile(EXAMPLES / f"{other}.burnish")
     (material,) = burnish.compile(PLASTIC)

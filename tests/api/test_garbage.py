@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterator
-from threading import Barrier, Thread
+from threading import Barrier
 
 import pytest
 
 from burnish.garbage import SELDOM, seldom_collected
+
+from ..suite.processes import LIMIT, Background
 
 USUAL = (700, 10, 10)
 
@@ -57,20 +59,18 @@ def test_the_last_of_several_threads_restores_them() -> None:
 
     @seldom_collected
     def first() -> None:
-        together.wait()
-        together.wait()
+        together.wait(timeout=LIMIT)
+        together.wait(timeout=LIMIT)
         seen.append(gc.get_threshold())
 
     @seldom_collected
     def second() -> None:
-        together.wait()
+        together.wait(timeout=LIMIT)
 
-    threads = [Thread(target=first), Thread(target=second)]
-    for thread in threads:
-        thread.start()
-    threads[1].join()
-    together.wait()
-    threads[0].join()
+    running = [Background(first), Background(second)]
+    running[1].returned()
+    together.wait(timeout=LIMIT)
+    running[0].returned()
     assert seen == [SELDOM]
     assert gc.get_threshold() == USUAL
 

@@ -20,6 +20,7 @@ from time import perf_counter
 
 from .chains import LONGEST, equations
 from .checkout import Checkout, Worker
+from .clock import PATIENCE
 from .table import Row, Section
 
 HERE = Path(__file__).parent
@@ -175,7 +176,11 @@ class _Start:
         environment = {**self.environment, "BURNISH_CACHE": str(self.folder / "cache")}
         before, start = getrusage(RUSAGE_CHILDREN), perf_counter()
         subprocess.run(
-            [sys.executable, *arguments], env=environment, check=True, stdout=subprocess.DEVNULL
+            [sys.executable, *arguments],
+            env=environment,
+            check=True,
+            timeout=PATIENCE,
+            stdout=subprocess.DEVNULL,
         )
         after, end = getrusage(RUSAGE_CHILDREN), perf_counter()
         user, system = after.ru_utime - before.ru_utime, after.ru_stime - before.ru_stime

@@ -7,6 +7,9 @@ from collections.abc import Callable
 from statistics import median
 from time import perf_counter
 
+PATIENCE = 1800.0
+"""Seconds after which a command that is measured is taken to hang."""
+
 
 def seconds(work: Callable[[], object], runs: int = 1) -> list[float]:
     """How long each of ``runs`` runs of ``work`` took, each from a collected heap."""

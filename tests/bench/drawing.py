@@ -12,6 +12,7 @@ from pathlib import Path
 
 from burnish.targets.toolchain.tools import cache_folder
 
+from .clock import PATIENCE
 from .table import Row, Section
 
 ROOT = Path(__file__).parents[2]
@@ -49,5 +50,7 @@ def _seconds(cache: Path, *arguments: str) -> float:
     moved = {"BURNISH_CACHE": str(cache), "BURNISH_TOOLS": str(cache_folder())}
     command = [sys.executable, "-m", "burnish", *arguments]
     started = time.perf_counter()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=os.environ | moved)
+    subprocess.run(
+        command, check=True, timeout=PATIENCE, stdout=subprocess.DEVNULL, env=os.environ | moved
+    )
     return time.perf_counter() - started

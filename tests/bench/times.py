@@ -19,7 +19,7 @@ from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions, emit
 from burnish.targets.legalise.legalise import legalise
 
-from .clock import Laps, milliseconds
+from .clock import PATIENCE, Laps, milliseconds
 from .table import Row, Section
 
 ROOT = Path(__file__).parents[2]
@@ -126,7 +126,9 @@ def _command(*options: str) -> list[str]:
 def _run(command: list[str]) -> str:
     """What a command says on its error output; byte code is cached as for any user."""
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        command, env=environment, capture_output=True, text=True, check=True, timeout=PATIENCE
+    )
     return done.stderr
 
 

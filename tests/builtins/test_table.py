@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import subprocess
 import sys
 from pathlib import Path
 
@@ -15,6 +14,8 @@ from burnish.compiler.reference import functions
 from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
 from burnish.stdlib.builtins.row import everywhere, nowhere
+
+from ..suite.processes import run
 
 MEANING = (Path(stdlib.__file__).parent / "meaning.burnish").read_text(encoding="utf-8")
 WORDS = (
@@ -92,4 +93,4 @@ def test_table_and_folding_do_without_numpy() -> None:
         "import sys, burnish.stdlib.builtins, burnish.compiler.reference.functions;"
         "sys.exit('numpy' in sys.modules)"
     )
-    subprocess.run([sys.executable, "-c", program], check=True)
+    run([sys.executable, "-c", program], check=True)

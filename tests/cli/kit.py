@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from pathlib import Path
+from subprocess import CompletedProcess
 
 from click.testing import CliRunner, Result
 
 from burnish.commands.group import burnish
+
+from ..suite.processes import run
 
 PLAIN = "material Plain { color = #ffffff }\n"
 
@@ -19,12 +21,9 @@ def invoke(*arguments: object) -> Result:
     return CliRunner().invoke(burnish, words, catch_exceptions=False, prog_name="burnish")
 
 
-def shell(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:
+def shell(*arguments: object, folder: Path) -> CompletedProcess[str]:
     """Run a command in a process of its own."""
-    return subprocess.run(
-        [sys.executable, "-m", "burnish", *map(str, arguments)],
-        cwd=folder, capture_output=True, encoding="utf-8", timeout=60, check=False,
-    )  # fmt: skip
+    return run([sys.executable, "-m", "burnish", *map(str, arguments)], cwd=folder)
 
 
 def tree(folder: Path) -> set[str]:

@@ -5,7 +5,6 @@ The fixture ``place`` of ``conftest.py`` makes one for each test.
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -15,6 +14,8 @@ import pytest
 
 from burnish.commands.group import burnish
 from burnish.commands.results import answer, ask
+
+from ..suite import processes
 
 TOLD = """
 import sys
@@ -76,16 +77,13 @@ class Place:
     def process(self, *options: str, output: str = "out") -> Run:
         """Compile in a process of its own."""
         command = ["compile", "main.burnish", "-t", "wgsl", "-o", output, *options]
-        run = subprocess.run(
-            [sys.executable, "-c", TOLD, *command], cwd=self.folder,
-            capture_output=True, encoding="utf-8", timeout=60, check=False,
-        )  # fmt: skip
+        run = processes.run([sys.executable, "-c", TOLD, *command], cwd=self.folder)
         *errors, how = run.stderr.splitlines(keepends=True)
         return Run(how.strip(), run.returncode, run.stdout, "".join(errors))
 
     def results(self) -> list[Path]:
         """The answers that are kept."""
-        return sorted(self.cache.glob("result-*"))
+        return sorted(self.cache.glob("private/result/*"))
 
     def fragment(self, output: str = "out") -> str:
         """The shader that was written."""

@@ -6,7 +6,6 @@ import json
 import os
 import re
 import signal
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -22,6 +21,7 @@ from burnish.targets import registry
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.toolchain import TOOLS, ToolState, tools
 
+from ..suite.processes import run, started, until
 from .kit import PLAIN, invoke
 
 RULES = [rule for rule in vars(rules).values() if isinstance(rule, Rule)]
@@ -139,11 +139,9 @@ def test_a_reader_that_leaves(tmp_path: Path) -> None:
     reading, writing = os.pipe()
     os.close(reading)
     command = [sys.executable, "-m", "burnish", "compile", "m.burnish", "-o", "-"]
-    run = subprocess.run(
-        command, cwd=tmp_path, stdout=writing, stderr=subprocess.PIPE, timeout=60, check=False
-    )
+    ended = run(command, cwd=tmp_path, stdout=writing)
     os.close(writing)
-    assert run.stderr == b""
+    assert ended.stderr == ""
 
 
 DRAWING = [
@@ -155,11 +153,8 @@ DRAWING = [
 def test_a_full_device_for_output(line: str, tmp_path: Path) -> None:
     (tmp_path / "m.burnish").write_text(PLAIN)
     with Path("/dev/full").open("w") as full:
-        run = subprocess.run(
-            [sys.executable, "-m", "burnish", *line.split()],
-            cwd=tmp_path, stdout=full, stderr=subprocess.PIPE, timeout=60, check=False,
-        )  # fmt: skip
-    assert (run.returncode, run.stderr) == (1, b"error: No space left on device\n")
+        ended = run([sys.executable, "-m", "burnish", *line.split()], cwd=tmp_path, stdout=full)
+    assert (ended.returncode, ended.stderr) == (1, "error: No space left on device\n")
 
 
 @pytest.mark.parametrize("line", DRAWING)
@@ -168,26 +163,21 @@ def test_closed_streams(line: str, stream: int, tmp_path: Path) -> None:
     """As in ``burnish … >&-``."""
     (tmp_path / "m.burnish").write_text(PLAIN)
     command = f'exec "$0" -m burnish {line} {stream}>&-'
-    run = subprocess.run(
-        ["sh", "-c", command, sys.executable],
-        cwd=tmp_path, capture_output=True, timeout=60, check=False,
-    )  # fmt: skip
-    assert (run.returncode, run.stderr) == (0, b"")
+    ended = run(["sh", "-c", command, sys.executable], cwd=tmp_path)
+    assert (ended.returncode, ended.stderr) == (0, "")
 
 
 @pytest.mark.parametrize(
-    ("encoding", "name"), [("latin-1", b"\\u540d.burnish: "), ("utf-8", "名.burnish: ".encode())]
+    ("encoding", "name"), [("latin-1", r"\u540d.burnish: "), ("utf-8", "名.burnish: ")]
 )
-def test_terminals_with_few_letters(encoding: str, name: bytes, tmp_path: Path) -> None:
+def test_terminals_with_few_letters(encoding: str, name: str, tmp_path: Path) -> None:
     (tmp_path / "名.burnish").write_text(PLAIN)
     environment = {**os.environ, "PYTHONIOENCODING": encoding}
-    for line, wanted in (("conform --routes llvmpipe 名.burnish", name), ("render --help", b"")):
-        run = subprocess.run(
-            [sys.executable, "-m", "burnish", *line.split()],
-            cwd=tmp_path, env=environment, capture_output=True, timeout=60, check=False,
-        )  # fmt: skip
-        assert (run.returncode, run.stderr) == (0, b"")
-        assert wanted in run.stdout
+    for line, wanted in (("conform --routes llvmpipe 名.burnish", name), ("render --help", "")):
+        command = [sys.executable, "-m", "burnish", *line.split()]
+        ended = run(command, cwd=tmp_path, env=environment)
+        assert (ended.returncode, ended.stderr) == (0, "")
+        assert wanted in ended.stdout
 
 
 WATCH = ["compile", "m.burnish", "-t", "wgsl", "-o", "out", "--watch"]
@@ -199,12 +189,8 @@ def test_watching(tmp_path: Path) -> None:
     (tmp_path / "tones.burnish").write_text("tone = 0.5")
     main_file = tmp_path / "m.burnish"
     main_file.write_text('import "tones.burnish"\nmaterial M { color = vec3(tone) }')
-    process = subprocess.Popen(
-        [sys.executable, "-m", "burnish", *WATCH],
-        cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-    )  # fmt: skip
-    try:
-        shader = tmp_path / "out" / "M.frag.wgsl"
+    shader = tmp_path / "out" / "M.frag.wgsl"
+    with started([sys.executable, "-m", "burnish", *WATCH], cwd=tmp_path) as command:
         await_text(shader, "0.5")
         (tmp_path / "tones.burnish").write_text("tone = tnt")
         time.sleep(2)
@@ -213,20 +199,15 @@ def test_watching(tmp_path: Path) -> None:
         replacement.write_text("tone = 0.25")
         replacement.rename(tmp_path / "tones.burnish")
         await_text(shader, "0.25")
-        process.send_signal(signal.SIGINT)
-        _, errors = process.communicate(timeout=30)
-    finally:
-        process.kill()  # Otherwise it would go on watching after a failure.
-    assert process.returncode == 130
-    assert errors.decode().startswith("error[B0201]: unknown name `tnt`")
-    assert b"Traceback" not in errors
+        command.signal(signal.SIGINT)
+        ended = command.ended()
+    assert ended.returncode == 130
+    assert ended.stderr.startswith("error[B0201]: unknown name `tnt`")
+    assert "Traceback" not in ended.stderr
 
 
 def await_text(file: Path, text: str) -> None:
-    limit = time.monotonic() + 30
-    while not (file.is_file() and text in file.read_text()):
-        assert time.monotonic() < limit, f"{file.name} never held {text}"
-        time.sleep(0.05)
+    until(lambda: file.is_file() and text in file.read_text(), f"{text} in {file.name}")
 
 
 def test_watching_without_its_package(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -254,11 +235,8 @@ COMPILER = {"burnish.api", "burnish.compiler.frontend", "burnish.targets", "jinj
 
 def loaded(folder: Path, *arguments: str) -> set[str]:
     """The modules that a command has loaded in the end."""
-    run = subprocess.run(
-        [sys.executable, "-c", LOADED, *arguments],
-        cwd=folder, capture_output=True, encoding="utf-8", timeout=60, check=True,
-    )  # fmt: skip
-    return set(run.stderr.split())
+    told = run([sys.executable, "-c", LOADED, *arguments], cwd=folder, check=True)
+    return set(told.stderr.split())
 
 
 def test_compiling_loads_no_more_than_it_needs(tmp_path: Path) -> None:

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 from typing import IO, Any
 
 import pytest
 
-from burnish.commands import output, results
+from burnish.commands import output, replacing
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
+from ..suite.processes import Background, at_once, run
 from .kit import PLAIN, invoke, shell, tree
 
 OLD = "what was there before"
@@ -78,10 +79,8 @@ def test_a_poor_terminal_gets_the_same_shader(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text("/// Größe → 大\nmaterial Plain { }\n", "utf-8")
     command = [sys.executable, "-X", "utf8=0", "-m", "burnish", "compile", str(file), "-o", "-"]
-    run = subprocess.run(
-        command, env={"PYTHONIOENCODING": "ascii"}, capture_output=True, check=True, timeout=60
-    )
-    assert "// Größe → 大".encode() in run.stdout
+    printed = run(command, env={"PYTHONIOENCODING": "ascii"}, check=True).stdout
+    assert "// Größe → 大" in printed
 
 
 def test_a_file_in_the_way_of_the_folder(material: Path, tmp_path: Path) -> None:
@@ -132,7 +131,7 @@ def test_a_full_disk_leaves_the_old_output_alone(
             raise OSError(28, "No space left on device")
         return Path(path).open(mode)
 
-    monkeypatch.setattr(results, "open", full, raising=False)
+    monkeypatch.setattr(replacing, "open", full, raising=False)
     with pytest.raises(CompileError, match="No space left on device"):
         output.write_all(tmp_path, {"a": "new", "b": "new", "c": "new"})
     assert tree(tmp_path) == {"a"}
@@ -161,17 +160,14 @@ def test_a_reader_that_has_left_does_not_start_another_compile(
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("BURNISH_VERIFY", raising=False)  # Nothing is known again where it is set.
     command = [sys.executable, "-c", COUNTING, "compile", str(material), "-o", "-"]
-    known = subprocess.run([*command, "-t", "wgsl"], capture_output=True, text=True, check=True)
+    known = run([*command, "-t", "wgsl"], check=True)
     assert known.stderr == "compiled\n"
     for target, said in (("glsl", "compiled\n"), ("wgsl", "")):
         reading, writing = os.pipe()
         os.close(reading)
         with os.fdopen(writing, "wb") as left:
-            run = subprocess.run(
-                [*command, "-t", target],
-                stdout=left, stderr=subprocess.PIPE, text=True, check=False,
-            )  # fmt: skip
-        assert (run.returncode, run.stderr) == (1, said), target
+            ended = run([*command, "-t", target], stdout=left)
+        assert (ended.returncode, ended.stderr) == (1, said), target
 
 
 def test_two_compiles_at_once(tmp_path: Path) -> None:
@@ -182,14 +178,53 @@ def test_two_compiles_at_once(tmp_path: Path) -> None:
         assert shell("compile", f"{name}.burnish", "-o", name, folder=tmp_path).returncode == 0
     command = [sys.executable, "-m", "burnish", "compile", "-o", "both"]
     for _ in range(3):
-        running = [
-            subprocess.Popen([*command, f"{name}.burnish"], cwd=tmp_path, stdout=subprocess.PIPE)
-            for name in names
-        ]
-        for process in running:
-            process.communicate(timeout=60)
-        assert [process.returncode for process in running] == [0, 0]
+        commands = [[*command, f"{name}.burnish"] for name in names]
+        done = at_once([partial(run, each, cwd=tmp_path) for each in commands])
+        assert [each.returncode for each in done] == [0, 0]
         assert tree(tmp_path / "both") == tree(tmp_path / "red")
         for path in (tmp_path / "both").iterdir():
             whole = [(tmp_path / name / path.name).read_bytes() for name in names]
             assert path.read_bytes() in whole
+
+
+def test_a_link_among_the_outputs_is_replaced(material: Path, tmp_path: Path) -> None:
+    other = tmp_path / "other"
+    other.write_text(OLD)
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "Plain.json").symlink_to(other)
+    assert invoke("compile", material, "-o", tmp_path / "out").exit_code == 0
+    assert other.read_text() == OLD
+    assert not (tmp_path / "out" / "Plain.json").is_symlink()
+
+
+def test_a_link_that_the_user_names_is_followed(material: Path, tmp_path: Path) -> None:
+    (tmp_path / "far").mkdir()
+    link = tmp_path / "link.dot"
+    link.symlink_to(tmp_path / "far" / "real.dot")
+    for _ in range(2):  # At first the link leads nowhere.
+        assert invoke("graph", material, "-o", link).exit_code == 0
+        assert link.is_symlink()
+        assert (tmp_path / "far" / "real.dot").read_text().startswith("digraph")
+
+
+@pytest.mark.parametrize(
+    "arguments", [("graph", "--format", "dot"), ("render", "--size", "4")], ids=lambda each: each[0]
+)
+def test_a_device_is_written_to(arguments: tuple[str, ...], material: Path, tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe.png"
+    os.mkfifo(pipe)
+    name, *options = arguments
+    reading = Background(pipe.read_bytes)
+    assert shell(name, material, "-o", pipe, *options, folder=tmp_path).returncode == 0
+    written = reading.returned()
+    assert written.startswith((b"digraph", b"\x89PNG"))
+    assert pipe.is_fifo()
+    assert tree(tmp_path) == {"m.burnish", "pipe.png"}
+
+
+def test_files_of_other_names_stay(material: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    invoke("compile", material, "-t", "wgsl", "-o", out)
+    material.write_text("material Other { }")
+    invoke("compile", material, "-t", "wgsl", "-o", out)
+    assert {"Plain.json", "Plain.frag.wgsl", "Other.json", "Other.frag.wgsl"} <= tree(out)

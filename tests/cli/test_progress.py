@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import os
 import signal
-import subprocess
 import sys
 import time
-from collections.abc import Callable, Mapping
-from contextlib import suppress
 from io import StringIO
 from pathlib import Path
 
@@ -17,6 +13,7 @@ import pytest
 from burnish.commands import progress
 from burnish.commands.progress import Progress
 
+from ..suite.processes import started, until
 from .kit import tree
 
 
@@ -34,18 +31,10 @@ def shown(monkeypatch: pytest.MonkeyPatch, stream: StringIO, patience: float) ->
     with Progress("drawing") as bar:
         bar.tell(0.25)
         if patience == 0:
-            until(lambda: "25%" in stream.getvalue())
+            until(lambda: "25%" in stream.getvalue(), "the bar")
         bar.tell(1)
     bar.tell(1)
     return stream.getvalue()
-
-
-def until(condition: Callable[[], object]) -> None:
-    """Waits for something that has to happen soon."""
-    end = time.monotonic() + 60
-    while not condition():
-        assert time.monotonic() < end
-        time.sleep(0.02)
 
 
 def test_a_bar_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -69,17 +58,6 @@ def test_no_bar_where_nobody_looks(monkeypatch: pytest.MonkeyPatch) -> None:
     assert stream.getvalue() == ""
 
 
-def marked(mark: str) -> Mapping[int, str]:
-    """All processes that were started with a mark, by any way: command lines, loaded libraries."""
-    found = {}
-    for folder in Path("/proc").glob("[0-9]*"):
-        with suppress(OSError):
-            if mark.encode() in (folder / "environ").read_bytes():
-                files = (folder / "cmdline", folder / "maps")
-                found[int(folder.name)] = "\n".join(file.read_text() for file in files)
-    return found
-
-
 @pytest.mark.parametrize(
     ("line", "at_work"),
     [
@@ -95,18 +73,13 @@ def test_interrupted(line: str, at_work: str, everybody: bool, tmp_path: Path) -
 
     It ends at once, without a word and with everything that it has started; nothing is written.
     """
-    mark = f"BURNISH_TEST_MARK={tmp_path}"
-    name, _, value = mark.partition("=")
     (tmp_path / "m.burnish").write_text("material Up { color = 0.5 + 0.5 * normal }")
-    process = subprocess.Popen(
-        [sys.executable, "-m", "burnish", *line.format(seed=time.time_ns()).split()],
-        cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
-        env={**os.environ, name: value},
-    )  # fmt: skip
-    until(lambda: any(at_work in known for known in marked(mark).values()))
-    time.sleep(1)
-    (os.killpg if everybody else os.kill)(process.pid, signal.SIGINT)
-    assert process.communicate(timeout=60) == (b"", b"")
-    assert process.returncode == 130
-    until(lambda: not marked(mark))
+    command = [sys.executable, "-m", "burnish", *line.format(seed=time.time_ns()).split()]
+    with started(command, cwd=tmp_path) as program:
+        until(lambda: any(at_work in known for known in program.family().values()), at_work)
+        time.sleep(1)
+        program.signal(signal.SIGINT, everybody=everybody)
+        ended = program.ended()
+        assert (ended.returncode, ended.stdout, ended.stderr) == (130, "", "")
+        until(lambda: not program.family(), "the end of all that it has started")
     assert tree(tmp_path) == {"m.burnish"}

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-import resource
-import subprocess
 import sys
+from functools import partial
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import pytest
 from PIL import Image
@@ -14,6 +14,7 @@ from PIL import Image
 from burnish.targets.runner import routes
 from burnish.targets.runner.runner import Runner
 
+from ..suite.processes import at_once, run
 from .kit import invoke, shell, tree
 
 WHOLE = """\
@@ -193,12 +194,9 @@ def test_folders_are_made(folder: Path) -> None:
 def test_a_full_disk_leaves_the_old_picture_alone(folder: Path) -> None:
     Path("x.png").write_text("old")
     before = tree(folder)
-    run = subprocess.run(
-        [sys.executable, "-m", "burnish", "render", "m.burnish", "-o", "x.png", "--size", "64"],
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)),
-        capture_output=True, encoding="utf-8", timeout=60, check=False,
-    )  # fmt: skip
-    assert (run.returncode, run.stderr) == (1, "error: cannot write `x.png`: File too large\n")
+    limited = 'ulimit -f 1; exec "$0" -m burnish render m.burnish -o x.png --size 64'
+    ended = run(["sh", "-c", limited, sys.executable])
+    assert (ended.returncode, ended.stderr) == (1, "error: cannot write `x.png`: File too large\n")
     assert tree(folder) == before
     assert Path("x.png").read_text() == "old"
 
@@ -316,23 +314,18 @@ def test_missing_packages(module: str, package: str, command: str, folder: Path)
     assert without(module, "compile", "m.burnish", "-o", "out").returncode == 0
 
 
-def without(module: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+def without(module: str, *arguments: str) -> CompletedProcess[str]:
     """A command where a package is not installed."""
     code = f"import sys; sys.modules[{module!r}] = None; from burnish.cli import main; main()"
-    return subprocess.run(
-        [sys.executable, "-c", code, *arguments],
-        capture_output=True, encoding="utf-8", timeout=60, check=False,
-    )  # fmt: skip
+    return run([sys.executable, "-c", code, *arguments])
 
 
 def test_two_at_once(folder: Path) -> None:
     """The picture in the end is one of the two, and nothing else lies there."""
     before = tree(folder)
     command = [sys.executable, "-m", "burnish", "render", "m.burnish", "-o", "x.png", "--size"]
-    running = [subprocess.Popen([*command, size], stdout=subprocess.PIPE) for size in ("8", "9")]
-    for process in running:
-        process.communicate(timeout=60)
-    assert [process.returncode for process in running] == [0, 0]
+    done = at_once([partial(run, [*command, size]) for size in ("8", "9")])
+    assert [each.returncode for each in done] == [0, 0]
     assert tree(folder) == before | {"x.png"}
     assert Image.open("x.png").size in {(8, 8), (9, 9)}
 

@@ -6,7 +6,6 @@ import json
 import os
 import time
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -14,6 +13,7 @@ import pytest
 from burnish.commands import results
 from burnish.compiler import cache
 
+from ..suite.processes import at_once
 from .kit import tree
 from .place import Place
 
@@ -101,8 +101,7 @@ def test_only_texts_are_kept(place: Place) -> None:
 
 def test_many_at_once(place: Place) -> None:
     place.write(main="material Main { alpha = sin(uv.x) }")
-    with ThreadPoolExecutor(6) as pool:
-        runs = list(pool.map(lambda _: place.process(), range(6)))
+    runs = at_once([place.process] * 6)
     assert [run.code for run in runs] == [0] * 6
     assert len(place.results()) == 1
     before = place.fragment()
@@ -112,9 +111,8 @@ def test_many_at_once(place: Place) -> None:
 
 def test_many_answers(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cache, "KEPT", 2)
-    place.cache.mkdir()
-    other = place.cache / "other-0123456789abcdef.bin"
-    other.touch()
+    other = place.cache / "private" / "other" / "0123456789abcdef"
+    cache.store("other", other.name, b"")
     os.utime(other, (0, 0))
     for number in range(4):
         place.write(main=f"material Main {{ alpha = 0.{number} }}")
@@ -156,9 +154,9 @@ def test_large_answers_take_no_room(place: Place, monkeypatch: pytest.MonkeyPatc
 def test_an_answer_names_no_files_elsewhere(place: Place) -> None:
     place.write(main="material Main { color = vec3(1) }\n")
     place.run()
-    (kept,) = place.cache.glob("result-*")
-    entry = json.loads(cache.load("result", kept.stem.removeprefix("result-")) or b"")
+    (kept,) = place.results()
+    entry = json.loads(cache.load("result", kept.name) or b"")
     entry["texts"] = {"../elsewhere": "x"}
-    cache.store("result", kept.stem.removeprefix("result-"), json.dumps(entry).encode())
+    cache.store("result", kept.name, json.dumps(entry).encode())
     assert place.run().how == "COMPILED"
     assert not (place.folder / "elsewhere").exists()

@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 import pytest
 
+from ..suite.processes import Background
 from .kit import PLAIN, tree
 from .place import Place
 
@@ -220,10 +221,9 @@ def test_a_pipe_is_read_by_the_compile_alone(place: Place) -> None:
     os.mkfifo(pipe)
     for color in ("vec3(1)", "vec3(0)"):
         text = f"material Main {{ color = {color} }}\n"
-        with ThreadPoolExecutor(1) as pool:
-            writing = pool.submit(pipe.write_text, text, "utf-8")
-            assert place.run().how == "COMPILED"
-            writing.result(timeout=10)
+        writing = Background(partial(pipe.write_text, text, "utf-8"))
+        assert place.run().how == "COMPILED"
+        writing.returned()
 
 
 def test_switched_off(place: Place) -> None:

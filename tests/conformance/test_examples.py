@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from functools import cache
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -55,9 +55,12 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
-    """What a run over a file finds, with all its rigs, passes and materials."""
+    """What a run over a file finds, with all its rigs, passes and materials.
 
-    @cache
+    Only the last file's pictures are kept: those of all files would fill gigabytes.
+    """
+
+    @lru_cache(maxsize=1)
     def found(path: Path) -> dict[Key, Row]:
         compiled = [
             (variant, material)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
+from functools import lru_cache
 
 import pytest
 
@@ -27,9 +27,12 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[str], dict[str, Row]]:
-    """What a run over one of ``NAMES`` finds, by route."""
+    """What a run over one of ``NAMES`` finds, by route.
 
-    @cache
+    Only the last material's pictures are kept: those of all would fill gigabytes.
+    """
+
+    @lru_cache(maxsize=1)
     def found(name: str) -> dict[str, Row]:
         lacking = LACKING.get(name, ())
         routes = {key: route for key, route in ROUTES.items() if route.profile not in lacking}

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Set
 from pathlib import Path
+from subprocess import PIPE
 
 import pytest
 
@@ -16,11 +15,9 @@ from burnish.targets.runner.drivers.browser.driver import APIS, Browser
 from burnish.targets.runner.drivers.draw import DriverError, Job
 from burnish.targets.runner.drivers.wire import to_json
 
+from ..suite.processes import Program, run, started, until
 from . import textual_shaders as shaders
-from .textual_kit import COMMANDS, RED, TIME_LIMIT, Asker, full, pipeline, shoot
-
-PATIENCE = 90.0
-"""Seconds for processes to come to an end; much more than they need."""
+from .textual_kit import COMMANDS, RED, Asker, full, pipeline, shoot
 
 
 def processes() -> dict[int, tuple[int, str]]:
@@ -46,13 +43,10 @@ def descendants(ancestor: int) -> dict[int, str]:
     return {pid: everyone[pid][1] for pid in family - {ancestor}}
 
 
-def wait_until(condition: Callable[[], bool]) -> bool:
-    end = time.monotonic() + PATIENCE
-    while not condition():
-        if time.monotonic() > end:
-            return False
-        time.sleep(0.1)
-    return True
+def await_end(family: Set[int], folder: Path) -> None:
+    """Wait until a browser's processes have ended, and have removed their folder."""
+    until(lambda: not family & processes().keys(), "the end of the browser's processes")
+    until(lambda: not folder.exists(), "the end of the browser's folder")
 
 
 def profile(commands: dict[int, str]) -> Path:
@@ -71,35 +65,26 @@ def browser_of(ancestor: int) -> tuple[set[int], Path]:
 
 
 @pytest.fixture(params=list(APIS))
-def worker(request: pytest.FixtureRequest) -> Iterator[subprocess.Popen[bytes]]:
+def worker(request: pytest.FixtureRequest) -> Iterator[Program]:
     """A worker that has answered once."""
     command = [sys.executable, "-m", *COMMANDS[request.param]]
-    child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-    assert child.stdin is not None and child.stdout is not None
-    child.stdin.write(b"{}\n")
-    child.stdin.flush()
-    assert b"Chromium" in child.stdout.readline()
-    yield child
-    child.kill()
-    child.wait()
-    child.stdin.close()
-    child.stdout.close()
+    with started(command, stdin=PIPE, stderr=None) as program:
+        program.write(b"{}\n")
+        assert b"Chromium" in program.line()
+        yield program
 
 
-def test_ends_with_its_input(worker: subprocess.Popen[bytes]) -> None:
+def test_ends_with_its_input(worker: Program) -> None:
     family, folder = browser_of(worker.pid)
-    assert worker.stdin is not None
-    worker.stdin.close()
-    assert worker.wait(PATIENCE) == 0
-    assert wait_until(lambda: not family & processes().keys())
-    assert wait_until(lambda: not folder.exists())
+    worker.close_input()
+    assert worker.exit_code() == 0
+    await_end(family, folder)
 
 
-def test_ends_when_killed(worker: subprocess.Popen[bytes]) -> None:
+def test_ends_when_killed(worker: Program) -> None:
     family, folder = browser_of(worker.pid)
-    worker.send_signal(signal.SIGKILL)
-    assert wait_until(lambda: not family & processes().keys())
-    assert wait_until(lambda: not folder.exists())
+    worker.signal(signal.SIGKILL)
+    await_end(family, folder)
 
 
 PARENT = """
@@ -112,17 +97,12 @@ time.sleep(600)
 
 
 def test_ends_when_the_parent_is_killed() -> None:
-    parent = subprocess.Popen(
-        [sys.executable, "-c", PARENT, *COMMANDS["webgl2"]], stdout=subprocess.PIPE
-    )
-    assert parent.stdout is not None
-    assert b"Chromium" in parent.stdout.readline()
-    family, folder = browser_of(parent.pid)
-    parent.kill()
-    parent.wait()
-    parent.stdout.close()
-    assert wait_until(lambda: not family & processes().keys())
-    assert wait_until(lambda: not folder.exists())
+    command = [sys.executable, "-c", PARENT, *COMMANDS["webgl2"]]
+    with started(command, stderr=None) as parent:
+        assert b"Chromium" in parent.line()
+        family, folder = browser_of(parent.pid)
+        parent.signal(signal.SIGKILL)
+        await_end(family, folder)
 
 
 HANG_WGSL = shaders.PAINT_WGSL.replace(
@@ -141,8 +121,7 @@ def test_ends_in_the_midst_of_a_job() -> None:
     folder = profile({pid: commands[pid] for pid in family})
     hanging = Job(pipeline(api, wgsl=HANG_WGSL), (full(RED),))
     assert own.answer({"job": to_json(hanging)}, 3.0).ending == "timeout"
-    assert wait_until(lambda: not family & processes().keys())
-    assert wait_until(lambda: not folder.exists())
+    await_end(family, folder)
     own.close()
 
 
@@ -198,6 +177,6 @@ def test_texture_reads_in_varying_control_flow() -> None:
 
 def test_usage() -> None:
     command = [sys.executable, "-m", "burnish.targets.runner.drivers.browser", "webgl1"]
-    told = subprocess.run(command, check=False, capture_output=True, text=True, timeout=TIME_LIMIT)
+    told = run(command)
     assert told.returncode == 1
     assert told.stderr == "usage: python -m burnish.targets.runner.drivers.browser webgpu|webgl2\n"

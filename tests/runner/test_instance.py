@@ -6,7 +6,6 @@ import copy
 import json
 import math
 import struct
-import subprocess
 import sys
 
 import numpy as np
@@ -15,6 +14,7 @@ import pytest
 import burnish
 from burnish import Instance, ParameterError
 
+from ..suite.processes import run
 from .instance_kit import REFLECTION, at, complete, state
 
 # --- values --------------------------------------------------------------------------------------
@@ -219,10 +219,15 @@ for name in ("numpy", "PIL", "lark", "burnish.compiler.semantics"):
 def test_blocks_need_neither_numpy_nor_the_compiler() -> None:
     source = "material M { param a : float = 1  color = vec3(uv.x * cos(a)) }"
     reflection = burnish.compile(source, ("wgsl",))["M"].reflection
-    subprocess.run(
-        [sys.executable, "-c", LEAN],
-        input=json.dumps(reflection),
-        text=True,
-        check=True,
-        timeout=60,
-    )
+    run([sys.executable, "-c", LEAN], text=json.dumps(reflection), check=True)
+
+
+def test_a_light_is_found_in_its_rig_whatever_the_material_calls_so() -> None:
+    text = "material Sky { param sun : direction<world> = vec3(0, 1, 0)  color = matt(sun) }\n"
+    term = "term matt(v: vec3) per light = light.diffuse * dot(v, light.to_light)\n"
+    instance = burnish.compile(text + term, "wgsl")["Sky"].instance()
+    instance.rig.sun.direction = (1, 0, 0)
+    assert instance.get("Daylight.sun.direction") == (1.0, 0.0, 0.0)
+    assert instance.sun == (0.0, 1.0, 0.0)
+    instance.rig.sun = {"direction": (0, 0, 1)}
+    assert instance.get("Daylight.sun.direction") == (0.0, 0.0, 1.0)

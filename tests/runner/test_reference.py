@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -16,8 +15,12 @@ from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
+from burnish.targets.runner.reference import remembered
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import SceneState, set_up
+from burnish.targets.runner.store import Store
+
+from ..suite.processes import run
 
 ROOT = Path(__file__).parents[2]
 TEXT = "material M { map m : texture2d  param k : float = 1  color = m(uv).rgb * k }"
@@ -59,6 +62,24 @@ def test_another_question_has_another_name(other: Callable[[], str]) -> None:
     assert other() != name(asked())
 
 
+def test_what_was_drawn_is_the_same_when_it_is_found_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
+    question, store = asked(), Store("pictures")
+    drawn = remembered(*question, RULES, store)
+    monkeypatch.setattr(reference, "draw", None)
+    found = remembered(*question, RULES, store)
+    assert [found.covered.dtype, found.targets[0].dtype] == [np.dtype(bool), np.dtype(float)]
+    for before, after in (
+        (drawn.covered, found.covered),
+        (drawn.undecided, found.undecided),
+        *zip(drawn.targets, found.targets, strict=True),
+        *zip(drawn.radius, found.radius, strict=True),
+    ):
+        assert np.array_equal(before, after, equal_nan=before.dtype != np.bool_)
+
+
 def test_a_vertex_input_that_nothing_needs_has_any_numbers() -> None:
     """A square is not negative, so the coordinate is not needed, and nothing binds it."""
     material = burnish.compile(
@@ -82,8 +103,6 @@ for module in list(sys.modules.values()):
 
 
 def test_all_code_that_the_reference_is_made_of_has_a_part_in_the_name() -> None:
-    ran = subprocess.run(
-        [sys.executable, "-c", CLOSURE], check=True, capture_output=True, text=True, timeout=120
-    )
+    ran = run([sys.executable, "-c", CLOSURE], check=True)
     folders = {Path(line).relative_to(ROOT).parts[0] for line in ran.stdout.split()}
     assert folders <= {"compiler", "stdlib", "frozen.py"}, folders

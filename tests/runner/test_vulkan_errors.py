@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
 import sys
-import threading
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -30,6 +28,7 @@ from burnish.targets.runner.drivers.draw import (
 )
 from burnish.targets.runner.drivers.wire import to_json
 
+from ..suite.processes import Background, run
 from .vulkan_kit import (
     PAINT,
     PLACE,
@@ -228,10 +227,7 @@ def test_the_layer_does_not_tire_of_saying_it(vulkan: Asker) -> None:
 
 def said_by(command: list[str], **environment: str) -> str:
     """A fresh worker's answer to who it is."""
-    worker = subprocess.run(
-        command, input=b"{}\n", capture_output=True, check=True, timeout=60,
-        env=os.environ | environment,
-    )  # fmt: skip
+    worker = run(command, text="{}\n", check=True, env=os.environ | environment)
     return str(json.loads(worker.stdout).get("error", ""))
 
 
@@ -263,21 +259,19 @@ def test_python_cannot_talk_to_vulkan(vulkan: Asker, tmp_path: Path) -> None:
 # --- workers -----------------------------------------------------------------------------------
 
 
-def request(pipeline: Pipeline, **draw: Any) -> bytes:
+def request(pipeline: Pipeline, **draw: Any) -> str:
     job = Job(pipeline, (replace(draw_of(WHOLE), **draw),))
-    return json.dumps({"job": to_json(job)}).encode() + b"\n"
+    return json.dumps({"job": to_json(job)}) + "\n"
 
 
 def test_a_worker_leaves_nothing_behind(vulkan: Asker) -> None:
     """The layer would speak of objects that are not destroyed, and the exit code would tell."""
     good = request(flat_pipeline())
     bad = request(flat_pipeline(PAINTED))
-    worker = subprocess.run(
-        vulkan.command, input=good + bad + good, capture_output=True, check=False, timeout=60
-    )
+    worker = run(vulkan.command, text=good + bad + good)
     answers = [json.loads(line) for line in worker.stdout.splitlines()]
     assert [list(answer) for answer in answers] == [["pictures"], ["error"], ["pictures"]]
-    assert (worker.returncode, worker.stderr.decode()) == (0, "")
+    assert (worker.returncode, worker.stderr) == (0, "")
 
 
 def endless() -> tuple[Pipeline, dict[str, Any]]:
@@ -288,13 +282,10 @@ def endless() -> tuple[Pipeline, dict[str, Any]]:
 
 def test_a_draw_without_end_ends_the_worker(vulkan: Asker) -> None:
     pipeline, draw = endless()
-    worker = subprocess.run(
-        [*vulkan.command, "0.5"], input=request(pipeline, **draw),
-        capture_output=True, check=False, timeout=60,
-    )  # fmt: skip
+    worker = run([*vulkan.command, "0.5"], text=request(pipeline, **draw))
     assert worker.returncode == 3
-    assert worker.stdout == b""
-    assert worker.stderr.decode() == "the device did not finish drawing within 0.5 s\n"
+    assert worker.stdout == ""
+    assert worker.stderr == "the device did not finish drawing within 0.5 s\n"
 
 
 def test_a_worker_that_takes_too_long_is_replaced(vulkan: Asker) -> None:
@@ -311,10 +302,9 @@ def test_a_worker_that_is_killed_is_replaced(vulkan: Asker) -> None:
         time.sleep(0.5)
         vulkan.kill()
 
-    killer = threading.Thread(target=kill)
-    killer.start()
+    killer = Background(kill)
     answer = vulkan.answer(json.loads(request(pipeline, **draw)))
-    killer.join()
+    killer.returned()
     assert answer.ending == "crashed"
     assert "killed by signal 9" in answer.log
     assert np.all(vulkan.one(flat_pipeline(), draw_of(WHOLE)) == 1.0)

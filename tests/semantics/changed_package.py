@@ -6,12 +6,13 @@ A test makes a copy in a folder of its own, and runs scripts there that import i
 from __future__ import annotations
 
 import shutil
-import subprocess
 import sys
 from collections.abc import Iterable
 from pathlib import Path
 
 import burnish
+
+from ..suite import processes
 
 ROOT = Path(burnish.__file__).parent
 
@@ -50,8 +51,4 @@ def changed_package(folder: Path, changes: Iterable[Change]) -> Path:
 def run(package: Path, script: str, *arguments: str) -> str:
     """What a script prints that imports the changed package."""
     command = [sys.executable, "-c", script, *arguments]
-    done = subprocess.run(
-        command, cwd=package, capture_output=True, text=True, check=False, timeout=120
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+    return processes.run(command, cwd=package, check=True).stdout

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import time
-from concurrent.futures import ThreadPoolExecutor
 from threading import Barrier
 
 from burnish.compiler.library import once
+
+from ..suite.processes import LIMIT, at_once
 
 
 def test_threads_that_ask_at_the_same_time_get_the_same() -> None:
@@ -17,10 +18,9 @@ def test_threads_that_ask_at_the_same_time_get_the_same() -> None:
         time.sleep(0.05)
         return object()
 
-    def ask(_number: int) -> object:
-        together.wait()
+    def ask() -> object:
+        together.wait(timeout=LIMIT)
         return made()
 
-    with ThreadPoolExecutor(8) as threads:
-        found = list(threads.map(ask, range(8)))
+    found = at_once([ask] * 8)
     assert all(one is found[0] for one in found)

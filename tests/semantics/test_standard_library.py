@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -12,6 +11,8 @@ import pytest
 import burnish
 from burnish.compiler import frontend
 from burnish.compiler.library import FOLDER, standard_library
+
+from ..suite.processes import at_once
 
 MATERIAL = "import std.vertices\nmaterial M { color = rgb(added()) }"
 
@@ -58,9 +59,6 @@ def test_a_mistake_in_the_library_is_reported_by_each_compile(library: Path) -> 
 
 def test_threads_wait_until_a_module_is_linked(library: Path) -> None:
     """A module that is half linked would lack names in some compiles."""
-    with ThreadPoolExecutor(8) as pool:
-        found = list(
-            pool.map(lambda _: standard_library(library).module("terms.burnish"), range(8))
-        )
+    found = at_once([lambda: standard_library(library).module("terms.burnish")] * 8)
     assert found[0] is not None
     assert len(set(map(id, found))) == 1

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from ..suite.processes import run
 
 COMPILE = """
 import sys
@@ -22,7 +23,7 @@ for name in ("toolchain", "runner"):
 
 
 def test_compiling_loads_only_what_it_needs() -> None:
-    subprocess.run([sys.executable, "-c", COMPILE], check=True, timeout=60)
+    run([sys.executable, "-c", COMPILE], check=True)
 
 
 COMMAND = """
@@ -53,4 +54,4 @@ for name in ("jinja2", "burnish.api", "burnish.compiler.frontend"):
 def test_commands_load_only_what_they_need(line: str, check: str, tmp_path: Path) -> None:
     (tmp_path / "m.burnish").write_text("material M { color = vec3(1) }")
     command = [sys.executable, "-c", COMMAND + check, *line.split()]
-    subprocess.run(command, cwd=tmp_path, check=True, timeout=60)
+    run(command, cwd=tmp_path, check=True)

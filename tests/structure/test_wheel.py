@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 import sys
 import sysconfig
 import venv
@@ -13,9 +12,11 @@ from pathlib import Path
 
 import pytest
 
+from ..suite.processes import run
 from .kit import ROOT, files
 
 DATA = {".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".burnish", ".typed"}
+GENERATED = ("__init__", "grammar", "library", "skeletons")
 PACKAGE = ("commands", "compiler", "stdlib", "targets")
 
 
@@ -28,10 +29,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(path, copy)
     build = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder)]
-    built = subprocess.run(
-        [*build, str(folder / "tree")], check=False, capture_output=True, text=True, timeout=120
-    )
-    assert built.returncode == 0, built.stdout + built.stderr
+    run([*build, str(folder / "tree")], check=True)
     (wheel,) = folder.glob("*.whl")
     return wheel
 
@@ -45,9 +43,11 @@ def test_content(wheel: Path) -> None:
         for path in files(ROOT / folder)
         if path.suffix == ".py" or path.suffix in DATA
     }
-    top = {f"burnish/{path.name}" for path in ROOT.glob("*.py")} - {"burnish/setup.py"}
+    top = {f"burnish/{path.name}" for path in ROOT.glob("*.py")}
+    top -= {"burnish/setup.py", "burnish/generate.py"}
     assert {"burnish/__init__.py", "burnish/api.py", "burnish/cli.py"} <= top
-    assert packed == wanted | top | {"burnish/py.typed"}
+    generated = {f"burnish/generated/{name}.py" for name in GENERATED}
+    assert packed == wanted | top | generated | {"burnish/py.typed"}
 
 
 COMPILE = """
@@ -71,12 +71,9 @@ def test_installed_elsewhere(wheel: Path, tmp_path: Path) -> None:
     (site / "others.pth").write_text(sysconfig.get_path("purelib"))
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
     environment["BURNISH_CACHE"] = str(tmp_path / "cache")
-    run = subprocess.run(
-        [python, "-c", COMPILE, example],
-        check=False, capture_output=True, text=True, timeout=60, cwd=tmp_path, env=environment,
-    )  # fmt: skip
-    assert run.stderr == ""
-    assert run.stdout.startswith("6 ")
+    told = run([python, "-c", COMPILE, example], cwd=tmp_path, env=environment)
+    assert told.stderr == ""
+    assert told.stdout.startswith("6 ")
     command = [python, "-m", "burnish", "compile", example, "--target", "wgsl", "-o", "out"]
-    subprocess.run(command, check=True, timeout=60, cwd=tmp_path, env=environment)
+    run(command, check=True, cwd=tmp_path, env=environment)
     assert (tmp_path / "out" / "Plastic.frag.wgsl").is_file()

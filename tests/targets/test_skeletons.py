@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -78,26 +75,6 @@ def test_a_block_sees_the_loop_around_it(tmp_path: Path) -> None:
     )
     text = '{% extends "base.j2" %}\n{% block each %}{{ line }};{% endblock %}\n'
     assert filled(written(tmp_path, text)) == "first;second;"
-
-
-COMPILE = """
-import sys
-import burnish
-burnish.compile("material M { color = vec3(1) }")
-print("jinja2" in sys.modules)
-"""
-
-
-def test_jinja_is_imported_once_only(tmp_path: Path) -> None:
-    said = [
-        subprocess.run(
-            [sys.executable, "-c", COMPILE],
-            env=os.environ | {"BURNISH_CACHE": str(tmp_path)},
-            capture_output=True, text=True, check=True, timeout=60,
-        ).stdout.strip()
-        for _ in range(2)
-    ]  # fmt: skip
-    assert said == ["True", "False"]
 
 
 def test_what_there_is_not_is_an_error(tmp_path: Path) -> None:

@@ -12,6 +12,8 @@ import pytest
 from burnish.targets.toolchain import install
 from burnish.targets.toolchain.tools import DXC_LIBRARY
 
+from ..suite.processes import LIMIT
+
 
 def _no_install(_version: str, _folder: Path) -> None:
     raise AssertionError("it was there already")
@@ -84,11 +86,11 @@ def _install_in_child() -> None:
 
 def test_two_runs_at_once_install_once(no_tools: Path) -> None:
     fork = multiprocessing.get_context("fork")
-    children = [fork.Process(target=_install_in_child) for _ in range(2)]
+    children = [fork.Process(target=_install_in_child, daemon=True) for _ in range(2)]
     for child in children:
         child.start()
     for child in children:
-        child.join()
+        child.join(timeout=LIMIT)
     assert [child.exitcode for child in children] == [0, 0]
     assert (no_tools / "runs").read_text() == "x"
 
