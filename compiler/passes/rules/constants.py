@@ -19,7 +19,7 @@ from ...ir.operations import CALL, SWIZZLE
 from ...ir.types import Matrix, Scalar, Type, Vector, scalar_kind, width
 from ...reference.namespace import Lanes
 from ...reference.operations import apply, constant_lanes
-from .rule import ANY, CONSTANT, Builder, Rule, Site, builtin, made
+from .rule import ANY, CONSTANT, Builder, Rule, Site, builtin, made, uniform_lane
 
 DEEPEST = 4
 """So many operations are looked through for the value of a single lane."""
@@ -102,8 +102,15 @@ def _filled_constant(b: Builder, at: Site) -> Node:
     return constant_of(b, at.type, (value,) * width(at.type))
 
 
-def _has_constant_vector(_b: Builder, at: Site) -> bool:
-    return any(o.op == "constant" and isinstance(o.type, Vector) for o in at.operands)
+def _is_split(node: Node) -> bool:
+    """Whether a constant vector is joined lane by lane: ``vec3(0.8)`` is shorter as it is."""
+    if node.op != "constant" or not isinstance(node.type, Vector):
+        return False
+    return node.type.size == 2 or uniform_lane(node) is None
+
+
+def _has_split(_b: Builder, at: Site) -> bool:
+    return any(map(_is_split, at.operands))
 
 
 def _joined_by_lanes(b: Builder, at: Site) -> Node:
@@ -112,9 +119,8 @@ def _joined_by_lanes(b: Builder, at: Site) -> Node:
 
 
 def _scalars(b: Builder, node: Node) -> Iterable[Node]:
-    """The lanes of a constant as constants; anything else as it is."""
     kind = scalar_kind(node.type)
-    if node.op != "constant" or kind is None:
+    if kind is None or not _is_split(node):
         return (node,)
     return (build.constant(b.graph, Scalar(kind), v) for v in constant_lanes(node.type, node.data))
 
@@ -182,7 +188,7 @@ FOLDING = (
     Rule("constants joined", "Constants, joined, are a constant.",
          (".vector",), CONSTANT, _joined_constants),
     Rule("constants one by one", "Constant lanes are joined one by one, as they are written.",
-         (".vector",), ANY, _joined_by_lanes, _has_constant_vector, some=CONSTANT),
+         (".vector",), ANY, _joined_by_lanes, _has_split, some=CONSTANT),
     Rule("constant filled in", "A vector filled with a constant is a constant.",
          (".splat",), (CONSTANT,), _filled_constant),
 )  # fmt: skip
