@@ -8,6 +8,7 @@ written again before anything of click or the compiler is loaded.
 from __future__ import annotations
 
 import gc
+import os
 import sys
 
 from .commands.results import answer, ask
@@ -39,6 +40,8 @@ def _exit_code(arguments: list[str]) -> int:
         succeeded = _compiled(arguments, question)
         if succeeded is not None:
             return 0 if succeeded else FAILED
+        if os.getpid() == 1:
+            _heed_termination()
         from .commands.group import burnish
 
         burnish.main(arguments, obj=question)
@@ -53,6 +56,16 @@ def _exit_code(arguments: list[str]) -> int:
         # through for garbage first, which would take longer than a short compile's passes.
         gc.freeze()
     return 0
+
+
+def _heed_termination() -> None:
+    """Have SIGTERM end the process as Ctrl-C does, if it is the first one, as in a container.
+
+    The kernel ignores it there unless somebody listens, and ``--watch`` would run for ever.
+    """
+    import signal
+
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
 
 
 def _compiled(arguments: list[str], question: Question | None) -> bool | None:

@@ -26,8 +26,8 @@ class _QuietGroup(click.Group):
 
     def main(self, *arguments: Any, **options: Any) -> Any:
         """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
-        show_everything()
         try:
+            show_everything()
             return super().main(*arguments, **options)
         except OSError as error:
             place = "" if error.filename is None else f"`{error.filename}`: "
