@@ -97,7 +97,7 @@ def conversions() -> Module:
     """The module with the functions that convert values from one space to another."""
     path = FOLDER / CONVERSIONS
     report = Report()
-    file = parse_library(Source(CONVERSIONS, path.read_text(encoding="utf-8")), report)
+    file = parse_library(Source(f"std/{CONVERSIONS}", path.read_text(encoding="utf-8")), report)
     assert not report.failed, report.diagnostics
     module = Module(file, path)
     for declaration in file.declarations:
@@ -130,7 +130,7 @@ def _meaning() -> tuple[Module, Mapping[str, bytes]]:
     from ..stdlib.builtins import BUILTINS
 
     path = FOLDER / MEANING
-    source = Source(MEANING, path.read_text(encoding="utf-8"))
+    source = Source(f"std/{MEANING}", path.read_text(encoding="utf-8"))
     trees = cached("library", (_tree_shape(), "each", source.text), lambda: _each(source))
     module = Module(ast.File(source, edition=1, doc="", declarations=()), path)
     expanding = {name for row in BUILTINS.values() for name in (row.expansion, row.definition)}

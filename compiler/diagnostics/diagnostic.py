@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from ...frozen import changed, frozen
+from .file_names import readable
 from .fixes import Fix, Hint, sentence
 from .source import Span
 
@@ -102,7 +103,7 @@ class Report:
             (span, *(label.span for label in labels))
         ):
             return
-        message = rule.message.format(**arguments)
+        message = readable(rule.message.format(**arguments))
         fixes = () if isinstance(hint, str) else hint.fixes
         found = Diagnostic(rule, message, span, caption, labels, sentence(hint), fixes)
         self._found.setdefault((rule.code, message, span), found)
