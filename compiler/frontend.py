@@ -146,11 +146,11 @@ class Frontend:
     ) -> None:
         """Check what has not been reached, if possible with the rigs and passes in ``drawn``."""
         prelude = self._library.prelude
-        materials = [m for abstract in (False, True) for m in _materials_of(module, abstract)]
+        materials = _materials_of(module)
         rigs = [*(rig for rig, _ in drawn), *self._rigs_of(module)]
         lights = [*rigs, *records_of(module, "light", abstract=False), *_rigs(prelude)]
         around = CandidateContexts(
-            materials=tuple(materials or _materials_of(prelude, True)),
+            materials=tuple(materials or _materials_of(prelude)),
             lights=tuple(dict.fromkeys(filter(_shines, lights))),
             rigs=tuple(dict.fromkeys(rigs)),
             passes=tuple(dict.fromkeys([*(pass_ for _, pass_ in drawn), self._forward()])),
@@ -172,10 +172,10 @@ class Frontend:
                 path = module.file.source.name
                 self._report.add(rules.NO_MATERIAL, _whole(module), path=path, hint=hint)
             return concrete
-        named = [symbol for symbol in concrete if symbol.name == wanted]
+        named = [symbol for symbol in _materials_of(module) if symbol.name == wanted]
         if not named:
             self._unknown("material", wanted, [symbol.name for symbol in concrete])
-        return named
+        return [symbol for symbol in named if self._is_concrete(symbol)]
 
     def _rig(self, module: Module, wanted: str | None) -> Symbol | None:
         own = _rigs(module)
@@ -206,7 +206,15 @@ class Frontend:
             known = records_of(module, "pass", abstract=False)
             self._unknown("pass", wanted, [symbol.name for symbol in known])
             return None
-        return found[0]
+        return found[0] if self._is_concrete(found[0]) else None
+
+    def _is_concrete(self, named: Symbol) -> bool:
+        """Whether a material or pass that was asked for can be drawn; reported if not."""
+        declaration = named.declaration
+        abstract = isinstance(declaration, ast.Record) and declaration.abstract
+        if abstract:
+            self._report.add(rules.ABSTRACT_USE, declaration.name.span, name=named.name)
+        return not abstract
 
     def _forward(self) -> Symbol:
         """The library's pass, which draws unless another is named."""
@@ -227,8 +235,11 @@ def _rigs(module: Module) -> list[Symbol]:
     ]
 
 
-def _materials_of(module: Module, abstract: bool) -> list[Symbol]:
-    return records_of(module, "material", abstract=abstract)
+def _materials_of(module: Module) -> list[Symbol]:
+    """All materials that a file declares, concrete ones first."""
+    return [
+        m for abstract in (False, True) for m in records_of(module, "material", abstract=abstract)
+    ]
 
 
 def _shines(symbol: Symbol) -> bool:

@@ -64,11 +64,18 @@ class Diagnostic:
         return self.rule.severity
 
 
+_Key = tuple[str, str, Span | None]
+
+
+def _key(found: Diagnostic) -> _Key:
+    return found.rule.code, found.message, found.span
+
+
 class Report:
     """Collects diagnostics in the order found; the same finding at the same place counts once."""
 
     def __init__(self) -> None:
-        self._found: dict[tuple[str, str, Span | None], Diagnostic] = {}
+        self._found: dict[_Key, Diagnostic] = {}
         self.unread_names: set[str] = set()
         """Names in text that could not be parsed, which may be declared there."""
         self._unreadable: set[Span | None] = set()
@@ -106,12 +113,16 @@ class Report:
         message = readable(rule.message.format(**arguments))
         fixes = () if isinstance(hint, str) else hint.fixes
         found = Diagnostic(rule, message, span, caption, labels, sentence(hint), fixes)
-        self._found.setdefault((rule.code, message, span), found)
+        self._found.setdefault(_key(found), found)
 
     def extend(self, others: Iterable[Diagnostic]) -> None:
         """Add diagnostics from another report."""
         for other in others:
-            self._found.setdefault((other.rule.code, other.message, other.span), other)
+            self._found.setdefault(_key(other), other)
+
+    def lacks(self, others: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+        """Those of another report's findings that this one does not have yet."""
+        return tuple(other for other in others if _key(other) not in self._found)
 
     def apart(self) -> Report:
         """An empty report about the same files, for an attempt whose findings may be dropped."""

@@ -631,8 +631,9 @@ EMPTY_STRUCT = _error(
 HOST_NAME_TAKEN = _error(
     "B0490",
     "{what} and {other} would both be called `{name}` by a host",
-    "Every name that a host sets has to be unique within a shader: those of parameters, textures "
-    "and lights, of a pass's own parameters, and of members of blocks. Rename one of the two.",
+    "Every name that a host sets has to be unique within a shader: those of parameters, textures, "
+    "lights and blocks. Those of a pass and of a rig begin with its name where the material has "
+    "the same, so then that name has to be unique. Rename one of the two.",
 )
 
 # --- B05: stages and rates -----------------------------------------------------------------------

@@ -220,3 +220,14 @@ def test_blocks_need_neither_numpy_nor_the_compiler() -> None:
     source = "material M { param a : float = 1  color = vec3(uv.x * cos(a)) }"
     reflection = burnish.compile(source, ("wgsl",))["M"].reflection
     run([sys.executable, "-c", LEAN], text=json.dumps(reflection), check=True)
+
+
+def test_a_light_is_found_in_its_rig_whatever_the_material_calls_so() -> None:
+    text = "material Sky { param sun : direction<world> = vec3(0, 1, 0)  color = matt(sun) }\n"
+    term = "term matt(v: vec3) per light = light.diffuse * dot(v, light.to_light)\n"
+    instance = burnish.compile(text + term, "wgsl")["Sky"].instance()
+    instance.rig.sun.direction = (1, 0, 0)
+    assert instance.get("Daylight.sun.direction") == (1.0, 0.0, 0.0)
+    assert instance.sun == (0.0, 1.0, 0.0)
+    instance.rig.sun = {"direction": (0, 0, 1)}
+    assert instance.get("Daylight.sun.direction") == (0.0, 0.0, 1.0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import DISCARD, TARGET
@@ -128,3 +129,31 @@ def test_a_pass_reads_terms_and_inputs_of_the_pipeline() -> None:
         pass P : Forward { color = vec3(half(), frag_coord.x, 0) }
     """
     assert outputs(pass_, {"frag_coord": (3.5, 0.5, 0.0, 1.0)}) == [(0.125, 3.5, 0, 0.25)]
+
+
+@pytest.mark.parametrize(("material", "pass_"), [("A", "P"), ("M", "B")])
+def test_nothing_abstract_is_drawn(material: str, pass_: str) -> None:
+    text = """
+        abstract pass B : Forward { uv : vec2  target coord : rg8 = uv }
+        pass P : B { uv = vec2(1) }
+        abstract material A { color : rgb }
+        material M : A { color = vec3(1) }
+    """
+    with pytest.raises(CompileError) as caught:
+        burnish.compile(text, "wgsl", material=material, pass_=pass_)
+    assert [found.rule.code for found in caught.value.diagnostics] == ["B0408"]
+
+
+def test_an_heir_sets_what_an_abstract_pass_takes_from_the_material() -> None:
+    heir = """
+        abstract pass B : Forward { uv : vec2  target coord : rg8 = 2 * uv }
+        pass P : B { uv = inherited.uv + 1 }
+    """
+    with pytest.raises(CompileError) as caught:
+        drawn(heir)
+    assert [found.rule.code for found in caught.value.diagnostics] == ["B0407"]
+    material = "material M { color = vec3(uv, 0) }"
+    assert outputs(heir.replace("inherited.uv", "vec2(2)"), None, material) == [
+        (3, 3, 0, 1),
+        (6, 6),
+    ]

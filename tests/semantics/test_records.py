@@ -31,6 +31,15 @@ HEIRS: dict[str, Lanes] = {
     "abstract material N : Base { k = 5 }"
     "material M : N { other = inherited.k  k = 7  color = vec3(other) }": (5, 5, 5),
     "material M : Base { k = 3  color = inherited.color.bgr }": (0, 3, 6),
+    # An abstract material takes a value back, and those derived from it set it again.
+    "abstract material N : Base { color : rgb  dim = color / 2 }"
+    "material M : N { k = 3  color = vec3(twice)  alpha = dim.x }": (6, 6, 6),
+    "abstract material N : Base { param k : float = 5 }  abstract material O : N { k : float }"
+    "material M : O { k = 7 }": (14, 7, 0),
+    "abstract material N : Base { twice : float }"
+    "material M : N { k = 3  param twice : float = 4 }": (4, 3, 0),
+    "abstract material N : Base { twice : float }"
+    "abstract material O : N { twice = 8 }  material M : O { k = twice / 2 }": (8, 4, 0),
     "material M : Base { k : float = 3  fresh = k * 7  color = vec3(fresh) }": (21, 21, 21),
 }
 
@@ -38,6 +47,18 @@ HEIRS: dict[str, Lanes] = {
 @pytest.mark.parametrize(("heirs", "expected"), HEIRS.items(), ids=range(len(HEIRS)))
 def test_inheritance(heirs: str, expected: Lanes) -> None:
     assert color(f"{BASE}{heirs}") == pytest.approx(expected)
+
+
+def test_a_parameter_that_is_taken_back_is_none() -> None:
+    text = """
+        abstract material N { param k : float = 5  map t : texture2d  attribute a : vec2
+                              color = vec3(k * t(a).r) }
+        abstract material O : N { k : float  t : texture2d  a : vec2 }
+        material M : O { k = 2  map t : texture2d  a = uv }
+    """
+    whole = shader(text)
+    assert "k" not in {info.parameter.name for info in whole.parameters}
+    assert "a" not in {info.attribute.name for info in whole.attributes}
 
 
 def test_an_override_reaches_what_the_surface_computes() -> None:

@@ -176,3 +176,29 @@ def test_with(expression: str, expected: float) -> None:
     members = "base : float = 1  double = 2 * base"
     text = f"{GLOW}{WITH_HEAD}material M {{ {members}  color = vec3({expression}) }}"
     assert color(text)[0] == pytest.approx(expected)
+
+
+NAMED: dict[str, list[str]] = {
+    "param sun : float = 1": ["Shed.sun.place", "lamps"],
+    "map lamps : texture2d": ["sun.place", "Shed.lamps"],
+    "attribute sun : vec3": ["sun.place", "lamps"],
+    "sun = 1.0  lamps = 2.0": ["sun.place", "lamps"],
+}
+
+
+@pytest.mark.parametrize(("member", "expected"), NAMED.items(), ids=NAMED)
+def test_a_material_need_not_know_the_names_of_lights(member: str, expected: list[str]) -> None:
+    whole = shader(f"""
+        light Dot {{ param place : point<world> = vec3(0)  diffuse = vec3(0)  specular = vec3(0)
+                    to_light = normalize(place - position + vec3(1, 2, 3)) }}
+        rig Shed {{ sun : Dot {{ diffuse_color = vec3(1)  specular_color = vec3(1) }}
+                   lamps : Dot[2] }}
+        material M {{ {member} }}
+    """)
+    lights = [info.parameter.name for info in whole.parameters if info.light]
+    assert lights == expected
+
+
+def test_the_library_s_rig_takes_no_name_from_a_material() -> None:
+    whole = shader("material Sky { param sun : direction<world> = vec3(0, 1, 0) }")
+    assert {"sun", "Daylight.sun.direction"} < {info.parameter.name for info in whole.parameters}

@@ -40,6 +40,18 @@ BROKEN = [
     "mixin A for pass { color = inherited.color * missing }",
     "pass P { target c : rgba8 = vec4(missing)  clip_position = position in clip }",
     "pass P : Forward { discard when missing }",
+    "mixin A for pass { target t : rgba9 = vec4(1) }",
+    "mixin A for pass { target t : rgba8 = vec4(1) blend missing }",
+    "mixin A for pass { uv : vec2  target t : rgba8 = vec4(uv, missing) }",
+    "abstract pass P { uv : vec2  faint = uv * missing }",
+    "abstract pass P { uv : vec3 }",
+    "abstract light L { falloff : float  twice = falloff * missing }",
+    "abstract light L { falloff : vec2 }",
+    "abstract material A { color : rgb  faint = color * missing }",
+    "abstract material A { color : vec2 }",
+    "abstract material A { color : Missing  faint = color.xy }",
+    "light L { to_light : Missing }",
+    "pass P : Forward { color : Missing }",
     "abstract pass P { faint = missing }",
     "import std.lights  rig R { a : Spot { inner = missing } }",
     "import std.lights  rig Q { a : Spot }  rig R { a : Spot { inner = missing } }",
@@ -86,6 +98,14 @@ RIGHT = [
     "abstract material A { n : int  map t : texture2d"
     "  color = t.gather(uv, n).rgb * float(sum i in n..9 : i) }",
     "abstract pass P { faint = alpha }",
+    "abstract pass P { uv : vec2  faint = alpha * uv }  pass Q : P + R { uv = vec2(1) }"
+    "mixin R for pass { target t : rgba8 = vec4(uv, uv) }",
+    "mixin R for pass { uv : vec2  target t : rgba8 = vec4(uv, uv) }",
+    "abstract light L { falloff : float  twice = 2 * falloff }"
+    "light K : L { falloff = 0.5  to_light = normal }",
+    "abstract material A { color : rgb }  abstract material B : A { faint = inherited.color }",
+    "abstract material A { color : rgb }  mixin R { color = inherited.color / 2 }"
+    "abstract material B : A + R {}",
     "pass P : Forward { color = vec3(material.k) }  material A {}  material B { k = 1  alpha = k }",
     "import std.lights  rig R {}  term lit() per light = light.diffuse",
     "import std.lights  rig A { a : Point }  rig B { b : Spot[2] }  material M {}",

@@ -179,8 +179,9 @@ def _new_instance(
         for resource in entry.resources
     }
     instance = Instance(
-        entry.record, entry.name, surface, resources=resources, replaced=dict(entry.replaced)
-    )
+        entry.record, entry.short_name, surface,
+        resources=resources, replaced=dict(entry.replaced),
+    )  # fmt: skip
     check_overrides(ctx, instance)
     if entry.kind == "single":
         instance.parameters = {

@@ -14,10 +14,11 @@ from ...syntax import ast
 from ..declarations import contracts
 from ..declarations.assignments import assigned
 from ..declarations.written_types import declared_type
-from ..inheritance.records import Definition, Record
+from ..inheritance.records import Definition, Record, is_abstract
 from ..state.context import Context
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, LightVariable, Scope, Value
+from ..types.typenames import Declared
 from .cycles import is_cycle
 from .unknown_names import unknown
 
@@ -71,8 +72,7 @@ def slot(
         assert replacement.value is not None
         _keep(ctx, instance, name, level, replacement.value)
     else:
-        within = replacement.within or instance
-        _settle_equation(ctx, instance, name, span, level, replacement.definition, within)
+        _settle_given(ctx, instance, name, span, level, replacement.definition, replacement.within)
     return instance.values[key]
 
 
@@ -88,17 +88,26 @@ def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: 
     if not isinstance(member, ast.Slot):
         _keep(ctx, instance, name, level, _leaf(ctx, instance, member))
     elif member.value is None:
-        record = instance.record
-        outermost = record.definitions[name][0] is definition
-        ctx.report.add(
-            rules.ABSTRACT_SLOT, record.symbol.declaration.name.span if outermost else span,
-            name=name, record=record.name,
-            labels=[Label(member.name.span, "declared here without a value")],
-            hint=_setting(ctx, instance, definition),
-        )  # fmt: skip
+        _report_abstract(ctx, instance, definition, span)
         _keep(ctx, instance, name, level, FAILURE)
     else:
         _settle_equation(ctx, instance, name, span, level, definition, instance)
+
+
+def _settle_given(
+    ctx: Context,
+    instance: Instance,
+    name: str,
+    span: Span,
+    level: int,
+    definition: Definition,
+    within: Instance | None,
+) -> None:
+    """Compute what a pass or a rig's entry says of a slot."""
+    if within is not None and is_abstract(definition.member):
+        _keep(ctx, instance, name, level, slot(ctx, within, name, span))
+    else:
+        _settle_equation(ctx, instance, name, span, level, definition, within or instance)
 
 
 def _settle_equation(
@@ -143,20 +152,40 @@ def _keep(ctx: Context, instance: Instance, name: str, level: int, value: Node |
         _note(ctx, instance, name, level, value)
 
 
-def _setting(ctx: Context, instance: Instance, definition: Definition) -> str:
+def _report_abstract(ctx: Context, instance: Instance, definition: Definition, span: Span) -> None:
+    """Report a slot without a value, unless it has not even a type: that has been reported."""
+    name, record = definition.member.name, instance.record
+    assert definition.member.type is not None
+    declared = declared_type(ctx, definition.member.type, definition.owner.module)
+    if declared is None:
+        return
+    outermost = record.definitions[name.text][0] is definition
+    ctx.report.add(
+        rules.ABSTRACT_SLOT, record.symbol.declaration.name.span if outermost else span,
+        name=name.text, record=record.name,
+        labels=[Label(name.span, "declared here without a value")],
+        hint=_setting(instance, definition, declared),
+    )  # fmt: skip
+
+
+def _setting(instance: Instance, definition: Definition, declared: Declared) -> str:
     """How an abstract slot is set, or what else was meant by declaring it."""
-    member = definition.member
-    assert isinstance(member, ast.Slot)
-    name, record = member.name.text, instance.record
-    declared = (
-        None if member.type is None else declared_type(ctx, member.type, definition.owner.module)
-    )
-    if declared is not None and isinstance(declared.type, Texture):
+    member, record = definition.member, instance.record
+    name, owner = member.name.text, definition.owner
+    declaration = record.symbol.declaration
+    assert isinstance(declaration, ast.Record | ast.Mixin)
+    kind = declaration.kind
+    if isinstance(declared.type, Texture):
         return f"declare a texture with `map {name} : {declared.text}`"
     if record.definitions[name][0] is not definition:
         return f"`inherited.{name}` has no value, so nothing can be computed from it"
-    if definition.owner is record.symbol:
-        return f"give it a value, `{name} : {declared.text} = …`" if declared is not None else ""
+    is_own, surface = owner is record.symbol, instance.surface
+    is_here = is_own or isinstance(owner.declaration, ast.Mixin)
+    if is_here and surface is not None and surface.has(name):
+        return f"leave it out: a {kind} reads `{name}` of a material without declaring it"
+    if is_own:
+        value = f"give it a value, `{name} : {declared.text} = …`"
+        return f"{value}, or let others extend it: `abstract {kind} {record.name}`"
     own = (n for n, found in record.definitions.items() if found[-1].owner is record.symbol)
     slip = nearest(name, own)
     if slip is not None:

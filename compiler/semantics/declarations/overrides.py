@@ -25,6 +25,15 @@ def check_overrides(ctx: Context, instance: Instance) -> None:
             instance.values[name, OUTERMOST] = FAILURE
 
 
+def check_replacements(ctx: Context, passing: Instance, surface: Instance) -> None:
+    """A pass may not change the type of a material's slot that it overrides either."""
+    for name in surface.replaced:
+        own, material = passing.record.typing(name), surface.record.typing(name)
+        if own is not None and material is not None and not _keeps_type(ctx, (own, material)):
+            passing.values[name, OUTERMOST] = FAILURE
+            surface.values[name, OUTERMOST] = FAILURE
+
+
 def _keeps_type(ctx: Context, definitions: tuple[Definition, ...]) -> bool:
     typed = [d for d in definitions if d.member.type is not None]
     for derived, base in pairwise(typed):

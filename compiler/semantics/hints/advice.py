@@ -198,7 +198,7 @@ def _slots(scope: Scope) -> Iterable[Collection[str]]:
 def of_a_light(name: str, rig: Iterable[RigEntry]) -> str:
     """About a light of the rig, or a slot of such a light, that is read like a value."""
     entries = tuple(rig)
-    if any(entry.name == name for entry in entries):
+    if any(entry.short_name == name for entry in entries):
         return "lights are read in a `term … per light`, which is summed over them: `light.diffuse`"
     if any(name in entry.record.definitions for entry in entries):
         return f"each light has one: a `term … per light` reads it as `light.{name}`"

@@ -10,15 +10,17 @@ from ...diagnostics.diagnostic import Label, Report
 from ...ir.leaves import Parameter, Resource
 from ...syntax import ast
 from ..checking.expressions import RULES
+from ..declarations.overrides import check_replacements
 from ..declarations.parameters import Leaves, leaves_of
 from ..inheritance.flattening import Records
 from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
 from ..state.context import Context
 from ..state.scope import Instance, Replacement
+from .host_names import Entry, names_taken
 from .instances import instance_of
 from .placeholders import stand_in
-from .rigs import Entry, entries_of
+from .rigs import entries_of
 
 
 @frozen
@@ -49,9 +51,10 @@ class Setting:
 def set_up(parts: Parts, report: Report, records: Records) -> Setting:
     """The parts put together; what they lack because they are abstract has stand-ins."""
     ctx = Context(report, records, RULES)
-    entries = entries_of(ctx, parts.rig)
+    leaves = _leaves(ctx, parts)
+    entries = entries_of(ctx, parts.rig, names_taken(leaves, parts.module))
     ctx.rig = tuple(entry for entry, _, _ in entries)
-    return _put_together(ctx, parts, entries, None)
+    return _put_together(ctx, parts, leaves, entries, None)
 
 
 def set_up_beside(setting: Setting, parts: Parts) -> Setting:
@@ -59,28 +62,40 @@ def set_up_beside(setting: Setting, parts: Parts) -> Setting:
     if parts == setting.parts:
         return setting
     same = parts.material == setting.parts.material and not setting.surface.replaced
-    return _put_together(setting.ctx, parts, setting.entries, setting.surface if same else None)
+    leaves, known = _leaves(setting.ctx, parts), setting.surface if same else None
+    return _put_together(setting.ctx, parts, leaves, setting.entries, known)
+
+
+def _leaves(ctx: Context, parts: Parts) -> tuple[Leaves, Leaves]:
+    """What the pass and the material read from outside, under names of their own."""
+    material, drawn = ctx.records.of(parts.material), ctx.records.of(parts.pass_)
+    material_leaves, pass_leaves = leaves_of(ctx, material), leaves_of(ctx, drawn)
+    _check_attributes(ctx, pass_leaves, material_leaves, material)
+    return _apart(pass_leaves, material_leaves, drawn), material_leaves
 
 
 def _put_together(
-    ctx: Context, parts: Parts, entries: list[Entry], known: Instance | None
+    ctx: Context,
+    parts: Parts,
+    leaves: tuple[Leaves, Leaves],
+    entries: list[Entry],
+    known: Instance | None,
 ) -> Setting:
     """``known`` is an instance of the material as it is under a pass that overrides nothing."""
     material, drawn = ctx.records.of(parts.material), ctx.records.of(parts.pass_)
-    material_leaves, pass_leaves = leaves_of(ctx, material), leaves_of(ctx, drawn)
-    pass_leaves = _apart(pass_leaves, material_leaves, drawn)
-    _check_attributes(ctx, pass_leaves, material_leaves, material)
+    pass_leaves, material_leaves = leaves
     passing = instance_of(ctx, drawn, pass_leaves)
     overrides = _overrides(material, drawn, passing)
     reused = known is not None and not overrides
     surface = known if known is not None and reused else instance_of(ctx, material, material_leaves)
     surface.replaced.update(overrides)
+    check_replacements(ctx, passing, surface)
     passing.surface = surface
     ctx.passing = passing
     for instance in (passing,) if reused else (surface, passing):
         if is_declared_abstract(instance.record):
             stand_in(ctx, instance)
-    return Setting(ctx, parts, entries, (pass_leaves, material_leaves), surface, passing)
+    return Setting(ctx, parts, entries, leaves, surface, passing)
 
 
 def is_declared_abstract(record: Record) -> bool:

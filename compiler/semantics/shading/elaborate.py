@@ -22,8 +22,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import Failure, Instance, Scope
 from .assembly import Setting, is_declared_abstract
-from .host_names import check_host_names
-from .rigs import Entry
+from .host_names import Entry, check_host_names
 from .slot_checks import check_rig, check_slots
 
 FORMATS: Mapping[str, Type] = {
@@ -43,15 +42,22 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     What is wrong has been reported, and is not among the results.
     """
     ctx, surface, passing = setting.ctx, setting.surface, setting.passing
-    found = (
-        *_clip_position(ctx, passing, surface),
+    parts, externs = setting.parts, ctx.externs
+    found = (*_clip_position(ctx, passing, surface), *written_results(ctx, passing))
+    check_slots(ctx, surface, passing)
+    read_externs(ctx, parts.module)
+    check_host_names(
+        ctx.report, parts.rig, parts.module, setting.leaves, setting.entries, externs.infos
+    )
+    return found
+
+
+def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
+    """What the members of a pass deliver; or those of a mixin for passes, which is checked so."""
+    return (
         *_targets(ctx, passing.record, passing),
         *_discard(ctx, passing.record, passing),
     )
-    check_slots(ctx, surface, passing)
-    read_externs(ctx, setting.parts.module)
-    check_host_names(ctx.report, setting.leaves, setting.entries, ctx.externs.infos)
-    return found
 
 
 def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
@@ -122,7 +128,8 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
 
 def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
-    if not written and not drawn.baseless and not is_declared_abstract(drawn):
+    is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
+    if not written and not drawn.baseless and is_whole:
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     found = (_target(ctx, drawn, passing, *row) for row in written)
     return (target for target in found if target is not None)

@@ -2,21 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.source import Span
-from ...ir.shader import ExternInfo
+from ...ir.shader import ExternInfo, ParameterInfo, ResourceInfo
+from ...syntax import ast
 from ..declarations.parameters import Leaves
-from .rigs import Entry
+from ..names.modules import Module, Symbol
+from ..state.scope import RigEntry
+
+Entry = tuple[RigEntry, tuple[ParameterInfo, ...], tuple[ResourceInfo, ...]]
+"""A light of a rig with its parameters and textures."""
 
 Named = tuple[str, str, Span]
 """A name, what its first word stands for, and where that is declared."""
 
 
+def names_taken(leaves: Iterable[Leaves], module: Module) -> frozenset[str]:
+    """The names of parameters, textures and the file's blocks, which a light cannot have too."""
+    words = {name.partition(".")[0] for name, _, _ in _of_leaves(leaves)}
+    blocks = {
+        symbols[0].name
+        for symbols in module.declared.values()
+        if isinstance(symbols[0].declaration, ast.ExternBlock)
+    }
+    return frozenset(words | blocks)
+
+
+def light_name(rig: Symbol, name: str, taken: Container[str]) -> str:
+    """What a host calls a light: ``sun``, or ``Rig.sun`` where something else is called so.
+
+    Who writes a material need not know the lights under which it is drawn.
+    """
+    return f"{rig.name}.{name}" if name in taken else name
+
+
 def check_host_names(
     report: Report,
+    rig: Symbol,
+    module: Module,
     leaves: Iterable[Leaves],
     entries: Iterable[Entry],
     externs: Iterable[ExternInfo],
@@ -26,8 +52,10 @@ def check_host_names(
     What is in a light or a block begins with its name, as members of a structure do with the
     parameter's, so first words have to differ. Among things of one kind they do.
     """
+    leaves = tuple(leaves)
+    lights = _of_lights(rig, entries, names_taken(leaves, module))
     known: dict[str, tuple[str, Span]] = {}
-    for name, what, span in (*_of_leaves(leaves), *_of_lights(entries), *_of_blocks(externs)):
+    for name, what, span in (*_of_leaves(leaves), *lights, *_of_blocks(externs)):
         other, place = known.setdefault(name.partition(".")[0], (what, span))
         if other != what:
             report.add(
@@ -49,10 +77,11 @@ def _apart(name: str, what: str, span: Span) -> Named:
     return name, "a pass" if "." in name else what, span
 
 
-def _of_lights(entries: Iterable[Entry]) -> Iterator[Named]:
+def _of_lights(rig: Symbol, entries: Iterable[Entry], taken: Container[str]) -> Iterator[Named]:
+    """By the names that lights have beside these parts, which may share them with others."""
     for entry, infos, resources in entries:
         if infos or resources:
-            yield entry.name, "a light", entry.span
+            yield light_name(rig, entry.short_name, taken), "a light", entry.span
 
 
 def _of_blocks(externs: Iterable[ExternInfo]) -> Iterator[Named]:

@@ -26,18 +26,22 @@ def some(
 
 
 def stand_in(ctx: Context, instance: Instance) -> None:
-    """Give the slots without a value one of their type, as if a base or a derived record had."""
+    """Give each slot that a declaration leaves without a value a placeholder of its type.
+
+    So what reads such a slot, or builds on it as ``inherited.name``, is checked as if a base or a
+    derived record had set it.
+    """
     for name, definitions in instance.record.definitions.items():
-        if is_abstract(definitions[-1].member):
-            _stand_in(ctx, instance, name, definitions)
+        for definition in definitions:
+            if is_abstract(definition.member):
+                value = _placeholder(ctx, definition)
+                instance.values[name, definition.level] = value
+                if definition is definitions[0] and name not in instance.replaced:
+                    # It may have failed already: a declaration cannot change a slot's type.
+                    instance.values.setdefault((name, OUTERMOST), value)
 
 
-def _stand_in(
-    ctx: Context, instance: Instance, name: str, definitions: tuple[Definition, ...]
-) -> None:
-    written = definitions[-1]
-    assert written.member.type is not None
-    value = some(ctx, written.member.name, written.member.type, written.owner.module, {})
-    instance.values[name, written.level] = value
-    if all(is_abstract(definition.member) for definition in definitions):
-        instance.values[name, OUTERMOST] = value
+def _placeholder(ctx: Context, definition: Definition) -> Node | Failure:
+    member = definition.member
+    assert member.type is not None
+    return some(ctx, member.name, member.type, definition.owner.module, {})

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from ....frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...ir.shader import ParameterInfo, ResourceInfo
 from ...syntax import ast
 from ..declarations.parameters import DEFAULT_GROUPS, as_array, count_parameter, leaves_of
 from ..declarations.written_types import count_of
@@ -14,14 +15,14 @@ from ..inheritance.records import Definition, Record
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import OUTERMOST, Replacement, RigEntry
+from .host_names import Entry, light_name
 
-Entry = tuple[RigEntry, tuple[ParameterInfo, ...], tuple[ResourceInfo, ...]]
 
-
-def entries_of(ctx: Context, rig: Symbol) -> list[Entry]:
+def entries_of(ctx: Context, rig: Symbol, taken: Container[str]) -> list[Entry]:
     """The lights of a rig, in order; what is wrong with one is reported and leaves it out.
 
-    A light stands for a rig that has nothing else.
+    A light stands for a rig that has nothing else. One whose name is ``taken`` by the material or
+    the pass is called ``Rig.light`` by a host.
     """
     declaration = rig.declaration
     if not isinstance(declaration, ast.Rig):
@@ -37,7 +38,8 @@ def entries_of(ctx: Context, rig: Symbol) -> list[Entry]:
             continue
         seen[name.text] = name
         record = _light(ctx, rig, written.light)
-        entry = None if record is None else _entry(ctx, rig, written, record)
+        shown = light_name(rig, name.text, taken)
+        entry = None if record is None else _entry(ctx, rig, written, record, shown)
         if entry is not None:
             entries.append(entry)
     return entries
@@ -77,13 +79,14 @@ def light_entry(ctx: Context, light: Record) -> Entry | None:
     """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
     name = light.symbol.declaration.name
     written = ast.RigEntry(name.span, "", name, name, None, at_most=False, overrides=())
-    return _entry(ctx, light.symbol, written, light)
+    return _entry(ctx, light.symbol, written, light, name.text)
 
 
-def _entry(ctx: Context, rig: Symbol, written: ast.RigEntry, record: Record) -> Entry | None:
+def _entry(
+    ctx: Context, rig: Symbol, written: ast.RigEntry, record: Record, name: str
+) -> Entry | None:
     given = _overrides(ctx, rig, written, record)
     replaced = {slot: Replacement(definition=definition) for slot, definition in given.items()}
-    name = written.name.text
     leaves = leaves_of(ctx, record, f"{name}.", given)
     infos = tuple(changed(info, light=name) for info in leaves.parameters)
     resources = tuple(info.resource for info in leaves.resources)

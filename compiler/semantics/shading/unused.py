@@ -8,29 +8,26 @@ with the fewest errors are reported.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from functools import partial
-from itertools import islice, product
+from functools import cached_property, partial
+from itertools import chain, islice, product
 
 from ....frozen import changed, frozen
 from ...diagnostics.diagnostic import Diagnostic, Report
 from ...ir.node import Node
-from ...ir.types import BOOL
 from ...syntax import ast
 from ..checking import lookup
 from ..checking.applications import apply_body
 from ..checking.lights import light_instance, per_light
 from ..declarations.externs import read_externs
-from ..declarations.fitting import typed
 from ..declarations.parameters import leaves_of
 from ..declarations.written_types import struct_of
 from ..inheritance.flattening import Records
 from ..names.modules import Module, Symbol
-from ..state.evaluation import node_of
 from ..state.scope import Scope
 from ..types.generics import examples, of_unknown_family, uninferable
 from ..types.typenames import Variables
 from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
-from .elaborate import places_vertices, results_of
+from .elaborate import places_vertices, results_of, written_results
 from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
@@ -100,10 +97,11 @@ class UnusedDeclarations:
         self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
 
     def _check(self, *kinds: type) -> None:
-        for symbol in self._declared():
+        for symbol in self._declared:
             if isinstance(symbol.declaration, kinds) and symbol not in self._reached:
                 self._tell(self._attempts(symbol))
 
+    @cached_property
     def _declared(self) -> list[Symbol]:
         """All declarations of the file, materials first.
 
@@ -115,10 +113,12 @@ class UnusedDeclarations:
     def _tell(self, attempts: Iterable[Attempt]) -> None:
         """Take over what the first right attempt found, or that with the fewest errors.
 
-        A wrong one without errors says nothing: what is wrong was told by another.
+        Only errors count that have not been reported before, of other declarations. A wrong attempt
+        without such errors says nothing.
         """
         best: Attempt | None = None
-        for attempt in attempts:
+        for tried in attempts:
+            attempt = changed(tried, found=self._report.lacks(tried.found))
             if attempt.right:
                 best = attempt
                 break
@@ -145,7 +145,7 @@ class UnusedDeclarations:
                 for material in around.materials:
                     trial = self._trial(material, symbol)
                     yield trial.attempt(_check_rig, whole=True)
-            case ast.Mixin() as mixin if not self._is_in_a_chain(symbol):
+            case ast.Mixin() as mixin if symbol not in self._chained:
                 yield from self._tried(partial(_check_mixin, symbol, mixin))
             case ast.Function() as function if not (
                 of_unknown_family(function) or uninferable(function)
@@ -162,13 +162,11 @@ class UnusedDeclarations:
         trial = self._trial(self._around.materials[0], rig)
         return trial.beside(Parts(material, rig, pass_, self._module))
 
-    def _is_in_a_chain(self, mixin: Symbol) -> bool:
-        """Whether some record of the file has a mixin, and has been checked with it."""
-        return any(
-            mixin in self._records.of(symbol).chain
-            for symbol in self._declared()
-            if isinstance(symbol.declaration, ast.Record)
-        )
+    @cached_property
+    def _chained(self) -> frozenset[Symbol]:
+        """What the file's records have in their chains, and which has been checked with them."""
+        records = (s for s in self._declared if isinstance(s.declaration, ast.Record))
+        return frozenset(chain.from_iterable(self._records.of(s).chain for s in records))
 
     def _of_function(self, symbol: Symbol, function: ast.Function) -> Iterator[Attempt]:
         """A plain function is right or wrong whatever is shaded, a term only with a surface."""
@@ -206,7 +204,7 @@ class _Trial:
         self._from_start = self._report.since(0)
 
     def attempt(self, check: Check, whole: bool = False) -> Attempt:
-        """What a check finds that none before it has found.
+        """What a check finds.
 
         As a ``whole``, what was wrong with the setting from the start belongs to it.
         """
@@ -214,6 +212,7 @@ class _Trial:
         self._setting.ctx.passing = self._setting.passing
         came_to_values = check(self._setting)
         found = self._report.since(before)
+        self._report.forget(before)  # Another declaration may have the same mistake.
         if whole:
             found = (*self._from_start, *found)
         attempt = Attempt(found, came_to_values)
@@ -281,13 +280,7 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
         instance.surface = surface if mixin.kind == "pass" else None
     stand_in(ctx, instance)
     check_instance(ctx, instance)
-    scope = Scope(symbol.module, instance, 0, surface, {"material": surface})
-    for target, _, level in record.every(ast.Target):
-        if level == 0:
-            node_of(ctx, target.value, scope)
-    for discard, _, level in record.every(ast.Discard):
-        if level == 0:
-            typed(ctx, discard.condition, scope, BOOL, "bool")
+    written_results(ctx, instance)
     return True
 
 

@@ -136,6 +136,7 @@ class RigEntry:
     """One line of a rig: its light and where its parameters are kept."""
 
     name: str
+    """What a host calls it: ``sun``, or ``Rig.sun`` where something else is called so."""
     span: Span
     """Of the name."""
     record: Record
@@ -147,3 +148,8 @@ class RigEntry:
     count: Parameter | None = None
     """Of ``[<= N]``: the run-time count."""
     replaced: Mapping[str, Replacement] = fresh(factory=dict)
+
+    @property
+    def short_name(self) -> str:
+        """The name that the rig gives it."""
+        return self.name.rpartition(".")[2]

@@ -46,10 +46,14 @@ class Names:
         rows = reflection["parameters"]
         self.needed = tuple(r["name"] for r in rows if r["block"] is not None or r["name"] in read)
         """The parameters that a shader reads, or of which it reads derived values."""
-        self.rig = frozenset(row["name"] for row in reflection["lights"]) | {
-            row["name"] for row in rows if row["group"] == "rig"
+        lights = [row["name"] for row in reflection["lights"]]
+        of_rig = (*lights, *(row["name"] for row in rows if row["group"] == "rig"))
+        self.rig: Mapping[str, str] = {
+            **{name.rpartition(".")[2]: name for name in lights},
+            **{name: name for name in of_rig},
         }
-        """The lights, and all other parameters that are set per rig."""
+        """The lights, and all other parameters that are set per rig: what ``rig`` calls them, and
+        their names. Among those of a rig, a light needs no rig's name before its own."""
 
     def light(self, name: str) -> tuple[str, ...]:
         """The parameters of a single light, without its own name; empty for any other name."""

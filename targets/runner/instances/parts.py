@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, Protocol
 
 from ....compiler.diagnostics.nearest import suggestion
@@ -71,7 +71,8 @@ class Rig:
 
     __slots__ = ("_instance", "_names")
 
-    def __init__(self, instance: Owner, names: frozenset[str]) -> None:
+    def __init__(self, instance: Owner, names: Mapping[str, str]) -> None:
+        """``names`` are those of the attributes, with the names by which ``instance`` has them."""
         object.__setattr__(self, "_instance", instance)
         object.__setattr__(self, "_names", names)
 
@@ -81,13 +82,13 @@ class Rig:
             raise AttributeError(name)
         if name not in self._names:
             raise AttributeError(self._unknown(name))
-        return self._instance._attribute(name)
+        return self._instance._attribute(self._names[name])
 
     def __setattr__(self, name: str, value: object) -> None:
         """Set a light or a parameter. Raises ``ParameterError``."""
         if name not in self._names:
             raise ParameterError(name, self._unknown(name))
-        self._instance.set(name, value)
+        self._instance.set(self._names[name], value)
 
     def _unknown(self, name: str) -> str:
         hint = suggestion(name, self._names) or f"there are {', '.join(sorted(self._names))}"
