@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isinf, radians
+from math import radians
 
 from ...diagnostics import rules
 from ...diagnostics.fixes import Hint, fix_it
@@ -49,6 +49,10 @@ LOWEST = str(2**31)
 
 # --- literals ------------------------------------------------------------------------------------
 
+_LARGEST_FLOAT = 2.0**128 - 2.0**104
+_TOO_LARGE = 2.0**128 - 2.0**103
+"""What is less is rounded to the largest float32, as ``3.40282347e38`` is, which C headers have."""
+
 
 def _number(ctx: Context, e: ast.Number, _operands: Sequence[Node], _scope: Scope) -> Value:
     if e.kind in ("int", "uint"):
@@ -64,9 +68,10 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Node], _scope: Scop
             return FAILURE
         return build.constant(ctx.tree, type_, whole)
     value = float(e.text)
-    if isinf(value) or value > 3.4028234663852886e38:
+    if value >= _TOO_LARGE:
         ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=shortened(e.text), type=FLOAT)
         return FAILURE
+    value = min(value, _LARGEST_FLOAT)
     number = build.floating(ctx.tree, radians(value) if e.unit == "deg" else value)
     return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
 
