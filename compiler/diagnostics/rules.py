@@ -475,7 +475,8 @@ ZERO_DIVISOR = _error(
 NUMBER_TOO_LARGE = _error(
     "B0402",
     "`{text}` does not fit into {type}",
-    "`float` reaches to about 3.4e38, `int` to 2147483647, `uint` to 4294967295.",
+    "`float` reaches to about 3.4e38, `int` to 2147483647, `uint` to 4294967295. A constant that "
+    "is computed has to fit as well.",
 )
 OUT_OF_RANGE = _error(
     "B0403",
