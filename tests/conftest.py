@@ -7,11 +7,16 @@ from importlib.metadata import Distribution, PackageNotFoundError
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from burnish.compiler.passes.checkpoint import VARIABLE
 from burnish.targets.toolchain import places
 
 os.environ[VARIABLE] = "1"
+
+# How long an example takes says more about the machine than about Burnish.
+settings.register_profile("burnish", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("burnish")
 
 pytest_plugins = ["burnish.tests.suite.account"]
 
