@@ -14,6 +14,7 @@ help: ## List everything that make can do
 	@sed -n 's/^\([a-z]*\):.*## /make \1\t/p' $(MAKEFILE_LIST) | expand -t 14
 
 demo: $(VENV)/installed ## Compile examples/plastic.burnish for all backends into build/, and draw it
+	@$(BIN)/python -m burnish.generate
 	@$(BIN)/burnish compile examples/plastic.burnish -o build
 	@$(BIN)/burnish render examples/plastic.burnish -o build/plastic.png
 	@echo
@@ -42,7 +43,7 @@ tools: $(VENV)/dev ## Install the downstream compilers, the drivers and the brow
 	$(BIN)/python -m burnish.targets.toolchain.install
 
 clean: ## Remove everything that make has created in the checkout
-	rm -rf $(VENV) build dist *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) build dist generated *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
 $(BIN)/python:

@@ -1,23 +1,59 @@
 """Maps the repository root onto the package ``burnish``; everything else stands in pyproject.toml.
 
-The list of sub-packages is computed so that a new folder under any of the roots is
-part of the next build by itself.
+The list of sub-packages is computed so that a new folder under any of the roots is part of the next
+build by itself. The package ``generated`` is written while the package is built (``generate.py``).
 """
+
+from __future__ import annotations
+
+import sys
+from compileall import compile_dir, compile_file
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
 
 from setuptools import find_packages, setup
 from setuptools.command.build_py import build_py
 
+HERE = Path(__file__).parent.resolve()
 ROOTS = ("commands", "compiler", "targets", "stdlib")
+TOOLS = ("generate", "setup")
+"""Modules of the root that only a checkout needs."""
 
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])
 
 
 class BuildPackage(build_py):
-    """The root is a package folder, but this file is no module of it."""
+    """Adds what is computed, and leaves out what only a checkout needs."""
 
     def find_package_modules(self, package, package_dir):
         modules = super().find_package_modules(package, package_dir)
-        return [module for module in modules if module[:2] != ("burnish", "setup")]
+        return [module for module in modules if module[0] != "burnish" or module[1] not in TOOLS]
+
+    def run(self):
+        super().run()
+        if self.editable_mode:
+            generate(HERE / "generated")
+            compile_checkout()
+        else:
+            generate(Path(self.build_lib).resolve() / "burnish" / "generated")
+
+
+def generate(folder):
+    """Run ``generate.py`` of this checkout, whatever its folder is called."""
+    place = {"submodule_search_locations": [str(HERE)]}
+    spec = spec_from_file_location("burnish", HERE / "__init__.py", **place)
+    sys.modules["burnish"] = module_from_spec(spec)
+    from burnish import generate as generator
+
+    generator.generate(folder)
+
+
+def compile_checkout():
+    """Write the byte code of all modules, as pip does for a wheel: the first start takes less."""
+    for folder in (*ROOTS, "generated"):
+        compile_dir(HERE / folder, quiet=1)
+    for path in HERE.glob("*.py"):
+        compile_file(path, quiet=1)
 
 
 setup(

@@ -1,11 +1,13 @@
-"""Keeps values that take long to compute in files, from one process to the next.
+"""Keeps data from one process to the next, in a folder that belongs to the user alone.
 
-``cached`` keeps the parser's tables, the syntax trees of the standard library and the precompiled
-templates. ``load`` and ``store`` keep what ``burnish compile`` has written, for
-``commands/results.py``. A cache is only a convenience: if it cannot be read or written, values are
-computed again. Files appear as a whole, begin with a digest of the rest, and are deleted when newer
-ones need their room. So any number of processes may share the folder or be killed while they write
-to it, and it may be full, read-only or missing.
+``commands/results.py`` keeps what ``burnish compile`` has written, by ``load`` and ``store``, and
+``targets/runner/store.py`` keeps modules and pictures. A cache is only a convenience: if it cannot
+be read or written, values are computed again. Files appear as a whole, so any number of processes
+may share the folder or be killed while they write to it, and it may be full, read-only or missing.
+
+What is found here decides what a compile writes. So nothing is kept that Python could execute, and
+nothing is believed that another user could have put there: the folder and its files have to belong
+to this user, nobody else may be able to write to them, and neither may be a link.
 
 This module is loaded before anything else is, so it imports little.
 """
@@ -13,14 +15,8 @@ This module is loaded before anything else is, so it imports little.
 from __future__ import annotations
 
 import os
+import stat
 import sys
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import TypeVar
-
-    T = TypeVar("T")
 
 KEPT = 256
 """How many values of each name stay when one is written."""
@@ -28,44 +24,34 @@ ROOM = 64 << 20
 """Bytes that the values of each name may take together."""
 
 _DIGEST_SIZE = 8
+_BINARY = getattr(os, "O_BINARY", 0)
+_OLD = os.O_RDONLY | _BINARY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+"""How files are opened: neither following a link nor waiting for the other end of a pipe."""
+_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY
 
 
 def folder() -> str:
-    """Where cache files live: ``BURNISH_CACHE``, or the platform's place for a user's caches."""
-    chosen = os.environ.get("BURNISH_CACHE")
-    if chosen:
-        return chosen
+    """Burnish's folder at the platform's place for a user's caches.
+
+    It is a path at which nothing can be where nobody knows the user's home.
+    """
     platform: str = sys.platform
-    if platform != "linux":
+    if platform == "linux":
+        # What platformdirs says of Linux, without the time that it takes to import.
+        caches = os.environ.get("XDG_CACHE_HOME", "").strip()
+        if not os.path.isabs(caches) and os.environ.get("HOME") != "":  # noqa: PTH117
+            caches = os.path.expanduser("~/.cache")  # noqa: PTH111
+        caches = os.path.join(caches, "burnish")  # noqa: PTH118
+    else:
         from platformdirs import user_cache_path
 
-        return str(user_cache_path("burnish"))
-    # What platformdirs says of Linux, without the time that it takes to import.
-    caches = os.environ.get("XDG_CACHE_HOME", "").strip()
-    if not os.path.isabs(caches) and os.environ.get("HOME") != "":  # noqa: PTH117
-        caches = os.path.expanduser("~/.cache")  # noqa: PTH111
-    if not os.path.isabs(caches):  # noqa: PTH117
-        # Nobody knows the user's home. Where no file can be, none is looked for in vain.
-        caches = os.devnull
-    return os.path.join(caches, "burnish")  # noqa: PTH118
+        caches = str(user_cache_path("burnish"))
+    return caches if os.path.isabs(caches) else os.path.join(os.devnull, "burnish")  # noqa: PTH117, PTH118
 
 
-def cached(name: str, ingredients: tuple[str, ...], compute: Callable[[], T]) -> T:
-    """The value of ``compute``, remembered for as long as the ``ingredients`` stay the same.
-
-    The value must be made of what ``marshal`` can write: numbers, texts, tuples, lists, dicts and
-    code objects. Ingredients are everything the value depends on; the Python version is implied.
-    """
-    import marshal
-
-    key = digest(marshal.dumps((sys.version, *ingredients), 2))
-    stored = load(name, key)
-    if stored is not None:
-        found: T = marshal.loads(stored)
-        return found
-    value = compute()
-    store(name, key, marshal.dumps(value))  # type: ignore[arg-type]
-    return value
+def private_folder() -> str:
+    """The folder in which data are kept; ``BURNISH_CACHE`` says where. It need not be there."""
+    return os.path.join(os.environ.get("BURNISH_CACHE") or folder(), "private")  # noqa: PTH118
 
 
 def digest(data: bytes) -> str:
@@ -80,53 +66,92 @@ def load(name: str, key: str) -> bytes | None:
 
     Names are of lower-case letters, keys are digests.
     """
-    try:
-        with open(_path(name, key), "rb") as file:  # noqa: PTH123
-            content = file.read()
-    except OSError:
+    content = read_private(_path(name, key))
+    if content is None:
         return None
     head, payload = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
     return payload if digest(payload) == head.hex() else None
 
 
 def store(name: str, key: str, payload: bytes) -> None:
-    """Keep ``payload`` under a name and a key, in place of what was there before, if possible.
-
-    The file is put in place in one step, so that no reader ever sees half of it.
-    """
+    """Keep ``payload`` under a name and a key, in place of what was there before, if possible."""
     path = _path(name, key)
-    temporary = f"{path}.{os.getpid()}.tmp"
     try:
-        place = os.path.dirname(path)  # noqa: PTH120
-        os.makedirs(place, exist_ok=True)  # noqa: PTH103
-        try:
-            with open(temporary, "wb") as file:  # noqa: PTH123
-                file.write(bytes.fromhex(digest(payload)) + payload)
-            os.replace(temporary, path)  # noqa: PTH105
-        except OSError:
-            os.unlink(temporary)  # noqa: PTH108
-            raise
-        _prune(place, name, path)
+        write_private(path, bytes.fromhex(digest(payload)) + payload)
+        _prune(path)
     except OSError:
         return
 
 
+def read_private(path: str) -> bytes | None:
+    """The content of a file below ``private_folder``; ``None`` if it is not there or not ours."""
+    try:
+        _insist(os.lstat(private_folder()), stat.S_IFDIR)
+        with open(os.open(path, _OLD), "rb") as file:  # noqa: PTH123
+            _insist(os.fstat(file.fileno()), stat.S_IFREG)
+            return file.read()
+    except (OSError, ValueError):
+        return None
+
+
+def write_private(path: str, content: bytes) -> None:
+    """Write a file below ``private_folder``, or raise ``OSError``.
+
+    The file is put in place in one step, so that no reader ever sees half of it.
+    """
+    _make_private(os.path.dirname(path))  # noqa: PTH120
+    temporary = f"{path}.{os.urandom(8).hex()}.tmp"
+    try:
+        with open(os.open(temporary, _NEW, 0o600), "wb") as file:  # noqa: PTH123
+            os.chmod(temporary, 0o600)  # noqa: PTH101 - the process's mask may forbid even that
+            file.write(content)
+        os.replace(temporary, path)  # noqa: PTH105
+    except OSError:
+        _delete(temporary)
+        raise
+
+
+def _make_private(place: str) -> None:
+    """Make ``private_folder`` or a folder below it; raises ``OSError`` if it is not this user's."""
+    above = os.path.dirname(place)  # noqa: PTH120
+    if place == private_folder():
+        os.makedirs(above, exist_ok=True)  # noqa: PTH103
+    else:
+        _make_private(above)
+    if not os.path.lexists(place):
+        try:
+            os.mkdir(place, 0o700)  # noqa: PTH102
+            os.chmod(place, 0o700)  # noqa: PTH101 - the process's mask may forbid even that
+        except FileExistsError:
+            pass  # Another process was faster.
+    _insist(os.lstat(place), stat.S_IFDIR)
+
+
+def _insist(status: os.stat_result, kind: int) -> None:
+    """Raise ``PermissionError`` unless a file or folder of this kind belongs to this user alone.
+
+    On Windows, a user's caches lie in the user's profile, which others cannot change.
+    """
+    private = os.name == "nt" or (
+        status.st_uid == os.geteuid() and not stat.S_IMODE(status.st_mode) & 0o077
+    )
+    if stat.S_IFMT(status.st_mode) != kind or not private:
+        raise PermissionError
+
+
 def _path(name: str, key: str) -> str:
-    return os.path.join(folder(), f"{name}-{key}.bin")  # noqa: PTH118
+    return os.path.join(private_folder(), name, key)  # noqa: PTH118
 
 
-def _prune(place: str, name: str, latest: str) -> None:
+def _prune(latest: str) -> None:
     """Delete the values of a name that were written first, where there are too many of them.
 
     The latest one stays even if a clock that went backwards says that others are later. Partly
     written files of killed processes are deleted in the same way. A value that is still in use is
     computed again, and so is new then.
     """
-    import re
-
-    own = re.compile(re.escape(name) + r"-[0-9a-f]{16}\.bin(\.[0-9]+\.tmp)?")
-    with os.scandir(place) as entries:
-        found = [(entry.path, entry.stat()) for entry in entries if own.fullmatch(entry.name)]
+    with os.scandir(os.path.dirname(latest)) as entries:  # noqa: PTH120
+        found = [(entry.path, entry.stat(follow_symlinks=False)) for entry in entries]
     found.sort(key=lambda each: (each[0] == latest, each[1].st_mtime_ns), reverse=True)
     taken = 0
     for number, (path, status) in enumerate(found):

@@ -1,31 +1,34 @@
-"""Reads the standard library, and keeps its syntax trees in the user's cache, keyed by content.
+"""Reads and links the standard library.
 
 The front end asks for ``standard_library``, the files that are imported from ``std``. Semantics
-asks for ``conversions``, and the passes that expand builtins ask for ``expansion``.
+asks for ``conversions``, and the passes that expand builtins ask for ``expansion``. The syntax
+trees are usually made when the package is built (``library_trees.py``).
 """
 
 from __future__ import annotations
 
-import pickle
 from collections.abc import Callable, Mapping
 from functools import cache, lru_cache, wraps
-from io import BytesIO
 from pathlib import Path
 from threading import RLock
 from typing import TypeVar
 
-from .cache import cached
-from .diagnostics.diagnostic import Diagnostic, Report
 from .diagnostics.source import Source
+from .library_trees import (
+    declarations,
+    declarations_to_generate,
+    flawless,
+    loaded,
+    parse_library,
+    tree_to_generate,
+)
+from .precomputed import Precomputations
 from .semantics.names.modules import Module, Symbol
 from .semantics.names.standard_library import StandardLibrary
 from .syntax import ast
 from .syntax.load import load_source
-from .syntax.parser import parse
 
 FOLDER = Path(__file__).parent.parent / "stdlib"
-_READERS = ("builder.py", "burnish.lark")
-"""The files of ``syntax`` that decide, besides those of ``ast``, what a tree looks like."""
 MEANING = "meaning.burnish"
 CONVERSIONS = "spaces.burnish"
 
@@ -63,42 +66,21 @@ def standard_library(folder: Path) -> StandardLibrary:
         return library
 
 
-def parse_library(source: Source, report: Report) -> ast.File:
-    """A library file's tree, from the cache if it has been parsed before; ``report`` gets its
-    diagnostics."""
-    file, diagnostics = _parsed(source.name, source.text)
-    report.extend(diagnostics)
-    return file
-
-
-@lru_cache(maxsize=64)
-def _parsed(name: str, text: str) -> tuple[ast.File, tuple[Diagnostic, ...]]:
-    def compute() -> bytes:
-        report = Report()
-        tree = parse(Source(name, text), report)
-        return pickle.dumps((tree, report.diagnostics), pickle.HIGHEST_PROTOCOL)
-
-    stored = cached("library", (_tree_shape(), name, text), compute)
-    found: tuple[ast.File, tuple[Diagnostic, ...]] = pickle.loads(stored)
-    return found
-
-
-@lru_cache(maxsize=1)
-def _tree_shape() -> str:
-    """All texts that decide what a tree looks like: they are part of the cache's keys."""
-    here = Path(__file__)
-    syntax = here.parent / "syntax"
-    deciding = (here, *sorted((syntax / "ast").glob("*.py")), *map(syntax.joinpath, _READERS))
-    return "".join(path.read_text(encoding="utf-8") for path in deciding)
+def trees_to_generate() -> Precomputations:
+    """The trees that are made when the package is built: those of all files."""
+    made: dict[str, Callable[[], object]] = {}
+    for path in sorted(FOLDER.glob("*.burnish")):
+        source = Source(path.name, path.read_text(encoding="utf-8"))
+        one_by_one = path.name == MEANING
+        made |= declarations_to_generate(source) if one_by_one else tree_to_generate(source)
+    return made
 
 
 @once
 def conversions() -> Module:
     """The module with the functions that convert values from one space to another."""
     path = FOLDER / CONVERSIONS
-    report = Report()
-    file = parse_library(Source(CONVERSIONS, path.read_text(encoding="utf-8")), report)
-    assert not report.failed, report.diagnostics
+    file = flawless(Source(CONVERSIONS, path.read_text(encoding="utf-8")), parse_library)
     module = Module(file, path)
     for declaration in file.declarations:
         assert not isinstance(declaration, ast.Import)
@@ -131,7 +113,7 @@ def _meaning() -> tuple[Module, Mapping[str, bytes]]:
 
     path = FOLDER / MEANING
     source = Source(MEANING, path.read_text(encoding="utf-8"))
-    trees = cached("library", (_tree_shape(), "each", source.text), lambda: _each(source))
+    trees = declarations(source)
     module = Module(ast.File(source, edition=1, doc="", declarations=()), path)
     expanding = {name for row in BUILTINS.values() for name in (row.expansion, row.definition)}
     module.declared.update(
@@ -140,40 +122,6 @@ def _meaning() -> tuple[Module, Mapping[str, bytes]]:
     return module, trees
 
 
-def _each(source: Source) -> dict[str, bytes]:
-    """The trees of a file's declarations by their names, each for itself."""
-    report = Report()
-    declared: dict[str, list[ast.Declaration]] = {}
-    for declaration in parse(source, report).declarations:
-        assert not isinstance(declaration, ast.Import)
-        declared.setdefault(declaration.name.text, []).append(declaration)
-    assert not report.failed, report.diagnostics
-    trees = {}
-    for name, overloaded in declared.items():
-        stream = BytesIO()
-        _TreePickler(stream, pickle.HIGHEST_PROTOCOL).dump(overloaded)
-        trees[name] = stream.getvalue()
-    return trees
-
-
 def _symbols(tree: bytes, module: Module) -> tuple[Symbol, ...]:
-    declarations = _TreeUnpickler(BytesIO(tree), module.file.source).load()
+    declarations = loaded(tree, module.file.source)
     return tuple(Symbol(declaration, module) for declaration in declarations)
-
-
-class _TreePickler(pickle.Pickler):
-    """Writes a part of a file's tree without the source, which all parts of it share."""
-
-    def persistent_id(self, part: object) -> str | None:
-        return "source" if isinstance(part, Source) else None
-
-
-class _TreeUnpickler(pickle.Unpickler):
-    """Reads what ``_TreePickler`` has written."""
-
-    def __init__(self, stream: BytesIO, source: Source) -> None:
-        super().__init__(stream)
-        self._source = source
-
-    def persistent_load(self, _: str) -> Source:
-        return self._source

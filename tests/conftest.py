@@ -1,8 +1,13 @@
-"""Fixtures for all tests. Every test has its graphs verified after each pass."""
+"""Fixtures for all tests. Every test has its graphs verified after each pass.
+
+What the package is generated from may have changed since it was installed. Everything works all the
+same, but each of the many processes that tests start would compute it again.
+"""
 
 from __future__ import annotations
 
 import os
+import sys
 from importlib.metadata import Distribution, PackageNotFoundError
 from pathlib import Path
 
@@ -12,6 +17,8 @@ from hypothesis import HealthCheck, settings
 from burnish.compiler.passes.checkpoint import VARIABLE
 from burnish.targets.toolchain import places
 
+from .suite.processes import run
+
 os.environ[VARIABLE] = "1"
 
 # How long an example takes says more about the machine than about Burnish.
@@ -19,6 +26,12 @@ settings.register_profile("burnish", deadline=None, suppress_health_check=[Healt
 settings.load_profile("burnish")
 
 pytest_plugins = ["burnish.tests.suite.account", "burnish.tests.suite.quick"]
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Before all tests, and before pytest-xdist starts its workers."""
+    if not hasattr(config, "workerinput"):
+        run([sys.executable, "-m", "burnish.generate"])
 
 
 @pytest.fixture

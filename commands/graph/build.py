@@ -10,7 +10,7 @@ from ...compiler.formula import Formulas
 from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Formal, Node, formals_of
 from ...compiler.ir.operations import CROSS, ITERATE, LOOPS, OUTSIDE
-from ...compiler.ir.program import Branch, Function, Iterate, Let, Loop, Region, Stage
+from ...compiler.ir.program import Branch, Connective, Function, Iterate, Let, Loop, Region, Stage
 from ...compiler.ir.shader import Notes, Shader
 from ...compiler.ir.stages import VARYING
 from ...compiler.ir.types import Struct
@@ -350,7 +350,7 @@ def _statements(region: Region) -> Iterator[tuple[int, str]]:
             match statement:
                 case Branch(then=then, otherwise=otherwise):
                     pending += [then, otherwise]
-                case Loop(body=body):
+                case Loop(body=body) | Connective(right=body):
                     pending.append(body)
                 case Iterate(head=head, body=body):
                     pending += [head, body]

@@ -127,6 +127,17 @@ class Branch:
 
 
 @frozen
+class Connective:
+    """``node`` (an ``and`` or ``or`` of bools) computed by a branch: what its right operand needs
+    is evaluated only where the left one does not decide."""
+
+    name: str
+    node: Node
+    right: Region
+    """The right operand is ``node.operands[1]``."""
+
+
+@frozen
 class Loop:
     """``node`` (an opened fold) computed by a loop over ``0 <= index < min(count, bound)``."""
 
@@ -171,7 +182,7 @@ class Iterate:
     body: Region
 
 
-Statement = Let | Branch | Loop | Iterate
+Statement = Let | Branch | Connective | Loop | Iterate
 
 
 @frozen

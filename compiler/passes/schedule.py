@@ -9,22 +9,20 @@ variables is computed before the loop. A value that is shared, or that the user 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from ...frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS
-from ..ir.program import Branch, Iterate, Let, Loop, Region, State, Statement
+from ..ir.program import Branch, Connective, Iterate, Let, Loop, Region, State, Statement
 from ..ir.shader import Notes
-from ..ir.types import BOOL, Matrix, Texture
-from .cost import cost_of
+from ..ir.types import Texture
+from .choices import Choices, chooses, has_to_branch, may_skip, short_circuits
 from .naming import Naming
 from .path_conditions import DEEPEST
 from .uniformity import compares
 from .walks import in_order_of_use, operands_of
 
-BRANCH_COST = 32
-"""A select whose sides cost less than this is cheaper than a branch."""
 INLINE_DEPTH = 7
 """Expressions nest at most so deeply before a part of them gets a name of its own."""
 INLINE_SIZE = 12
@@ -45,6 +43,8 @@ class _Block:
     loop: frozenset[Formal] = frozenset()
     """The variables, where this is the body of a loop."""
     depth: int = 0
+    uniform: bool = True
+    """Whether all pixels of a draw take the same branches to it."""
     statements: list[Statement] = fresh(factory=list)
 
     @property
@@ -68,27 +68,29 @@ class Scheduler:
         self._uses: dict[int, int] = {}
         self._loops: dict[int, tuple[_Block, _Block]] = {}
         """The loop's header and body blocks; a fold has one block for both."""
-        self._sides: dict[int, tuple[_Block, _Block]] = {}
+        self._sides: dict[int, tuple[_Block, ...]] = {}
+        """For each choice that becomes a branch, the blocks of the operands behind the first."""
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
         """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
         self._coordinates: set[int] = set()
-        """Operands of texture reads and derivatives. One in which a ``?:`` would be printed has a
-        name in every language, where it is easier to read. glslang needs this name: without, its
-        SPIR-V is wrong, because the ``?:`` comes between the read and what joins texture and
-        sampler for it. This is no row of a profile, because statements are the same for all
-        profiles: it is one of the two exceptions that the architecture page names."""
+        """Operands of texture reads and derivatives. One in which a ``?:``, ``&&`` or ``||`` would
+        be printed has a name in every language, where it is easier to read. glslang needs this
+        name: it makes blocks for each of these operations, and they come between the read and what
+        joins texture and sampler for it, which SPIR-V wants in one block. This is no row of a
+        profile, because statements are the same for all profiles: it is one of the two exceptions
+        that the architecture page names."""
         self._choosing: set[int] = set()
-        """Expressions with a ``?:`` printed in them."""
+        """Expressions with such an operation printed in them."""
         self._together = together
         nodes = in_order_of_use(self._roots)
         self._naming.learn(reversed(nodes))
         self._order = [node for node in nodes if node.op not in LEAVES]
+        self._choices = Choices(self._order, together)
 
     def schedule(self) -> Region:
         """The statements that compute the roots."""
-        branching = self._branching()
-        self._place(branching)
+        self._place()
         self._results = self._region_results()
         # Operands come before users, so what stands inside a loop or a branch comes before it.
         for node in self._order:
@@ -99,7 +101,7 @@ class Scheduler:
 
     # --- placing ---------------------------------------------------------------------------------
 
-    def _place(self, branching: set[int]) -> None:
+    def _place(self) -> None:
         """Users first, give every node the region that encloses its uses."""
         homes: dict[int, list[_Block]] = {root.id: [self._top] for root in self._roots}
         for root in self._roots:
@@ -113,15 +115,22 @@ class Scheduler:
                 self._apart.add(node.id)
             home = self._home[node.id]
             if node.op in LOOPS:
-                head = _Block(home, node, frozenset(formals_of(node)), home.depth + 1)
-                tail = head if node.op == "fold" else _Block(head, None, depth=head.depth + 1)
+                variables = frozenset(formals_of(node))
+                head = _Block(home, node, variables, home.depth + 1, home.uniform)
+                tail = head
+                if node.op == "iterate":
+                    tail = _Block(head, None, depth=head.depth + 1, uniform=home.uniform)
                 self._loops[node.id] = head, tail
-            elif node.id in branching and (home.depth < DEEPEST or _has_to_branch(node)):
-                self._sides[node.id] = (
-                    _Block(home, node, depth=home.depth + 1),
-                    _Block(home, node, depth=home.depth + 1),
+            elif chooses(node) and self._branches(node, home):
+                uniform = home.uniform and self._choices.is_uniform(node)
+                self._sides[node.id] = tuple(
+                    _Block(home, node, depth=home.depth + 1, uniform=uniform)
+                    for _ in node.operands[1:]
                 )
             if compares(node) or _reads_texture(node):
+                self._coordinates.update(operand.id for operand in node.operands)
+            elif node.id in self._coordinates and is_access(node):
+                # It is never named itself.
                 self._coordinates.update(operand.id for operand in node.operands)
             stands_for_whole = self._stands_for_whole(node)
             if stands_for_whole and node.id in self._apart:
@@ -133,8 +142,15 @@ class Scheduler:
                 region = self._region_of(node, position, home)
                 homes.setdefault(operand.id, []).append(region)
                 self._uses[operand.id] = self._uses.get(operand.id, 0) + uses
-                if node.id in optional or _may_skip(node, position):
+                if node.id not in self._sides and (node.id in optional or may_skip(node, position)):
                     optional.add(operand.id)
+
+    def _branches(self, choice: Node, home: _Block) -> bool:
+        """Whether a choice in a region becomes a branch."""
+        if has_to_branch(choice):
+            return True
+        uniform = home.uniform and self._choices.is_uniform(choice)
+        return home.depth < DEEPEST and self._choices.is_worth_branching(choice, uniform=uniform)
 
     def _stands_for_whole(self, node: Node) -> bool:
         """Whether a use of ``node`` counts as one of the value that it is a part of: the user named
@@ -152,15 +168,16 @@ class Scheduler:
         return home
 
     def _lifted(self, node: Node, home: _Block) -> _Block:
-        """Out of loops that a value does not depend on; reads with implicit level to the top."""
-        uniform = node.id in self._together
+        """Out of loops that a value does not depend on; what all pixels have to reach also out of
+        branches that some of them do not take."""
+        together = node.id in self._together
         block, best = home, home
         while block.parent is not None:
             if not block.loop.isdisjoint(node.variables):
                 break
-            if block.owner is not None and block.owner.data == BRANCH and not uniform:
+            if block.owner is not None and block.owner.data == BRANCH and not together:
                 break
-            if block.loop or uniform:
+            if block.loop or (together and not block.uniform):
                 best = block.parent
             block = block.parent
         return best
@@ -175,33 +192,6 @@ class Scheduler:
                 found.update(side.id for side in node.operands[1:])
         return found
 
-    def _branching(self) -> set[int]:
-        """Selects with a side that is worth skipping, and used by nothing else."""
-        choices = [node for node in self._order if node.op == "select"]
-        if not choices:
-            return set()
-        uses = Counter(operand for node in self._order for operand in operands_of(node))
-        return {node.id for node in choices if _has_to_branch(node) or self._dear_side(node, uses)}
-
-    def _dear_side(self, select: Node, uses: Mapping[Node, int]) -> bool:
-        return any(self._exclusive_cost(side, uses) >= BRANCH_COST for side in select.operands[1:])
-
-    def _exclusive_cost(self, side: Node, uses: Mapping[Node, int]) -> int:
-        """The cost of what only one side of a select needs; bounded, as more does not matter.
-
-        A value is needed there only if each of its uses is: they are counted off on the way down.
-        """
-        total, pending = 0, [side]
-        counted: dict[Node, int] = {}
-        while pending and total < BRANCH_COST:
-            node = pending.pop()
-            counted[node] = found = counted.get(node, 0) + 1
-            if found < uses[node] or node.id in self._together:
-                continue
-            total += cost_of(node)
-            pending.extend(operands_of(node))
-        return total
-
     # --- printing order --------------------------------------------------------------------------
 
     def _statement(self, node: Node) -> Statement | None:
@@ -215,12 +205,16 @@ class Scheduler:
         if node.op == "iterate":
             return self._iterate(node)
         if inside:
-            return self._branch(node)
+            return self._connective(node) if short_circuits(node) else self._branch(node)
         return Let(self._naming.name(node), node, self._notes.docs.get(node.id, ""))
 
     def _branch(self, node: Node) -> Branch:
         then, otherwise = self._sides[node.id]
         return Branch(self._naming.name(node), node, then.region, otherwise.region)
+
+    def _connective(self, node: Node) -> Connective:
+        (right,) = self._sides[node.id]
+        return Connective(self._naming.name(node), node, right.region)
 
     def _loop(self, node: Node) -> Loop:
         data = FOLD.data(node)
@@ -268,36 +262,21 @@ class Scheduler:
     def _measure(self, node: Node, own: int) -> tuple[int, int]:
         """Operations and nesting of a node printed in place."""
         size, depth = own, 0
-        chooses = node.op == "select"
+        choosing = chooses(node)
         for operand in operands_of(node):
             part = self._size.get(operand.id, BOUND)
             size += part[0]
             depth = max(depth, part[1])
-            chooses = chooses or (operand.id in self._choosing and part != BOUND)
+            choosing = choosing or (operand.id in self._choosing and part != BOUND)
         depth += own
         self._size[node.id] = (size, depth)
-        if chooses:
+        if choosing:
             self._choosing.add(node.id)
         return size, depth
 
 
 def _reads_texture(node: Node) -> bool:
     return bool(node.operands) and isinstance(node.operands[0].type, Texture)
-
-
-def _may_skip(user: Node, position: int) -> bool:
-    """Whether an operand that is printed in place is computed for some pixels only.
-
-    A `?:` evaluates one of its sides, `&&` and `||` the right one where the left does not decide.
-    """
-    if user.op == "select":
-        return position > 0
-    return user.op == "native" and user.data in ("and", "or") and user.type == BOOL and position > 0
-
-
-def _has_to_branch(select: Node) -> bool:
-    """One side is safe only behind the condition, or no language has a `?:` for the type."""
-    return select.data == BRANCH or isinstance(select.type, Matrix)
 
 
 def is_part(node: Node) -> bool:

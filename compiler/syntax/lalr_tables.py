@@ -1,8 +1,8 @@
 """The LALR tables of ``burnish.lark``, in the form that the machine uses.
 
-Lark reads the grammar and computes the tables. Importing Lark takes longer than parsing a file, so
-the result is kept in the cache as plain data, and Lark is not imported again until the grammar
-changes.
+Lark reads the grammar and computes the tables when the package is built: ``generate.py`` asks for
+``tables_to_generate``. The lexer and the machine ask for ``load_tables``, which imports Lark only
+if the grammar has changed since.
 """
 
 # Annotations are evaluated in this module: a named tuple compiles those that are texts, and to load
@@ -12,12 +12,11 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ..cache import cached
+from ..precomputed import Precomputations, key, precomputed
 
 END = "$END"
 
 _GRAMMAR = Path(__file__).with_name("burnish.lark")
-_FORMAT = "1"
 
 
 class Production(NamedTuple):
@@ -56,14 +55,23 @@ class Tables(NamedTuple):
 
 @cache
 def load_tables() -> Tables:
-    """The tables of the language's grammar, computed at most once per grammar and machine."""
+    """The tables of the language's grammar."""
     grammar = _GRAMMAR.read_text(encoding="utf-8")
-    actions, gotos, productions, start, accept, literals, patterns = cached(
-        "grammar", (_FORMAT, grammar), lambda: _compute(grammar)
-    )
+    found = precomputed("grammar", _key(grammar)) or _compute(grammar)
+    actions, gotos, productions, start, accept, literals, patterns = found
     made = [_made(*production) for production in productions]
     actions[accept] = {END: accept}
     return Tables(actions, gotos, made, start, frozenset(literals), patterns, {})
+
+
+def tables_to_generate() -> Precomputations:
+    """The tables as plain data, for which ``load_tables`` looks."""
+    grammar = _GRAMMAR.read_text(encoding="utf-8")
+    return {_key(grammar): lambda: _compute(grammar)}
+
+
+def _key(grammar: str) -> str:
+    return key(grammar, Path(__file__).read_text(encoding="utf-8"))
 
 
 def _made(

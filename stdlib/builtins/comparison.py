@@ -41,6 +41,7 @@ ROWS = (
         signatures=_LOGIC,
         doc="Whether both conditions hold.",
         operator="&&",
+        short_circuits=True,
         accuracy=EXACT,
     ),
     Builtin(
@@ -48,6 +49,7 @@ ROWS = (
         signatures=_LOGIC,
         doc="Whether at least one condition holds.",
         operator="||",
+        short_circuits=True,
         accuracy=EXACT,
     ),
     Builtin(

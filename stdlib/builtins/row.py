@@ -109,6 +109,8 @@ class Builtin:
     """How the operands' meanings make that of the result: a rule of ``meaning_rules.py``."""
     cost: int = 1
     """Rough price in ALU operations a lane, for choosing between a branch and a select."""
+    short_circuits: bool = False
+    """Of single bools, leaves its second operand out where the first one decides."""
     uniform_control_flow: bool = False
     """Needs neighbours' values (derivatives, implicit level of detail)."""
     method: str | None = None

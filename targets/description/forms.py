@@ -55,6 +55,7 @@ class Forms:
     among these, both are written out."""
     if_: str = "if ({condition}) {{"
     else_: str = "} else {"
+    else_if: str = "}} else if ({condition}) {{"
     end: str = "}"
     """Closes what ``if_``, ``else_``, ``loop`` and ``loop_while`` open."""
     loop: str = "for ({index_typed} = {zero}; {index} < {count}; {index}++) {{"

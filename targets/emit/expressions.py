@@ -19,6 +19,7 @@ from ...compiler.ir.types import (
     Type,
     Vector,
     scalar_kind,
+    width,
 )
 from .context import Context
 from .leaves import LeafPrinter
@@ -147,7 +148,11 @@ class Expressions:
         return form.format(type=self._types.type(type_), parts=parts), POSTFIX
 
     def _splat(self, node: Node) -> Printed:
-        return self._natives.splatted(self.operand(node.operands[0]), node.type)
+        (lane,) = node.operands
+        if "{lanes}" in self._forms.splat and lane.op == "swizzle" and lane not in self.bound:
+            # `v.xxx` instead of `v.x.xxx`, which DXC does not survive where `v` is a column.
+            return self._lanes_of(lane, SWIZZLE.data(lane) * width(node.type), node.type)
+        return self._natives.splatted(self.operand(lane), node.type)
 
     def _matrix(self, node: Node) -> Printed:
         type_ = self._types.type(node.type)
@@ -159,11 +164,14 @@ class Expressions:
         return self._forms.array.format(type=type_, elements=elements), POSTFIX
 
     def _swizzle(self, node: Node) -> Printed:
-        lanes = SWIZZLE.data(node)
-        (source,) = node.operands
+        return self._lanes_of(node, SWIZZLE.data(node), node.type)
+
+    def _lanes_of(self, swizzle: Node, lanes: tuple[int, ...], type_: Type) -> Printed:
+        """Lanes of the vector that a node takes lanes of."""
+        (source,) = swizzle.operands
         if source.op == "cross" and source not in self.bound:
             return self._leaves.interpolated(source, lanes)
-        return self._leaves.swizzle(self.operand(source), lanes, node.type)
+        return self._leaves.swizzle(self.operand(source), lanes, type_)
 
     def _index(self, node: Node) -> Printed:
         aggregate, position = node.operands

@@ -1,15 +1,14 @@
-"""Compiles a skeleton to plain Python, so that it is filled in without Jinja.
+"""Translates a skeleton to a function in Python, which fills it in without Jinja.
 
-To import Jinja takes longer than to compile most materials. ``templates.py`` parses a skeleton with
-it only when the cache does not have the result, which is the code that this module makes of the
-parsed tree. A skeleton that uses more of Jinja than what is translated here is left to Jinja
-itself: then ``compiled`` raises ``UnsupportedError``.
+To import Jinja takes longer than to compile most materials. So ``templates.py`` has Jinja parse the
+skeletons when the package is built, and this module translates the trees. A skeleton that uses more
+of Jinja than what is translated here is left to Jinja itself: then ``translated`` raises
+``UnsupportedError``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from types import CodeType
 
 from jinja2 import nodes
 
@@ -30,11 +29,11 @@ class UnsupportedError(Exception):
     """The skeleton uses something of Jinja that is not translated here."""
 
 
-def compiled(tree: nodes.Template, name: str) -> CodeType:
-    """The code of a module with a function ``render``, which takes ``PARAMETERS``."""
+def translated(tree: nodes.Template, function: str) -> str:
+    """The code of a function, which takes ``PARAMETERS`` and calls ``GLOBALS``."""
     _check_variables(tree)
-    lines = [f"def render({', '.join(map(_variable, PARAMETERS))}):", *_body(tree.body)]
-    return compile("\n".join(lines), name, "exec")
+    lines = [f"def {function}({', '.join(map(_variable, PARAMETERS))}):", *_body(tree.body)]
+    return "\n".join(lines)
 
 
 def _check_variables(tree: nodes.Template) -> None:

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import TypeAlias
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.program import Branch, Iterate, Let, Loop, Region
+from ...compiler.ir.program import Branch, Connective, Iterate, Let, Loop, Region
 from ...compiler.ir.types import UINT, Scalar, ScalarKind
 from .comments import comment_lines
 from .context import Context
@@ -20,7 +20,7 @@ from .expressions import Expressions
 from .literals import literal
 from .namer import Namer
 from .origins import Marks
-from .precedence import NAME, Field
+from .precedence import NAME, Field, prefix
 
 INDENT = "    "
 
@@ -63,6 +63,8 @@ class Statements:
                     yield self._let(statement)
                 case Branch():
                     yield from self._branch(statement)
+                case Connective():
+                    yield from self._connective(statement)
                 case Loop():
                     yield from self._loop(statement)
                 case Iterate():
@@ -84,24 +86,53 @@ class Statements:
         return self._forms.constant_array if constant else self._forms.variable_set
 
     def _branch(self, branch: Branch) -> Lines:
-        condition, then, otherwise = branch.node.operands
-        test = self._expressions.text(condition)
-        name = self._namer.declare(branch.name)
-        typed = self._types.declare(name, branch.node.type)
+        otherwise = branch.node.operands[2]
         short = otherwise.op == "constant" and not branch.otherwise.statements
+        # What is known before the branch is printed before its name is taken.
+        test = self._test(branch)
+        value = self._expressions.text(otherwise) if short else ""
+        name = self._namer.declare(branch.name)
         if short:
-            value = self._expressions.text(otherwise)
-            text = self._forms.variable_set.format(name=name, typed=typed, value=value)
+            yield self._variable(name, branch.node, value)
         else:
-            text = self._forms.variable.format(name=name, typed=typed)
-        yield self._mark(text, branch.node)
-        yield self._mark(self._forms.if_.format(condition=test), condition)
-        yield self._block(branch.then, name, then)
+            typed = self._types.declare(name, branch.node.type)
+            yield self._mark(self._forms.variable.format(name=name, typed=typed), branch.node)
+        yield self._opened_branch(self._forms.if_, branch, test)
+        yield from self._sides(branch, name, short=short)
+        self._expressions.bound[branch.node] = name, NAME
+
+    def _test(self, branch: Branch) -> str:
+        return self._expressions.text(branch.node.operands[0])
+
+    def _opened_branch(self, form: str, branch: Branch, test: str) -> str:
+        return self._mark(form.format(condition=test), branch.node.operands[0])
+
+    def _sides(self, branch: Branch, name: str, *, short: bool) -> Lines:
+        """Both sides of a branch, or its first one (``short``), after the line that opens it.
+
+        A branch that is all of the second side goes on as ``else if``.
+        """
+        yield self._block(branch.then, name, branch.node.operands[1])
+        while not short and (inner := _only_branch(branch)):
+            branch = inner
+            yield self._opened_branch(self._forms.else_if, branch, self._test(branch))
+            yield self._block(branch.then, name, branch.node.operands[1])
         if not short:
             yield self._forms.else_
-            yield self._block(branch.otherwise, name, otherwise)
+            yield self._block(branch.otherwise, name, branch.node.operands[2])
         yield self._forms.end
-        self._expressions.bound[branch.node] = name, NAME
+
+    def _connective(self, connective: Connective) -> Lines:
+        """A variable with the left operand, which the right one replaces unless that decides."""
+        left, right = connective.node.operands
+        value = self._expressions.text(left)
+        name = self._namer.declare(connective.name)
+        yield self._variable(name, connective.node, value)
+        is_open = name if connective.node.data == "and" else prefix("!", (name, NAME))[0]
+        yield self._mark(self._forms.if_.format(condition=is_open), connective.node)
+        yield self._block(connective.right, name, right)
+        yield self._forms.end
+        self._expressions.bound[connective.node] = name, NAME
 
     def _loop(self, loop: Loop) -> Lines:
         count = self._count(loop)
@@ -205,10 +236,16 @@ class Statements:
         return self._forms.at_most.format(value=self._expressions.text(loop.count), bound=bound)
 
     def _block(self, region: Region, name: str, value: Node) -> Lines:
-        """The statements of a nested region, and one that assigns ``value`` to a variable."""
+        """The statements of a nested region, and what assigns ``value`` to a variable."""
         with self._inside():
-            yield from self._region(region)
-            yield self._assigned(name, self._expressions.text(value), value)
+            last = region.statements[-1] if region.statements else None
+            if isinstance(last, Branch) and last.node is value:
+                yield from self._region(Region(region.statements[:-1]))
+                yield self._opened_branch(self._forms.if_, last, self._test(last))
+                yield from self._sides(last, name, short=False)
+            else:
+                yield from self._region(region)
+                yield self._assigned(name, self._expressions.text(value), value)
 
     @contextmanager
     def _inside(self) -> Iterator[None]:
@@ -220,3 +257,11 @@ class Statements:
         self._namer.leave()
         while len(bound) > outer:
             bound.popitem()
+
+
+def _only_branch(branch: Branch) -> Branch | None:
+    """The branch that is all that another one does on its second side."""
+    match branch.otherwise.statements:
+        case (Branch() as inner,) if inner.node is branch.node.operands[2]:
+            return inner
+    return None

@@ -8,20 +8,20 @@ each time that a template is rendered: it copies all variables for each block, a
 see the variables of the loop around it. So inheritance is resolved here, once, before a skeleton is
 compiled: every block is replaced by what the language says instead.
 
-What comes out is compiled to plain Python (``skeleton_compiler.py``) and kept in the user's cache,
-so that Jinja is hardly ever imported.
+What comes out is translated to Python (``skeleton_compiler.py``). This is done when the package is
+built: ``generate.py`` asks for ``functions_to_generate``. So Jinja is imported only for a skeleton
+that has changed since.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
-from functools import cache
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cache, partial
 from pathlib import Path
-from types import CodeType
 from typing import TYPE_CHECKING, Any
 
-from ...compiler.cache import cached
+from ...compiler.precomputed import Precomputations, key, precomputed
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -43,27 +43,39 @@ Renderer = Callable[["FileView", "Forms", "Profile", bool], str]
 
 @cache
 def renderer(path: Path) -> Renderer:
-    """The function that fills in the skeleton at ``path``.
-
-    The cache keeps its code for later processes, under a key made of the skeleton's text.
-    """
+    """The function that fills in the skeleton at ``path``."""
     sources = tuple(_sources(path))
-    compiler = (_HERE / "skeleton_compiler.py").read_text(encoding="utf-8")
-    code = cached("skeleton", (*sources, compiler), lambda: _compiled(sources, path.name))
+    found: Renderer | None = precomputed("skeletons", _key(sources))
+    if found is not None:
+        return found
+    code = _translated(sources, "render")
     if code is None:
         return by_jinja(path)
     names: dict[str, Any] = {"joiner_": joiner}
-    exec(code, names)
+    exec(compile(code, path.name, "exec"), names)
     made: Renderer = names["render"]
     return made
 
 
-def _compiled(sources: tuple[str, ...], name: str) -> CodeType | None:
-    """The code that fills the skeleton in; none if it has to be left to Jinja."""
-    from .skeleton_compiler import UnsupportedError, compiled
+def functions_to_generate(paths: Iterable[Path]) -> Precomputations:
+    """The functions for which ``renderer`` looks, as code.
+
+    Each is called ``render_`` and its key. A skeleton that has to be left to Jinja has none.
+    """
+    found = {_key(sources): sources for sources in (tuple(_sources(path)) for path in paths)}
+    return {key: partial(_translated, found[key], f"render_{key}") for key in found}
+
+
+def _key(sources: tuple[str, ...]) -> str:
+    return key(*sources, (_HERE / "skeleton_compiler.py").read_text(encoding="utf-8"))
+
+
+def _translated(sources: tuple[str, ...], function: str) -> str | None:
+    """The code of a function that fills the skeleton in; none if it has to be left to Jinja."""
+    from .skeleton_compiler import UnsupportedError, translated
 
     try:
-        return compiled(_flat(_environment(), sources), name)
+        return translated(_flat(_environment(), sources), function)
     except UnsupportedError:
         return None
 

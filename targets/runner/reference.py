@@ -6,10 +6,10 @@
 from __future__ import annotations
 
 import json
-import pickle
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -66,11 +66,29 @@ def remembered(shader: Shader, state: SceneState, rules: RasterRules, store: Sto
     name = _digest(shader, state, rules)
     kept = store.read(name)
     if kept is not None:
-        found: Expected = pickle.loads(kept)
-        return found
+        return _loaded(kept)
     made = expected(shader, state, rules)
-    store.write(name, pickle.dumps(made, pickle.HIGHEST_PROTOCOL))
+    store.write(name, _dumped(made))
     return made
+
+
+def _dumped(picture: Expected) -> bytes:
+    """A picture as its arrays, one after the other in NumPy's format."""
+    stream = BytesIO()
+    for array in (picture.covered, picture.undecided, *picture.targets, *picture.radius):
+        np.save(stream, array, allow_pickle=False)
+    return stream.getvalue()
+
+
+def _loaded(data: bytes) -> Expected:
+    """The picture that was dumped. Unlike a pickle, this format cannot contain code."""
+    stream = BytesIO(data)
+    arrays = []
+    while stream.tell() < len(data):
+        arrays.append(np.load(stream, allow_pickle=False))
+    covered, undecided, *floats = arrays
+    count = len(floats) // 2
+    return Expected(tuple(floats[:count]), covered, undecided, tuple(floats[count:]))
 
 
 def _digest(shader: Shader, state: SceneState, rules: RasterRules) -> str:

@@ -3,7 +3,7 @@
 It exists besides ``compiler/cache.py`` because these results decide whether tests pass: names have
 160 bits instead of 64, so that no two agree by accident. Because there are many results, those that
 have not been used for longest are deleted. A store only saves time: if its folder cannot be read or
-written, it is empty.
+written, or is not this user's alone, it is empty.
 """
 
 from __future__ import annotations
@@ -14,9 +14,8 @@ from contextlib import suppress
 from hashlib import blake2b
 from itertools import chain
 from pathlib import Path
-from tempfile import NamedTemporaryFile
 
-from ...compiler.cache import folder as cache_folder
+from ...compiler.cache import private_folder, read_private, write_private
 
 LIMIT = 1 << 30
 """The approximate number of bytes that a store may hold."""
@@ -57,7 +56,7 @@ class Store:
 
     def __init__(self, name: str, limit: int = LIMIT) -> None:
         """The store called ``name`` in Burnish's cache folder; ``limit`` is in bytes."""
-        self.folder = Path(cache_folder()) / name
+        self.folder = Path(private_folder()) / name
         self._limit = limit
         self._unchecked: int | None = None
         """The bytes written since the folder was last examined; ``None`` before the first time."""
@@ -65,9 +64,8 @@ class Store:
     def read(self, name: str) -> bytes | None:
         """The data with this name, if it exists and is not damaged."""
         path = self._path(name)
-        try:
-            content = path.read_bytes()
-        except OSError:
+        content = read_private(str(path))
+        if content is None:
             return None
         data = content[_DIGEST_SIZE:]
         if _checksum(data) != content[:_DIGEST_SIZE]:
@@ -80,8 +78,7 @@ class Store:
         """Keep data under a name; no reader ever sees half of it."""
         path = self._path(name)
         with suppress(OSError):
-            path.parent.mkdir(parents=True, exist_ok=True)
-            _replace(path, _checksum(data) + data)
+            write_private(str(path), _checksum(data) + data)
         if self._unchecked is None or self._unchecked > min(CHECK_EVERY, self._limit):
             self.prune()
             self._unchecked = 0
@@ -113,15 +110,3 @@ class Store:
 
 def _checksum(data: bytes) -> bytes:
     return blake2b(data, digest_size=_DIGEST_SIZE).digest()
-
-
-def _replace(path: Path, content: bytes) -> None:
-    """Write a file in one step; if that fails, raise ``OSError`` and leave nothing."""
-    with NamedTemporaryFile(dir=path.parent, delete=False) as file:
-        try:
-            file.write(content)
-            file.flush()
-            Path(file.name).replace(path)
-        except BaseException:
-            Path(file.name).unlink(missing_ok=True)
-            raise

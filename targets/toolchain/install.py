@@ -19,9 +19,10 @@ import tarfile
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from .places import is_trusted
 from .sources import Debian, Extra, OwnInstaller
 from .tools import DXC_LIBRARY, TOOLS, Tool, cache_folder, inspect, judge, tool_named
 
@@ -77,8 +78,7 @@ def _ensure(tool: Tool) -> bool:
 def _is_there(tool: Tool) -> bool:
     """Whether a tool needs no installing. One with a pinned version must be in the cache itself."""
     pinned = isinstance(tool.source, OwnInstaller)
-    paths = tool.find_in(cache_folder() / tool.folder) if pinned else tool.find()
-    state = judge(tool, paths)
+    state = judge(tool, tool.find_installed() if pinned else tool.find())
     if state.problem is None:
         print(f"{tool.name}: {state.version} at {state.paths[0]}")
     return state.problem is None
@@ -87,7 +87,15 @@ def _is_there(tool: Tool) -> bool:
 @contextmanager
 def _lock() -> Iterator[None]:
     """Let only one process at a time install, and remove what interrupted processes have left."""
-    cache_folder().mkdir(parents=True, exist_ok=True)
+    folder = cache_folder()
+    with suppress(NotADirectoryError, FileExistsError):
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o755)
+    if not is_trusted(folder):
+        raise InstallError(
+            f"{folder} is not a folder into which only you can put programs: correct that, or name "
+            "another one in BURNISH_TOOLS"
+        )
     with (cache_folder() / ".lock").open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         for leftover in cache_folder().glob(f"{PARTIAL}*"):

@@ -7,8 +7,10 @@ the paths of all files, or ``None`` if one is missing.
 
 from __future__ import annotations
 
+import os
 import platform
 import shutil
+import stat
 from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
@@ -113,6 +115,18 @@ def libraries(name: str) -> tuple[str, ...]:
 def vulkan_files(name: str) -> tuple[str, ...]:
     """Where systems have a file that registers a driver or a layer with the Vulkan loader."""
     return tuple(f"{folder}/vulkan/{name}" for folder in ("usr/share", "usr/local/share", "etc"))
+
+
+def is_trusted(folder: Path) -> bool:
+    """Whether a folder is there, and nobody but this user and root can put a program into it."""
+    try:
+        status = folder.lstat()
+    except OSError:
+        return False
+    ours = os.name == "nt" or (
+        status.st_uid in (0, os.geteuid()) and not stat.S_IMODE(status.st_mode) & 0o022
+    )
+    return stat.S_ISDIR(status.st_mode) and ours
 
 
 def _all_files(paths: Iterable[Path]) -> Paths | None:

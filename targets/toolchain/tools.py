@@ -3,7 +3,7 @@
 A tool is whatever Burnish uses but does not contain: compilers, drivers, a browser, and the Python
 packages that talk to them. ``doctor``, the checkers and the routes look tools up here, and
 ``install.py`` installs them. A tool is looked for in Burnish's cache folder first (the variable
-``BURNISH_TOOLS`` moves it), then where systems have it.
+``BURNISH_TOOLS`` moves it), if no other user can change that, then where systems have it.
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from platformdirs import user_cache_path
-
+from ...compiler import cache
 from .places import (
     AnyProgram,
     FolderFiles,
@@ -25,6 +24,7 @@ from .places import (
     Programs,
     PythonPackage,
     SystemFiles,
+    is_trusted,
     libraries,
     vulkan_files,
 )
@@ -80,7 +80,12 @@ class Tool:
 
     def find(self) -> Paths | None:
         """The paths of all its files, in the cache or on the system; ``None`` if one is missing."""
-        return self.find_in(cache_folder() / self.folder) or self.place.outside()
+        return self.find_installed() or self.place.outside()
+
+    def find_installed(self) -> Paths | None:
+        """The paths of all its files in the cache, if no other user can change them."""
+        folder = cache_folder()
+        return self.find_in(folder / self.folder) if is_trusted(folder) else None
 
     def find_in(self, folder: Path) -> Paths | None:
         """The paths of all its files in a folder with the cache's layout; ``None`` if one is
@@ -226,7 +231,7 @@ TOOLS: tuple[Tool, ...] = (
 def cache_folder() -> Path:
     """The folder that has a sub-folder for each tool that Burnish has installed itself."""
     moved = os.environ.get("BURNISH_TOOLS")
-    return Path(moved) if moved else user_cache_path("burnish") / "tools"
+    return Path(moved) if moved else Path(cache.folder()) / "tools"
 
 
 def tool_named(name: str) -> Tool:

@@ -83,7 +83,7 @@ class Place:
 
     def results(self) -> list[Path]:
         """The answers that are kept."""
-        return sorted(self.cache.glob("result-*"))
+        return sorted(self.cache.glob("private/result/*"))
 
     def fragment(self, output: str = "out") -> str:
         """The shader that was written."""

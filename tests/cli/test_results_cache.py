@@ -111,9 +111,8 @@ def test_many_at_once(place: Place) -> None:
 
 def test_many_answers(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cache, "KEPT", 2)
-    place.cache.mkdir()
-    other = place.cache / "other-0123456789abcdef.bin"
-    other.touch()
+    other = place.cache / "private" / "other" / "0123456789abcdef"
+    cache.store("other", other.name, b"")
     os.utime(other, (0, 0))
     for number in range(4):
         place.write(main=f"material Main {{ alpha = 0.{number} }}")
@@ -155,9 +154,9 @@ def test_large_answers_take_no_room(place: Place, monkeypatch: pytest.MonkeyPatc
 def test_an_answer_names_no_files_elsewhere(place: Place) -> None:
     place.write(main="material Main { color = vec3(1) }\n")
     place.run()
-    (kept,) = place.cache.glob("result-*")
-    entry = json.loads(cache.load("result", kept.stem.removeprefix("result-")) or b"")
+    (kept,) = place.results()
+    entry = json.loads(cache.load("result", kept.name) or b"")
     entry["texts"] = {"../elsewhere": "x"}
-    cache.store("result", kept.stem.removeprefix("result-"), json.dumps(entry).encode())
+    cache.store("result", kept.name, json.dumps(entry).encode())
     assert place.run().how == "COMPILED"
     assert not (place.folder / "elsewhere").exists()

@@ -15,8 +15,10 @@ from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
+from burnish.targets.runner.reference import remembered
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import SceneState, set_up
+from burnish.targets.runner.store import Store
 
 from ..suite.processes import run
 
@@ -58,6 +60,24 @@ def test_the_same_question_has_the_same_name() -> None:
 )
 def test_another_question_has_another_name(other: Callable[[], str]) -> None:
     assert other() != name(asked())
+
+
+def test_what_was_drawn_is_the_same_when_it_is_found_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
+    question, store = asked(), Store("pictures")
+    drawn = remembered(*question, RULES, store)
+    monkeypatch.setattr(reference, "draw", None)
+    found = remembered(*question, RULES, store)
+    assert [found.covered.dtype, found.targets[0].dtype] == [np.dtype(bool), np.dtype(float)]
+    for before, after in (
+        (drawn.covered, found.covered),
+        (drawn.undecided, found.undecided),
+        *zip(drawn.targets, found.targets, strict=True),
+        *zip(drawn.radius, found.radius, strict=True),
+    ):
+        assert np.array_equal(before, after, equal_nan=before.dtype != np.bool_)
 
 
 def test_a_vertex_input_that_nothing_needs_has_any_numbers() -> None:

@@ -12,7 +12,7 @@ from burnish.compiler.syntax.parser import parse
 
 ROOT = Path(__file__).parents[2]
 LIBRARY = ROOT / "stdlib"
-_GENERATED = {"__pycache__", "build", "dist"}
+_GENERATED = {"__pycache__", "build", "dist", "generated"}
 
 
 def files(folder: Path) -> Iterator[Path]:

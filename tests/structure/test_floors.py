@@ -22,10 +22,11 @@ FLOORS: dict[str, str] = {
     "stdlib": "frozen",
     # From text to a staged program.
     "compiler.cache": "",
+    "compiler.precomputed": "cache",
     "compiler.inputs": "",
     "compiler.srgb": "",
     "compiler.diagnostics": "frozen",
-    "compiler.syntax": "frozen stdlib cache diagnostics",
+    "compiler.syntax": "frozen stdlib precomputed diagnostics",
     "compiler.ir": "frozen stdlib diagnostics",
     "compiler.layout": "ir",
     "compiler.packing": "frozen ir",
@@ -34,7 +35,8 @@ FLOORS: dict[str, str] = {
     "compiler.reference": "frozen stdlib ir",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
-    "compiler.library": "stdlib cache diagnostics syntax names",
+    "compiler.library_trees": "cache precomputed diagnostics syntax names",
+    "compiler.library": "stdlib precomputed diagnostics syntax names library_trees",
     "compiler.semantics.inheritance": "frozen diagnostics syntax names",
     "compiler.semantics.state": (
         "frozen stdlib diagnostics syntax ir reference types names inheritance"
@@ -61,10 +63,10 @@ FLOORS: dict[str, str] = {
     "compiler.reflection": "frozen diagnostics ir packing",
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
-    "targets.toolchain": "closing",
+    "targets.toolchain": "cache closing",
     "targets.description": "frozen stdlib ir",
     "targets.legalise": "frozen stdlib ir passes expansion_templates description",
-    "targets.emit": ("frozen stdlib cache diagnostics ir reflection description legalise"),
+    "targets.emit": "frozen stdlib precomputed diagnostics ir reflection description legalise",
     **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
     "targets.selection": "diagnostics description registry",
@@ -82,6 +84,7 @@ FLOORS: dict[str, str] = {
         "frozen cache inputs diagnostics ir passes frontend formula description emit registry "
         "selection runner conformance toolchain compiled api"
     ),
+    "generate": "precomputed library syntax emit registry",
     "cli": "garbage commands",
     "__main__": "cli",
 }

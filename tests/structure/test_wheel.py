@@ -16,6 +16,7 @@ from ..suite.processes import run
 from .kit import ROOT, files
 
 DATA = {".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".burnish", ".typed"}
+GENERATED = ("__init__", "grammar", "library", "skeletons")
 PACKAGE = ("commands", "compiler", "stdlib", "targets")
 
 
@@ -42,9 +43,11 @@ def test_content(wheel: Path) -> None:
         for path in files(ROOT / folder)
         if path.suffix == ".py" or path.suffix in DATA
     }
-    top = {f"burnish/{path.name}" for path in ROOT.glob("*.py")} - {"burnish/setup.py"}
+    top = {f"burnish/{path.name}" for path in ROOT.glob("*.py")}
+    top -= {"burnish/setup.py", "burnish/generate.py"}
     assert {"burnish/__init__.py", "burnish/api.py", "burnish/cli.py"} <= top
-    assert packed == wanted | top | {"burnish/py.typed"}
+    generated = {f"burnish/generated/{name}.py" for name in GENERATED}
+    assert packed == wanted | top | generated | {"burnish/py.typed"}
 
 
 COMPILE = """

@@ -12,7 +12,7 @@ from lark import Lark, logger
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
-from burnish.compiler.syntax import lalr_tables, parser
+from burnish.compiler.syntax import parser
 from burnish.compiler.syntax.ast import KINDS, MEMBERS, MemberKind
 from burnish.compiler.syntax.builder import Builder, maker
 from burnish.compiler.syntax.lalr_tables import load_tables
@@ -56,12 +56,3 @@ def test_reserved_words_are_words_of_the_grammar() -> None:
     assert (
         rules.RESERVED_WORD.help == f"Only these words are reserved: {', '.join(sorted(RESERVED))}."
     )
-
-
-def test_lark_is_not_needed_once_the_tables_are_cached(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
-    first = load_tables.__wrapped__()
-    monkeypatch.setattr(lalr_tables, "_compute", lambda _: pytest.fail("computed again"))
-    assert load_tables.__wrapped__() == first

@@ -17,6 +17,7 @@ FIELDS: Mapping[str, frozenset[str]] = MappingProxyType(
             "assign": "name value",
             "accumulate": "name value",
             "if_": "condition",
+            "else_if": "condition",
             "loop": "index index_typed zero count",
             "loop_while": "index index_typed zero count going",
             "leave": "going",

@@ -66,6 +66,7 @@ LANGUAGE = Language(
         accumulate={},
         if_="when {condition} do",
         else_="otherwise",
+        else_if="otherwise when {condition} do",
         end="done",
         loop="for each {index} from {zero} below {count} do",
         loop_while="for each {index} from {zero} below {count} as long as {going} do",

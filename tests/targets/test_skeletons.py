@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from pathlib import Path
 
 import pytest
@@ -16,7 +14,6 @@ from burnish.targets.emit import emitter, templates
 from burnish.targets.emit.templates import by_jinja, renderer
 from burnish.targets.emit.views import FileView
 
-from ..suite.processes import run
 from .kit import PROFILES, Selected
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -78,23 +75,6 @@ def test_a_block_sees_the_loop_around_it(tmp_path: Path) -> None:
     )
     text = '{% extends "base.j2" %}\n{% block each %}{{ line }};{% endblock %}\n'
     assert filled(written(tmp_path, text)) == "first;second;"
-
-
-COMPILE = """
-import sys
-import burnish
-burnish.compile("material M { color = vec3(1) }")
-print("jinja2" in sys.modules)
-"""
-
-
-def test_jinja_is_imported_once_only(tmp_path: Path) -> None:
-    environment = os.environ | {"BURNISH_CACHE": str(tmp_path)}
-    said = [
-        run([sys.executable, "-c", COMPILE], env=environment, check=True).stdout.strip()
-        for _ in range(2)
-    ]
-    assert said == ["True", "False"]
 
 
 def test_what_there_is_not_is_an_error(tmp_path: Path) -> None:

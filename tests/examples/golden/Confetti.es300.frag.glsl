@@ -39,7 +39,12 @@ void main() {
     vec4 chance = safe_unpack_unorm4x8(drawn);
     vec2 centre = mix(vec2(0.25), vec2(0.75), chance.xy);
     bool inside = all(lessThan(abs(fract(v_place) - centre), vec2(0.08 + 0.14 * chance.z)));
-    vec3 tint = safe_unpack_unorm4x8(scattered(drawn)).xyz;
-    vec3 color = inside && chance.w > 0.3 ? tint * tint : paper;
+    vec3 color;
+    if (inside && chance.w > 0.3) {
+        vec3 tint = safe_unpack_unorm4x8(scattered(drawn)).xyz;
+        color = tint * tint;
+    } else {
+        color = paper;
+    }
     out_color = vec4(color, 1.0);
 }

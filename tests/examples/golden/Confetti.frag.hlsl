@@ -35,7 +35,12 @@ float4 main(FragmentInput input) : SV_Target0 {
     float4 chance = safe_unpack_unorm4x8(drawn);
     float2 centre = lerp(float2(0.25, 0.25), float2(0.75, 0.75), chance.xy);
     bool inside = all(abs(frac(input.place) - centre) < (0.08 + 0.14 * chance.z).xx);
-    float3 tint = safe_unpack_unorm4x8(scattered(drawn)).xyz;
-    float3 color = inside && chance.w > 0.3 ? tint * tint : paper;
+    float3 color;
+    if (inside && chance.w > 0.3) {
+        float3 tint = safe_unpack_unorm4x8(scattered(drawn)).xyz;
+        color = tint * tint;
+    } else {
+        color = paper;
+    }
     return float4(color, 1.0);
 }

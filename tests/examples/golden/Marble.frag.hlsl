@@ -48,13 +48,13 @@ float4 main(FragmentInput input) : SV_Target0 {
     float3 kd = stone + kd_difference * vein;
     float3 normal = safe_normalize(input.normal);
     float normal_dot_sun_to_light = dot(normal, -sun_direction);
-    float3 to_eye = safe_normalize(eye - input.position);
-    float3 lambert_phong = kd * saturate(normal_dot_sun_to_light) * sun_diffuse_color
-        + 0.5 * (
-            normal_dot_sun_to_light > 0.0
-            ? pow(saturate(dot(reflect(sun_direction, normal), to_eye)), 80.0)
-            : 0.0
-        ) * sun_specular_color;
-    float3 color = kd * ambient_light + lambert_phong;
+    float color_mirrored = 0.0;
+    if (normal_dot_sun_to_light > 0.0) {
+        float3 to_eye = safe_normalize(eye - input.position);
+        color_mirrored = pow(saturate(dot(reflect(sun_direction, normal), to_eye)), 80.0);
+    }
+    float3 color = kd * ambient_light + (
+        kd * saturate(normal_dot_sun_to_light) * sun_diffuse_color + 0.5 * color_mirrored * sun_specular_color
+    );
     return float4(color, 1.0);
 }

@@ -44,14 +44,15 @@ void main() {
     vec3 position = (object_to_world * vec4(vertex_position, 1.0)).xyz;
     vec3 normal = safe_normalize((normal_matrix * vertex_normal).xyz);
     float normal_dot_sun_to_light = dot(normal, -sun_direction);
-    vec3 to_eye = safe_normalize(eye - position);
-    vec3 lambert_phong = kd * clamp(normal_dot_sun_to_light, 0.0, 1.0) * sun_diffuse_color
-        + 0.6 * (
-            normal_dot_sun_to_light > 0.0
-            ? pow(clamp(dot(reflect(sun_direction, normal), to_eye), 0.0, 1.0), p)
-            : 0.0
-        ) * sun_specular_color;
-    v_color = kd * ambient_light + lambert_phong;
+    float color_mirrored = 0.0;
+    if (normal_dot_sun_to_light > 0.0) {
+        vec3 to_eye = safe_normalize(eye - position);
+        color_mirrored = pow(clamp(dot(reflect(sun_direction, normal), to_eye), 0.0, 1.0), p);
+    }
+    v_color = kd * ambient_light + (
+        kd * clamp(normal_dot_sun_to_light, 0.0, 1.0) * sun_diffuse_color
+        + 0.6 * color_mirrored * sun_specular_color
+    );
     gl_Position = view_projection * vec4(position, 1.0);
     gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;
 }

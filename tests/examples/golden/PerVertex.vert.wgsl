@@ -52,14 +52,16 @@ fn main(input: VertexInput) -> VertexOutput {
     let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
     let normal = safe_normalize((draw_derived.normal_matrix * input.vertex_normal).xyz);
     let normal_dot_sun_to_light = dot(normal, -rig.sun_direction);
-    let to_eye = safe_normalize(view.eye - position);
-    let lambert_phong = material.kd * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color
-        + 0.6 * select(
-            0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p),
-            normal_dot_sun_to_light > 0.0
-        ) * rig.sun_specular_color;
+    var color_mirrored: f32 = 0.0;
+    if (normal_dot_sun_to_light > 0.0) {
+        let to_eye = safe_normalize(view.eye - position);
+        color_mirrored = pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p);
+    }
     var output: VertexOutput;
-    output.color = material.kd * rig.ambient_light + lambert_phong;
+    output.color = material.kd * rig.ambient_light + (
+        material.kd * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color
+        + 0.6 * color_mirrored * rig.sun_specular_color
+    );
     output.clip_position = view.view_projection * vec4f(position, 1.0);
     return output;
 }

@@ -76,13 +76,14 @@ float4 main(FragmentInput input) : SV_Target0 {
         );
     }
     float key_falloff = inherited_key_falloff * (key_lit_total / 9.0);
-    float3 to_eye = safe_normalize(eye - input.position);
-    float3 lambert_phong = base * saturate(normal_dot_key_to_light) * (key_diffuse_color * key_falloff)
-        + 0.2 * (
-            normal_dot_key_to_light > 0.0
-            ? pow(saturate(dot(reflect(color_negated, normal), to_eye)), 24.0)
-            : 0.0
-        ) * (key_specular_color * key_falloff);
-    float3 color = base * ambient_light + lambert_phong;
+    float color_mirrored = 0.0;
+    if (normal_dot_key_to_light > 0.0) {
+        float3 to_eye = safe_normalize(eye - input.position);
+        color_mirrored = pow(saturate(dot(reflect(color_negated, normal), to_eye)), 24.0);
+    }
+    float3 color = base * ambient_light + (
+        base * saturate(normal_dot_key_to_light) * (key_diffuse_color * key_falloff)
+        + 0.2 * color_mirrored * (key_specular_color * key_falloff)
+    );
     return float4(color, 1.0);
 }

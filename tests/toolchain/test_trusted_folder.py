@@ -1,0 +1,54 @@
+"""Programs are run from the cache folder only if no other user can have put them there."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from burnish.targets.toolchain import install
+from burnish.targets.toolchain.tools import cache_folder, tool_named
+
+from .conftest import PlantTool
+
+
+@pytest.fixture
+def naga(plant_tool: PlantTool, no_tools: Path) -> Path:
+    """A folder of tools that contains naga."""
+    tool = tool_named("naga")
+    plant_tool(f"{tool.folder}/bin/naga", "30.0.1", "")
+    assert tool.find() is not None
+    return no_tools
+
+
+@pytest.mark.parametrize("mode", [0o777, 0o775, 0o757])
+def test_a_folder_that_others_can_write(
+    naga: Path, mode: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    naga.chmod(mode)
+    assert tool_named("naga").find() is None
+    assert install.main(["naga"]) == 1
+    assert "naga: FAILED:" in capsys.readouterr().err
+
+
+def test_a_folder_of_another_user(naga: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    owner = naga.stat().st_uid
+    monkeypatch.setattr(os, "geteuid", lambda: owner + 1)
+    assert (tool_named("naga").find() is None) == (owner != 0)
+
+
+def test_a_link(naga: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "link").symlink_to(naga)
+    monkeypatch.setenv("BURNISH_TOOLS", str(tmp_path / "link"))
+    assert tool_named("naga").find() is None
+
+
+@pytest.mark.parametrize("home", ["", "~", "relative"])
+def test_without_a_home_nothing_is_found_in_the_current_folder(
+    home: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("BURNISH_TOOLS", "BURNISH_CACHE", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("HOME", home)
+    assert cache_folder() == Path(os.devnull) / "burnish" / "tools"
