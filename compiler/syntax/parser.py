@@ -154,9 +154,8 @@ class _Parser:
         token = self._tokens[index]
         if self._outline.is_member(index):
             return token.text
-        if not self._machine.knows(token.text) or self._names_something(index):
-            return token.kind
-        return token.text
+        has_place = self._machine.knows(token.text) and self._machine.accepts(token.text)
+        return token.text if has_place and not self._names_something(index) else token.kind
 
     def _names_something(self, index: int) -> bool:
         """Whether the tokens after a word show it to be a name."""
