@@ -154,8 +154,11 @@ class _Parser:
         token = self._tokens[index]
         if self._outline.is_member(index):
             return token.text
-        has_place = self._machine.knows(token.text) and self._machine.accepts(token.text)
-        return token.text if has_place and not self._names_something(index) else token.kind
+        machine = self._machine
+        if not machine.knows(token.text) or self._names_something(index):
+            return token.kind
+        is_operand = not machine.accepts(token.text) and machine.accepts("NUMBER")
+        return token.kind if is_operand else token.text
 
     def _names_something(self, index: int) -> bool:
         """Whether the tokens after a word show it to be a name."""
