@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import product
 from typing import TYPE_CHECKING
 
+from .console import remark
 from .progress import Progress
 from .subjects import Subject, target_number
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from ..targets.runner.sheet import Panel
     from ..targets.toolchain import Toolchain
 
+_UNDEFINED = "the pixels that use it are not defined"
 NOT_RUN = "not run"
 """The title of a panel whose route lacks its tools, or a feature that the material needs."""
 BROKEN = "failed"
@@ -80,7 +82,13 @@ def _drawn(
     from ..targets.runner.render import by_reference, by_route
 
     if route is None:
-        return "float64", by_reference(subject.material, subject.state, tell)
+        targets, broken = by_reference(subject.material, subject.state, tell)
+        for value in broken:
+            remark(
+                "warning",
+                f"{subject.label}: `{value}` is promised not to be zero, and is: {_UNDEFINED}",
+            )
+        return "float64", targets
     device = runner.device(route)
     targets = by_route(subject.material, subject.state, route, runner, toolchain)
     return f"{device.name}, {device.version}", targets

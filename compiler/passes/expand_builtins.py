@@ -24,8 +24,10 @@ from .simplify import Simplifier
 OUTLINED = 3
 """Expansions of at least so many operations become functions where they are used repeatedly."""
 
-_HOMELESS = frozenset(name for name, row in BUILTINS.items() if row.domain is nowhere)
-"""The builtins that no backend has."""
+_HOMELESS = frozenset(
+    name for name, row in BUILTINS.items() if row.domain is nowhere and not row.is_promise
+)
+"""The builtins that no backend has. Promises stay until guards are decided by them."""
 
 
 class Expanding(Simplifier):

@@ -12,6 +12,9 @@ import math
 from ...stdlib.builtins.facts import SMALLEST_NORMAL
 from .namespace import Lane, Namespace
 
+NARROWEST = 2.0**-64
+"""Edges of ``smoothstep`` that are closer than this count as this far apart."""
+
 
 def _is_tiny(x: Lane) -> Lane:
     """Whether a device may treat the number as zero."""
@@ -101,8 +104,10 @@ def step(xp: Namespace, edge: Lane, x: Lane) -> Lane:
 
 
 def smoothstep(xp: Namespace, low: Lane, high: Lane, x: Lane) -> Lane:
-    t = saturate(xp, div(xp, x - low, high - low))
-    return xp.where(_is_tiny(high - low), step(xp, low, x), t * t * (3.0 - 2.0 * t))
+    width = high - low
+    meets = abs(width) < NARROWEST
+    t = saturate(xp, xp.divide(x - low, xp.where(meets, NARROWEST, width)))
+    return t * t * (3.0 - 2.0 * t)
 
 
 def sqrt(xp: Namespace, x: Lane) -> Lane:

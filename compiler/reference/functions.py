@@ -134,6 +134,7 @@ _WHOLE: Mapping[str, Callable[..., Lanes]] = {
     "length": vectors.length,
     "distance": vectors.distance,
     "normalize": vectors.normalize,
+    "nonzero": vectors.nonzero,
     "reflect": vectors.reflect,
     "refract": vectors.refract,
     "faceforward": vectors.faceforward,

@@ -43,6 +43,10 @@ def normalize(xp: Namespace, v: Lanes) -> Lanes:
     return scaled(v, floats.inversesqrt(xp, inner(v, v)))
 
 
+def nonzero(_xp: Namespace, v: Lanes) -> Lanes:
+    return v
+
+
 def reflect(_xp: Namespace, incident: Lanes, normal: Lanes) -> Lanes:
     twice = 2.0 * inner(normal, incident)
     return tuple(i - twice * n for i, n in zip(incident, normal, strict=True))

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from ...stdlib.builtins.geometry import SHORTEST
 from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
 from ..ir.shader import AttributeInfo, Shader
 from ..ir.stages import TARGET
+from ..promises import promises
 from .bytes import block_rows
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .tables import BackendTable, BindingPoint
@@ -53,6 +55,7 @@ def reflect(
         "blocks": list(block_rows(program)),
         "parameters": [parameter_row(info, names, places) for info in infos],
         "derived": derived_rows(places, derived or {}),
+        "promises": list(_promise_rows(shader)),
         "lights": light_rows(infos),
         "textures": textures.textures(),
         "samplers": textures.samplers(),
@@ -62,6 +65,15 @@ def reflect(
         "targets": list(_target_rows(shader, program)),
         "backends": {name: _backend_row(table) for name, table in sorted(backends.items())},
     }
+
+
+def _promise_rows(shader: Shader) -> Iterator[dict[str, Any]]:
+    for promise in promises(shader):
+        yield {
+            "value": promise.value,
+            "least_length": SHORTEST,
+            "parameters": list(promise.parameters),
+        }
 
 
 def _vertex_input_rows(
@@ -140,14 +152,14 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
 
 def _source_map(spans: Mapping[int, Span]) -> dict[str, Any]:
     """Rows of a line of the text, and of source, line, column and length in Burnish."""
-    sources = tuple({span.source.name: None for span in spans.values()})
+    sources = tuple({span.source.name_in_outputs: None for span in spans.values()})
     numbers = {source: number for number, source in enumerate(sources)}
     return {
         "sources": list(sources),
         "lines": [
             [
                 line,
-                numbers[span.source.name],
+                numbers[span.source.name_in_outputs],
                 *span.source.position(span.start),
                 span.end - span.start,
             ]

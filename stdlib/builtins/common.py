@@ -228,7 +228,11 @@ ROWS = (
         doc="A smooth rise from 0 at the first edge to 1 at the second.",
         domain=_apart,
         needs="the first edge lies below the second",
-        outside="With equal edges it is `step`; edges in the wrong order mirror the curve.",
+        outside=(
+            "Edges in the wrong order mirror the curve. Edges closer than 2^-64 count as 2^-64 "
+            "apart, the second above the first: with equal edges it is 0 up to the edge and 1 "
+            "behind it."
+        ),
         expansion="smoothstep",
         range=_ramped,
         cost=7,

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from ...frozen import changed
 from .facts import UNIT, UNIT_SLACK, UNKNOWN, Fact
 from .intervals import around, product, products, squares
-from .row import Builtin, nowhere
+from .row import EXACT, Builtin, nowhere
 
 _PAIR = ("V, V -> S",)
 _WHOLE_PAIR = tuple(
@@ -13,7 +14,7 @@ _WHOLE_PAIR = tuple(
     for lanes in (2, 3, 4)
 )
 _NARROWEST, _WIDEST = 2, 4
-_SHORTEST = 2.0**-60
+SHORTEST = 2.0**-60
 """The least length whose square is far above what a device may flush to zero."""
 
 
@@ -52,7 +53,7 @@ def _norm(facts: tuple[Fact, ...], _same: bool) -> Fact:
     (x,) = facts
     # In four dimensions, the diagonal of a box is at most twice its side.
     longest = 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + 2.0**-20)
-    shortest = x.length * (1.0 - 2.0**-20) if x.length >= _SHORTEST else 0.0
+    shortest = x.length * (1.0 - 2.0**-20) if x.length >= SHORTEST else 0.0
     return Fact(min(shortest, longest), longest)
 
 
@@ -77,9 +78,14 @@ def _turned(facts: tuple[Fact, ...], _same: bool) -> Fact:
     return Fact(-normal.most, normal.most, normal.nonzero, normal.unit)
 
 
+def _promised(facts: tuple[Fact, ...], _same: bool) -> Fact:
+    (x,) = facts
+    return changed(x, length=max(x.length, SHORTEST))
+
+
 def _has_direction(facts: tuple[Fact, ...]) -> bool:
     (x,) = facts
-    return x.unit or x.length >= _SHORTEST
+    return x.unit or x.length >= SHORTEST
 
 
 ROWS = (
@@ -132,6 +138,24 @@ ROWS = (
         range=_direction,
         cost=6,
         samples=((0.0,), (1e-30,), (3.0,)),
+    ),
+    Builtin(
+        name="nonzero",
+        signatures=("V -> V",),
+        meaning="negation",
+        doc=(
+            "The vector itself, with the promise that it is not zero: the host, or whoever writes "
+            "this, promises a length of at least 2^-60. So `normalize`, and a division by its "
+            "length, need no guard."
+        ),
+        domain=nowhere,
+        is_promise=True,
+        outside="The vector itself. If the promise is broken, what depends on it is undefined.",
+        expansion="nonzero",
+        range=_promised,
+        accuracy=EXACT,
+        cost=0,
+        samples=((3.0,),),
     ),
     Builtin(
         name="reflect",

@@ -100,6 +100,9 @@ class Builtin:
     by_profile: Domain = nowhere
     """Where, outside of ``domain``, some language defines the operation as Burnish does: there the
     call is left to ``targets/legalise``, which looks at what the profile promises."""
+    is_promise: bool = False
+    """Whether it says what a host promises of its operand, and computes nothing: ``guard`` decides
+    by its range, and then puts the operand in its place."""
     definition: str = ""
     """Function of ``stdlib/meaning.burnish`` that says the same in other operations, for profiles
     whose language lacks this one, or has it otherwise (``Profile.lacks``, ``Profile.agrees``)."""

@@ -11,6 +11,9 @@ from ..description.spellings import Literals
 
 _LOWEST = -(2**31)
 _SMALLEST_NORMAL = 2.0**-126
+_LARGEST = 2.0**128 - 2.0**104
+_LARGEST_TEXT = "3.4028234e38"
+"""Rounded down: Tint refuses a decimal above the largest float32, though it rounds to this."""
 
 
 def literal(value: float, kind: ScalarKind, style: Literals) -> str:
@@ -26,7 +29,11 @@ def literal(value: float, kind: ScalarKind, style: Literals) -> str:
 
 
 def decimal(value: float) -> str:
-    """The shortest decimal that reads back as ``value`` rounded to float32, with a point in it."""
+    """The shortest decimal that reads back as ``value`` rounded to float32, with a point in it.
+
+    Magnitudes below the smallest normal number are written as zero, which they may count as: DXC
+    crashes where a choice has one of them as a side.
+    """
     # By its sign too, which 0.0 and -0.0 do not differ in as keys.
     return _shortest(value, math.copysign(1.0, value))
 
@@ -34,11 +41,13 @@ def decimal(value: float) -> str:
 @lru_cache(maxsize=8192)
 def _shortest(value: float, _sign: float) -> str:
     single = _rounded(value)
-    # What has six digits or fewer survives being a float32, unless it is tiny: then it is found as
-    # the one with six digits.
-    counts = range(6 if abs(single) >= _SMALLEST_NORMAL else 1, 10)
+    if abs(single) < _SMALLEST_NORMAL:
+        return "-0.0" if math.copysign(1.0, single) < 0 else "0.0"
+    if abs(single) == _LARGEST:
+        return f"-{_LARGEST_TEXT}" if single < 0 else _LARGEST_TEXT
+    # What has six digits or fewer survives being a float32: it is found as the one with six.
     digits = next(
-        text for count in counts if _rounded(float(text := f"{single:.{count}g}")) == single
+        text for count in range(6, 10) if _rounded(float(text := f"{single:.{count}g}")) == single
     )
     mantissa, _, exponent = f"{float(digits)!r}".partition("e")
     if exponent:

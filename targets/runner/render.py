@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.promises import promises
 from ...compiler.reference.picture import RasterRules
 from ..toolchain import Toolchain
 from .binding import pipeline
@@ -22,9 +23,13 @@ Floats = NDArray[np.float64]
 
 def by_reference(
     subject: Subject, state: SceneState, progress: Progress | None = None
-) -> tuple[Floats, ...]:
-    """The targets, each of shape (height, width, 4), not rounded to their formats."""
-    return expected(subject.shader, state, RasterRules(state.width, state.height), progress).targets
+) -> tuple[tuple[Floats, ...], tuple[str, ...]]:
+    """The targets, each of shape (height, width, 4), not rounded to their formats; and the values
+    that are zero somewhere although they were promised not to be."""
+    rules = RasterRules(state.width, state.height)
+    drawn = expected(subject.shader, state, rules, progress)
+    kept = promises(subject.shader)
+    return drawn.targets, tuple(one.value for one in kept if one.node.id in drawn.broken)
 
 
 def by_route(

@@ -1,21 +1,24 @@
-"""How long the shaders are, against hand-written twins with the same defined meaning.
+"""How long the shaders are, beside hand-written ones: with the same defined meaning, and with none.
 
 ``floors`` is the surface as short as hand can write it, with no care for what happens at the edges.
 ``twins`` is the floor plus what the meaning asks for, and nothing else:
 
-* ``normalize`` of anything that is not known to have length one is ``v * inversesqrt(max(dot(v, v),
-  2^-126))``, since the builtin is undefined for zero: the interpolated normal may vanish, the eye
-  and the lamps may stand on the surface.
-* ``smoothstep`` is written out: with edges the wrong way round the builtin is undefined, and
-  nothing says that the inner cone is the narrower one. With equal edges it is ``step``.
+* ``normalize`` of the interpolated normal, which may vanish, is ``v * inversesqrt(max(dot(v, v),
+  2^-126))``, since the builtin is undefined for zero.
+* ``smoothstep`` may have edges the wrong way round, for which the builtin is undefined, and equal
+  ones. So the host computes the inverse of their distance, which is finite in any case, and the
+  builtin gets edges of 0 and 1.
+* The other uses of ``normalize`` need nothing: the host promises that neither the eye nor a lamp
+  stands on the surface.
 * ``pow`` needs nothing: its base is clamped to 0..1, and the exponent is at least 1.
 * The directions need nothing: a host keeps them at length one.
 
 Each language has the highlight in the form that its compiler makes least of: a branch in GLSL, a
 choice of values in HLSL and WGSL.
 
-What depends on parameters alone comes from the host, for both: the normal matrix, the cosine of the
-outer cone, the reciprocal width of the falloff, and whether it is sharp.
+What depends on parameters alone comes from the host, for Burnish and the twins: the normal matrix,
+the cosine of the outer cone, and the inverse width of the falloff. The floors' vertex shader has no
+normal matrix: it takes normals as if no object were stretched.
 """
 
 from __future__ import annotations
@@ -31,8 +34,9 @@ from burnish.targets.toolchain import Job, Toolchain, count_instructions, optimi
 from .table import Row, Section
 
 HERE = Path(__file__).parent
-LIMIT = 1.05
-TEXT_LIMIT = 2560
+LIMIT = 1.08
+"""For fragment shaders, beside the unguarded floor."""
+TEXT_LIMIT = 2400
 STAGES = {"vertex": "vert", "fragment": "frag"}
 AUTHORS = ("burnish", "twins", "floors")
 
@@ -112,15 +116,15 @@ def _counts(modules: dict[Key, bytes]) -> list[Row]:
 
 def _count(compiler: str, stage: str, modules: dict[str, bytes]) -> Row:
     counts = {author: count_instructions(module) for author, module in modules.items()}
-    ratio = counts["burnish"] / counts["twins"]
+    ratio = counts["burnish"] / counts["floors"]
     return {
         "compiler": compiler,
         "stage": stage,
         "burnish": counts["burnish"],
         "twin": counts["twins"],
-        "ratio": ratio,
-        f"at most {LIMIT}": ratio <= LIMIT,
         "unguarded floor": counts["floors"],
+        "ratio to the floor": ratio,
+        f"at most {LIMIT}": ratio <= LIMIT if stage == "fragment" else None,
     }
 
 

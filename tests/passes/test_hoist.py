@@ -113,9 +113,7 @@ def test_what_depends_on_one_light_of_many_stands_in_a_table() -> None:
     (table,) = [value for value in past.staged.derived if value.parameter.name == "spots_derived"]
     assert table.parameter.group == "rig"
     assert str(table.parameter.type) == "SpotsDerived[8]"
-    assert tables(SPOTS) == {
-        "spots_derived": ("falloff_cos", "falloff_edges_meet", "falloff_inverse_width")
-    }
+    assert tables(SPOTS) == {"spots_derived": ("falloff_cos", "falloff_inverse_width")}
 
 
 def test_loops_share_what_they_need_alike_of_each_element() -> None:

@@ -31,6 +31,7 @@ FLOORS: dict[str, str] = {
     "compiler.layout": "ir",
     "compiler.packing": "frozen ir",
     "compiler.formula": "stdlib ir",
+    "compiler.promises": "frozen stdlib ir formula",
     "compiler.source_map": "diagnostics ir",
     "compiler.reference": "frozen stdlib ir",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
@@ -60,7 +61,7 @@ FLOORS: dict[str, str] = {
         "lowering"
     ),
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
-    "compiler.reflection": "frozen diagnostics ir packing",
+    "compiler.reflection": "frozen stdlib diagnostics ir packing promises",
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
     "targets.toolchain": "cache closing",
@@ -70,7 +71,9 @@ FLOORS: dict[str, str] = {
     **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
     "targets.selection": "diagnostics description registry",
-    "targets.runner": ("frozen arguments cache diagnostics srgb ir reference closing toolchain"),
+    "targets.runner": (
+        "frozen arguments cache diagnostics srgb ir promises reference closing toolchain"
+    ),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "compiled": (

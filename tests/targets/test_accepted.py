@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+import burnish
 from burnish.compiler.ir.program import Program
 from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.toolchain import Job, Toolchain
@@ -51,3 +52,20 @@ def test_accepted(selected: Selected, toolchain: Toolchain) -> None:
         if verdict.status != "accepted"
     ]
     assert not refused, "\n".join(refused)
+
+
+NUMBERS = ("0.7", "-0.0", "1e-39", "-1e-45", "1.1754944e-38", "-1.1754942e-38", "3.4028235e38")
+
+
+def test_numbers_at_the_ends_of_the_range(toolchain: Toolchain) -> None:
+    """DXC crashed where both sides of a choice are numbers, and one of them is subnormal."""
+    chosen = [f"(if front_facing then {a} else {b})" for a in NUMBERS for b in NUMBERS if a != b]
+    made = burnish.compile(f"material M {{ alpha = {' + '.join(chosen)} }}", "all").materials[0]
+    asked = [
+        Job(checker, "frag", file.text, file.entry_points["fragment"], file.name)
+        for file in made.files
+        if file.stage == "fragment"
+        for checker in file.checkers
+    ]
+    refused = [each.report() for each in toolchain.check(asked) if each.status != "accepted"]
+    assert asked and not refused, "\n".join(refused)

@@ -126,6 +126,7 @@ class _Drawing:
             covered=mask(canvas.covered),
             undecided=mask(canvas.undecided | canvas.shaky),
             radius=tuple(picture(self._radius(target)) for target in canvas.targets),
+            broken=frozenset(self._stages.broken),
         )
 
     def _radius(self, target: Floats) -> Floats:

@@ -161,8 +161,8 @@ _PACKING: Mapping[str, Callable[[Lane], Jump]] = {
 """Builtins that round each lane of a vector, and pack them into one integer."""
 
 _NOT_BY_LANE = READS | frozenset(
-    {"any", "all", "dot", "cross", "length", "distance", "normalize", "reflect", "transpose",
-     "determinant", "inverse", "outer", "hadamard", "unpack_unorm4x8",
+    {"any", "all", "dot", "cross", "length", "distance", "normalize", "nonzero", "reflect",
+     "transpose", "determinant", "inverse", "outer", "hadamard", "unpack_unorm4x8",
      "unpack_unorm2x16", "unpack_snorm4x8", "unpack_snorm2x16", "unpack_half2x16", *_PACKING,
      *_OF_VECTORS}
 )  # fmt: skip

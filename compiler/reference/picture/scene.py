@@ -127,3 +127,6 @@ class Expected:
     radius: tuple[Floats, ...]
     """For each target (height, width, 4): by how much filtering, derivatives, interpolation and
     rounding may change the value, within the device's bits."""
+    broken: frozenset[int] = frozenset()
+    """The ids of calls of ``nonzero`` whose operand was zero, as far as float32 can tell, at some
+    vertex or pixel: the pixels that use it are not defined."""

@@ -21,7 +21,8 @@ from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
-from .margins import EXACT, READS, Margins
+from ..vectors import inner
+from .margins import EXACT, READS, Margins, margin
 from .quads import Barycentric
 from .sampler import QuadReader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
@@ -32,9 +33,13 @@ from .vertex_reads import VertexReader
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
 """Builtins that use neighbours' values, too, if cubes are not projected."""
+_PROMISES = frozenset(name for name, row in BUILTINS.items() if row.is_promise)
 _FILTERED = frozenset(row.name for row in texture.ROWS if row.sampler is not None)
 _NOT_ROUNDED = (
-    EXACT | READS | _COMPARES_NEIGHBOURS | {"neg", "abs", "min", "max", "clamp", "saturate"}
+    EXACT
+    | READS
+    | _COMPARES_NEIGHBOURS
+    | {"neg", "abs", "min", "max", "clamp", "saturate", "nonzero"}
 )
 """Operations that return an operand or an exact float32, or that have a margin of their own."""
 _CORRECTLY_ROUNDED = frozenset({"add", "sub", "mul"})
@@ -94,6 +99,9 @@ class StageEvaluator:
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
         self.ways = _ways(self._images.values(), rules, nodes, self._crossings)
+        self._promised = _promised((*self._targets, self._position))
+        self.broken: set[int] = set()
+        """The ids of promises that were broken at some vertex or pixel so far."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
@@ -112,6 +120,7 @@ class StageEvaluator:
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)
+            self._check(node, value, margins)
             return value
 
         evaluator = Evaluator(leaves, np, observer)
@@ -166,6 +175,7 @@ class StageEvaluator:
 
         def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
             margins.watch(node, operands, value)
+            self._check(node, value, margins)
             if node.data in ("ddx", "ddy"):
                 margins.spread()
                 return _differences(value, self.ways, CALL.data(node))
@@ -203,6 +213,14 @@ class StageEvaluator:
             return lane
         return lane + (np.abs(lane) * relative[:, None, None, None] + absolute[:, None, None, None])
 
+    def _check(self, node: Node, value: Lanes, margins: Margins) -> None:
+        """Record where a promise is broken, or may be by rounding: nothing is defined there."""
+        if node.id in self._promised:
+            length = np.sqrt(inner(value, value))
+            if np.any(length <= margin()):
+                self.broken.add(node.id)
+            margins.at_zero(length, margin())
+
     def _parameter(self, node: Node) -> Lanes | None:
         if not isinstance(node.data, Parameter):
             return None
@@ -210,6 +228,22 @@ class StageEvaluator:
         if name not in self.values:
             raise ValueError(f"The parameter `{name}` has no value.")
         return self.values[name]
+
+
+def _promised(roots: Sequence[Node]) -> frozenset[int]:
+    """The ids of the promises whose values are used in any case.
+
+    Both sides of a choice are evaluated for all pixels here, and one may be there because a promise
+    of the other does not hold.
+    """
+    seen = set(roots)
+    pending = list(seen)
+    while pending:
+        node = pending.pop()
+        used = node.operands[:1] if node.op == "select" else node.operands
+        pending += (new := [operand for operand in used if operand not in seen])
+        seen.update(new)
+    return frozenset(node.id for node in seen if builtin_of(node) in _PROMISES)
 
 
 def _rounds(node: Node, value: Lanes) -> bool:

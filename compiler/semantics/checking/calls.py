@@ -10,10 +10,12 @@ from typing import TypeGuard
 from ....frozen import changed
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.elsewhere import Instead
+from ....stdlib.builtins.row import nowhere
 from ...diagnostics import rules
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
 from ...diagnostics.source import Span
 from ...ir.node import Node, bare
+from ...ir.operations import CALL
 from ...ir.types import TEXTURES, Texture
 from ...syntax import ast
 from ...syntax.rewriting import called_here
@@ -30,8 +32,8 @@ from .applications import apply_best
 from .builtin_calls import builtin_call
 from .constructors import construct, is_constructor
 from .members import member_of
-from .slots import slot
-from .surfaces import shaded
+from .slots import like_overridden, slot
+from .surfaces import shaded, slots_given
 from .unknown_names import is_declared, is_known, unknown, unknown_here
 
 
@@ -238,6 +240,11 @@ def _unguarded(ctx: Context, arguments: tuple[Node, ...], e: ast.Call) -> Value:
         ctx.report.add(rules.UNGUARDED, e.span)
         return FAILURE
     node = bare(arguments[0])
+    name = CALL.data(node)
+    if BUILTINS[name].domain is nowhere:
+        hint = f"no hardware has `{name}`, so there is no guard to leave out"
+        ctx.report.add(rules.UNGUARDED, e.span, hint=hint)
+        return FAILURE
     native = ctx.tree.node("native", node.type, node.operands, node.data)
     return ctx.meanings.ascribed(native, ctx.meanings.of(arguments[0]))
 
@@ -282,6 +289,8 @@ def replaced(ctx: Context, e: ast.With, operands: Sequence[Value], scope: Scope)
     given: dict[str, Node | Failure] = {}
     for (name, expression), value in zip(known, operands, strict=False):
         node = plain(ctx, value, expression)
+        base, _ = slots_given(ctx, surface)
+        node = like_overridden(ctx, base, name.text, OUTERMOST, node)
         given[name.text] = assignments.assigned(
             ctx, surface.record, name.text, node, expression, scope, OUTERMOST
         )

@@ -7,7 +7,7 @@ layout(std140,set=0,binding=0) uniform P {
   vec3 La; float p3;
   vec3 dDir; float p4; vec3 dCol; float p5;
   vec3 pPos; float p6; vec3 pCol; float p7;
-  vec3 sPos; float sCosOut; vec3 sDir; float sScale; vec3 sCol; uint sSharp;
+  vec3 sPos; float sCosOut; vec3 sDir; float sScale; vec3 sCol; float p8;
 };
 vec3 unit(vec3 v){ return v*inversesqrt(max(dot(v,v),1.1754944e-38)); }
 vec3 shade(vec3 n, vec3 v, vec3 l, vec3 L){
@@ -16,12 +16,11 @@ vec3 shade(vec3 n, vec3 v, vec3 l, vec3 L){
   return (kd*clamp(nl,0.0,1.0)+ks*s)*L;
 }
 void main(){
-  vec3 n=unit(vNrm), v=unit(eye-vPos);
+  vec3 n=unit(vNrm), v=normalize(eye-vPos);
   vec3 c=ka*La;
   c+=shade(n,v,-dDir,dCol);
-  c+=shade(n,v,unit(pPos-vPos),pCol);
-  vec3 l=unit(sPos-vPos);
-  float x=dot(sDir,-l), t=clamp((x-sCosOut)*sScale,0.0,1.0);
-  c+=shade(n,v,l,sCol*(sSharp!=0u ? step(sCosOut,x) : t*t*(3.0-2.0*t)));
+  c+=shade(n,v,normalize(pPos-vPos),pCol);
+  vec3 l=normalize(sPos-vPos);
+  c+=shade(n,v,l,sCol*smoothstep(0.0,1.0,(dot(sDir,-l)-sCosOut)*sScale));
   oCol=vec4(c,1.0);
 }

@@ -5,7 +5,7 @@ cbuffer P : register(b0) {
   float3 La; float p3;
   float3 dDir; float p4; float3 dCol; float p5;
   float3 pPos; float p6; float3 pCol; float p7;
-  float3 sPos; float sCosOut; float3 sDir; float sScale; float3 sCol; uint sSharp;
+  float3 sPos; float sCosOut; float3 sDir; float sScale; float3 sCol; float p8;
 };
 struct VO { float4 pos:SV_Position; float3 wp:TEXCOORD0; float3 n:TEXCOORD1; };
 VO vsmain(float3 aPos:POSITION, float3 aNrm:NORMAL){
@@ -18,12 +18,11 @@ float3 shade(float3 n,float3 v,float3 l,float3 L){
   return (kd*nl+ks*s)*L;
 }
 float4 main(VO i):SV_Target0 {
-  float3 n=unit(i.n), v=unit(eye-i.wp);
+  float3 n=unit(i.n), v=normalize(eye-i.wp);
   float3 c=ka*La;
   c+=shade(n,v,-dDir,dCol);
-  c+=shade(n,v,unit(pPos-i.wp),pCol);
-  float3 l=unit(sPos-i.wp);
-  float x=dot(sDir,-l), t=saturate((x-sCosOut)*sScale);
-  c+=shade(n,v,l,sCol*(sSharp!=0 ? step(sCosOut,x) : t*t*(3-2*t)));
+  c+=shade(n,v,normalize(pPos-i.wp),pCol);
+  float3 l=normalize(sPos-i.wp);
+  c+=shade(n,v,l,sCol*smoothstep(0,1,(dot(sDir,-l)-sCosOut)*sScale));
   return float4(c,1);
 }

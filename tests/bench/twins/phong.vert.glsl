@@ -7,7 +7,7 @@ layout(std140,set=0,binding=0) uniform P {
   vec3 La; float p3;
   vec3 dDir; float p4; vec3 dCol; float p5;
   vec3 pPos; float p6; vec3 pCol; float p7;
-  vec3 sPos; float sCosOut; vec3 sDir; float sScale; vec3 sCol; uint sSharp;
+  vec3 sPos; float sCosOut; vec3 sDir; float sScale; vec3 sCol; float p8;
 };
 void main(){
   vPos=(world*vec4(aPos,1.0)).xyz; vNrm=nrm*aNrm;

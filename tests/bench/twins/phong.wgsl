@@ -4,7 +4,7 @@ struct P {
   La: vec3f, p3: f32,
   dDir: vec3f, p4: f32, dCol: vec3f, p5: f32,
   pPos: vec3f, p6: f32, pCol: vec3f, p7: f32,
-  sPos: vec3f, sCosOut: f32, sDir: vec3f, sScale: f32, sCol: vec3f, sSharp: u32,
+  sPos: vec3f, sCosOut: f32, sDir: vec3f, sScale: f32, sCol: vec3f, p8: f32,
 }
 @group(0) @binding(0) var<uniform> u: P;
 struct VO { @builtin(position) pos: vec4f, @location(0) wp: vec3f, @location(1) n: vec3f }
@@ -19,12 +19,11 @@ fn shade(n: vec3f, v: vec3f, l: vec3f, L: vec3f) -> vec3f {
   return (u.kd*nl+u.ks*s)*L;
 }
 @fragment fn fsmain(@location(0) wp: vec3f, @location(1) nrm: vec3f) -> @location(0) vec4f {
-  let n = unit(nrm); let v = unit(u.eye-wp);
+  let n = unit(nrm); let v = normalize(u.eye-wp);
   var c = u.ka*u.La;
   c += shade(n,v,-u.dDir,u.dCol);
-  c += shade(n,v,unit(u.pPos-wp),u.pCol);
-  let l = unit(u.sPos-wp);
-  let x = dot(u.sDir,-l); let t = saturate((x-u.sCosOut)*u.sScale);
-  c += shade(n,v,l,u.sCol*select(t*t*(3.0-2.0*t), step(u.sCosOut,x), u.sSharp != 0u));
+  c += shade(n,v,normalize(u.pPos-wp),u.pCol);
+  let l = normalize(u.sPos-wp);
+  c += shade(n,v,l,u.sCol*smoothstep(0.0,1.0,(dot(u.sDir,-l)-u.sCosOut)*u.sScale));
   return vec4f(c,1.0);
 }

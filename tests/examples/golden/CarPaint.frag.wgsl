@@ -37,7 +37,7 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
     let normal = safe_normalize(inherited_normal + material.flakes * (2.0 * grain_.xyz - 1.0));
     let sun_to_light = -rig.sun_direction;
     let normal_dot_sun_to_light = dot(normal, sun_to_light);
-    let to_eye = safe_normalize(input.position_shifted);
+    let to_eye = normalize(input.position_shifted);
     let lambert_phong = material.paint * saturate(normal_dot_sun_to_light) * rig.sun_diffuse_color
         + material.paint * select(
             0.0, pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), 12.0),

@@ -33,15 +33,11 @@ struct FragmentInput {
     @location(1) normal: vec3f,
 }
 
-/// Zero stays zero.
-fn safe_normalize(v: vec3f) -> vec3f {
-    return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
-}
-
 @fragment
 fn main(input: FragmentInput) -> @location(0) vec4f {
-    let to_eye = safe_normalize(input.position_shifted);
-    let normal = safe_normalize(input.normal);
+    let to_eye = normalize(input.position_shifted);
+    // Zero stays zero.
+    let normal = input.normal * inverseSqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
     let mirrored = reflect(-to_eye, normal);
     let rim = pow(1.0 - saturate(dot(normal, to_eye)), 5.0);
     let color = textureSampleLevel(

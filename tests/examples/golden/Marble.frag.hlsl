@@ -29,11 +29,6 @@ struct FragmentInput {
     [[vk::location(1)]] float3 normal : TEXCOORD1;
 };
 
-/// Zero stays zero.
-float3 safe_normalize(float3 v) {
-    return v * rsqrt(max(dot(v, v), 1.1754944e-38));
-}
-
 float4 main(FragmentInput input) : SV_Target0 {
     float3 vein_product = input.position * grain;
     float vein_turbulence = 0.0;
@@ -46,11 +41,12 @@ float4 main(FragmentInput input) : SV_Target0 {
     }
     float vein = vein_turbulence >= 1.1754944e-38 ? pow(vein_turbulence, 3.0) : 0.0;
     float3 kd = stone + kd_difference * vein;
-    float3 normal = safe_normalize(input.normal);
+    // Zero stays zero.
+    float3 normal = input.normal * rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
     float normal_dot_sun_to_light = dot(normal, -sun_direction);
     float color_mirrored = 0.0;
     if (normal_dot_sun_to_light > 0.0) {
-        float3 to_eye = safe_normalize(eye - input.position);
+        float3 to_eye = normalize(eye - input.position);
         color_mirrored = pow(saturate(dot(reflect(sun_direction, normal), to_eye)), 80.0);
     }
     float3 color = kd * ambient_light + (

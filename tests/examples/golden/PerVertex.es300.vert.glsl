@@ -35,18 +35,15 @@ layout(location = 1) in vec3 vertex_normal;
 
 out vec3 v_color;
 
-/// Zero stays zero.
-vec3 safe_normalize(vec3 v) {
-    return v * inversesqrt(max(dot(v, v), 1.1754944e-38));
-}
-
 void main() {
     vec3 position = (object_to_world * vec4(vertex_position, 1.0)).xyz;
-    vec3 normal = safe_normalize((normal_matrix * vertex_normal).xyz);
+    vec3 normal_upright = (normal_matrix * vertex_normal).xyz;
+    // Zero stays zero.
+    vec3 normal = normal_upright * inversesqrt(max(dot(normal_upright, normal_upright), 1.1754944e-38));
     float normal_dot_sun_to_light = dot(normal, -sun_direction);
     float color_mirrored = 0.0;
     if (normal_dot_sun_to_light > 0.0) {
-        vec3 to_eye = safe_normalize(eye - position);
+        vec3 to_eye = normalize(eye - position);
         color_mirrored = pow(clamp(dot(reflect(sun_direction, normal), to_eye), 0.0, 1.0), p);
     }
     v_color = kd * ambient_light + (

@@ -42,19 +42,16 @@ struct VertexOutput {
     @builtin(position) clip_position: vec4f,
 }
 
-/// Zero stays zero.
-fn safe_normalize(v: vec3f) -> vec3f {
-    return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
-}
-
 @vertex
 fn main(input: VertexInput) -> VertexOutput {
     let position = (draw.object_to_world * vec4f(input.vertex_position, 1.0)).xyz;
-    let normal = safe_normalize((draw_derived.normal_matrix * input.vertex_normal).xyz);
+    let normal_upright = (draw_derived.normal_matrix * input.vertex_normal).xyz;
+    // Zero stays zero.
+    let normal = normal_upright * inverseSqrt(max(dot(normal_upright, normal_upright), 1.1754944e-38));
     let normal_dot_sun_to_light = dot(normal, -rig.sun_direction);
     var color_mirrored: f32 = 0.0;
     if (normal_dot_sun_to_light > 0.0) {
-        let to_eye = safe_normalize(view.eye - position);
+        let to_eye = normalize(view.eye - position);
         color_mirrored = pow(saturate(dot(reflect(rig.sun_direction, normal), to_eye)), material.p);
     }
     var output: VertexOutput;

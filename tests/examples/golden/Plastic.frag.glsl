@@ -29,7 +29,7 @@ layout(std140, set = 1, binding = 0) uniform Rig {
     float rig_pad_3;
     vec3 torch_diffuse_color;
     vec3 torch_specular_color;
-    vec3 torch_place;
+    vec3 torch_place;  /// On no surface that is drawn
     vec3 torch_axis;  /// Where the light travels
     float torch_inner;
     float torch_outer;
@@ -37,7 +37,6 @@ layout(std140, set = 1, binding = 0) uniform Rig {
 
 layout(std140, set = 1, binding = 1) uniform RigDerived {
     float torch_falloff_cos;
-    uint torch_falloff_edges_meet;
     float torch_falloff_inverse_width;
 };
 
@@ -56,11 +55,6 @@ layout(location = 2) in vec2 v_uv;
 
 layout(location = 0) out vec4 out_color;
 
-/// Zero stays zero.
-vec3 safe_normalize(vec3 v) {
-    return v * inversesqrt(max(dot(v, v), 1.1754944e-38));
-}
-
 vec3 lambert_phong(vec3 to_light, vec3 diffuse, vec3 specular, vec3 normal, vec3 tint, vec3 to_eye) {
     float normal_dot_to_light = dot(normal, to_light);
     vec3 phong = shine * (
@@ -71,23 +65,20 @@ vec3 lambert_phong(vec3 to_light, vec3 diffuse, vec3 specular, vec3 normal, vec3
 
 void main() {
     vec3 tint = base * texture(sampler2D(albedo, albedo_sampler), v_uv).xyz;
-    vec3 normal = safe_normalize(v_normal);
-    vec3 to_eye = safe_normalize(eye - v_position);
+    // Zero stays zero.
+    vec3 normal = v_normal * inversesqrt(max(dot(v_normal, v_normal), 1.1754944e-38));
+    vec3 to_eye = normalize(eye - v_position);
     vec3 color_total = vec3(0.0);
     for (int i = 0; i < min(lamps_count, 8); i++) {
-        vec3 lamps_to_light = safe_normalize(lamps[i].place - v_position);
+        vec3 lamps_to_light = normalize(lamps[i].place - v_position);
         color_total += lambert_phong(
             lamps_to_light, lamps[i].diffuse_color, lamps[i].specular_color, normal, tint, to_eye
         );
     }
-    vec3 torch_to_light = safe_normalize(torch_place - v_position);
-    float torch_falloff_cosine = dot(torch_axis, -torch_to_light);
-    float torch_falloff_along = clamp(
-        (torch_falloff_cosine - torch_falloff_cos) * torch_falloff_inverse_width, 0.0, 1.0
+    vec3 torch_to_light = normalize(torch_place - v_position);
+    float torch_falloff = smoothstep(
+        0.0, 1.0, (dot(torch_axis, -torch_to_light) - torch_falloff_cos) * torch_falloff_inverse_width
     );
-    float torch_falloff = torch_falloff_edges_meet != 0u
-        ? step(torch_falloff_cos, torch_falloff_cosine)
-        : torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along);
     vec3 color = tint * ambient_light
         + lambert_phong(-sun_direction, sun_diffuse_color, sun_specular_color, normal, tint, to_eye)
         + color_total

@@ -28,7 +28,7 @@ cbuffer Rig : register(b0, space1) {
     float rig_pad_3;
     float3 torch_diffuse_color;
     float3 torch_specular_color;
-    float3 torch_place;
+    float3 torch_place;  /// On no surface that is drawn
     float3 torch_axis;  /// Where the light travels
     float torch_inner;
     float torch_outer;
@@ -36,7 +36,6 @@ cbuffer Rig : register(b0, space1) {
 
 cbuffer RigDerived : register(b1, space1) {
     float torch_falloff_cos;
-    uint torch_falloff_edges_meet;
     float torch_falloff_inverse_width;
 };
 
@@ -55,11 +54,6 @@ struct FragmentInput {
     [[vk::location(2)]] float2 uv : TEXCOORD2;
 };
 
-/// Zero stays zero.
-float3 safe_normalize(float3 v) {
-    return v * rsqrt(max(dot(v, v), 1.1754944e-38));
-}
-
 float3 lambert_phong(
     float3 to_light, float3 diffuse, float3 specular, float3 normal, float3 tint, float3 to_eye
 ) {
@@ -72,23 +66,20 @@ float3 lambert_phong(
 
 float4 main(FragmentInput input) : SV_Target0 {
     float3 tint = base * albedo.Sample(albedo_sampler, input.uv).xyz;
-    float3 normal = safe_normalize(input.normal);
-    float3 to_eye = safe_normalize(eye - input.position);
+    // Zero stays zero.
+    float3 normal = input.normal * rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
+    float3 to_eye = normalize(eye - input.position);
     float3 color_total = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < min(lamps_count, 8); i++) {
-        float3 lamps_to_light = safe_normalize(lamps[i].place - input.position);
+        float3 lamps_to_light = normalize(lamps[i].place - input.position);
         color_total += lambert_phong(
             lamps_to_light, lamps[i].diffuse_color, lamps[i].specular_color, normal, tint, to_eye
         );
     }
-    float3 torch_to_light = safe_normalize(torch_place - input.position);
-    float torch_falloff_cosine = dot(torch_axis, -torch_to_light);
-    float torch_falloff_along = saturate(
-        (torch_falloff_cosine - torch_falloff_cos) * torch_falloff_inverse_width
+    float3 torch_to_light = normalize(torch_place - input.position);
+    float torch_falloff = smoothstep(
+        0.0, 1.0, (dot(torch_axis, -torch_to_light) - torch_falloff_cos) * torch_falloff_inverse_width
     );
-    float torch_falloff = torch_falloff_edges_meet != 0u
-        ? step(torch_falloff_cos, torch_falloff_cosine)
-        : torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along);
     float3 color = tint * ambient_light
         + lambert_phong(-sun_direction, sun_diffuse_color, sun_specular_color, normal, tint, to_eye)
         + color_total

@@ -32,7 +32,7 @@ struct Rig {
     float rig_pad_3;
     alignas(16) packed_float3 torch_diffuse_color;
     alignas(16) packed_float3 torch_specular_color;
-    alignas(16) packed_float3 torch_place;
+    alignas(16) packed_float3 torch_place;  /// On no surface that is drawn
     alignas(16) packed_float3 torch_axis;  /// Where the light travels
     float torch_inner;
     float torch_outer;
@@ -40,7 +40,6 @@ struct Rig {
 
 struct RigDerived {
     float torch_falloff_cos;
-    uint torch_falloff_edges_meet;
     float torch_falloff_inverse_width;
 };
 
@@ -59,11 +58,6 @@ struct FragmentInput {
 struct FragmentOutput {
     float4 color [[color(0)]];
 };
-
-/// Zero stays zero.
-float3 safe_normalize(float3 v) {
-    return v * precise::rsqrt(max(dot(v, v), 1.1754944e-38f));
-}
 
 float3 lambert_phong(
     constant Material& material, float3 to_light, float3 diffuse, float3 specular, float3 normal, float3 tint,
@@ -84,24 +78,23 @@ fragment FragmentOutput fs_main(
     texture2d<float> albedo [[texture(0)]], sampler albedo_sampler [[sampler(0)]]
 ) {
     const float3 tint = float3(material.base) * albedo.sample(albedo_sampler, input.uv).xyz;
-    const float3 normal = safe_normalize(input.normal);
-    const float3 to_eye = safe_normalize(float3(view.eye) - input.position);
+    // Zero stays zero.
+    const float3 normal = input.normal * precise::rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38f));
+    const float3 to_eye = normalize(float3(view.eye) - input.position);
     float3 color_total = float3(0.0f);
     for (int i = 0; i < min(rig.lamps_count, 8); i++) {
-        const float3 lamps_to_light = safe_normalize(float3(rig.lamps[i].place) - input.position);
+        const float3 lamps_to_light = normalize(float3(rig.lamps[i].place) - input.position);
         color_total += lambert_phong(
             material, lamps_to_light, float3(rig.lamps[i].diffuse_color), float3(rig.lamps[i].specular_color),
             normal, tint, to_eye
         );
     }
-    const float3 torch_to_light = safe_normalize(float3(rig.torch_place) - input.position);
-    const float torch_falloff_cosine = dot(float3(rig.torch_axis), -torch_to_light);
-    const float torch_falloff_along = saturate(
-        (torch_falloff_cosine - rig_derived.torch_falloff_cos) * rig_derived.torch_falloff_inverse_width
+    const float3 torch_to_light = normalize(float3(rig.torch_place) - input.position);
+    const float torch_falloff = smoothstep(
+        0.0f, 1.0f,
+        (dot(float3(rig.torch_axis), -torch_to_light) - rig_derived.torch_falloff_cos)
+            * rig_derived.torch_falloff_inverse_width
     );
-    const float torch_falloff = rig_derived.torch_falloff_edges_meet != 0u
-        ? step(rig_derived.torch_falloff_cos, torch_falloff_cosine)
-        : torch_falloff_along * torch_falloff_along * (3.0f - 2.0f * torch_falloff_along);
     const float3 color = tint * float3(rig.ambient_light)
         + lambert_phong(
             material, -float3(rig.sun_direction), float3(rig.sun_diffuse_color),

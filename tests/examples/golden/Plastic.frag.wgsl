@@ -28,7 +28,7 @@ struct Rig {
     rig_pad_3: f32,
     torch_diffuse_color: vec3f,
     torch_specular_color: vec3f,
-    torch_place: vec3f,
+    torch_place: vec3f,  /// On no surface that is drawn
     torch_axis: vec3f,  /// Where the light travels
     torch_inner: f32,
     torch_outer: f32,
@@ -36,7 +36,6 @@ struct Rig {
 
 struct RigDerived {
     torch_falloff_cos: f32,
-    torch_falloff_edges_meet: u32,
     torch_falloff_inverse_width: f32,
 }
 
@@ -59,11 +58,6 @@ struct FragmentInput {
     @location(2) uv: vec2f,
 }
 
-/// Zero stays zero.
-fn safe_normalize(v: vec3f) -> vec3f {
-    return v * inverseSqrt(max(dot(v, v), 1.1754944e-38));
-}
-
 fn lambert_phong(
     to_light: vec3f, diffuse: vec3f, specular: vec3f, normal: vec3f, tint: vec3f, to_eye: vec3f
 ) -> vec3f {
@@ -77,23 +71,21 @@ fn lambert_phong(
 @fragment
 fn main(input: FragmentInput) -> @location(0) vec4f {
     let tint = material.base * textureSample(albedo, albedo_sampler, input.uv).xyz;
-    let normal = safe_normalize(input.normal);
-    let to_eye = safe_normalize(view.eye - input.position);
+    // Zero stays zero.
+    let normal = input.normal * inverseSqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
+    let to_eye = normalize(view.eye - input.position);
     var color_total: vec3f = vec3f(0.0);
     for (var i: i32 = 0; i < min(rig.lamps_count, 8); i++) {
-        let lamps_to_light = safe_normalize(rig.lamps[i].place - input.position);
+        let lamps_to_light = normalize(rig.lamps[i].place - input.position);
         color_total += lambert_phong(
             lamps_to_light, rig.lamps[i].diffuse_color, rig.lamps[i].specular_color, normal, tint, to_eye
         );
     }
-    let torch_to_light = safe_normalize(rig.torch_place - input.position);
-    let torch_falloff_cosine = dot(rig.torch_axis, -torch_to_light);
-    let torch_falloff_along = saturate(
-        (torch_falloff_cosine - rig_derived.torch_falloff_cos) * rig_derived.torch_falloff_inverse_width
-    );
-    let torch_falloff = select(
-        torch_falloff_along * torch_falloff_along * (3.0 - 2.0 * torch_falloff_along),
-        step(rig_derived.torch_falloff_cos, torch_falloff_cosine), rig_derived.torch_falloff_edges_meet != 0u
+    let torch_to_light = normalize(rig.torch_place - input.position);
+    let torch_falloff = smoothstep(
+        0.0, 1.0,
+        (dot(rig.torch_axis, -torch_to_light) - rig_derived.torch_falloff_cos)
+            * rig_derived.torch_falloff_inverse_width
     );
     let color = tint * rig.ambient_light
         + lambert_phong(

@@ -9,7 +9,7 @@ cbuffer Rig : register(b0, space1) {
     float3 ambient_light;  /// Light from everywhere
     float3 key_diffuse_color;
     float3 key_specular_color;
-    float3 key_place;
+    float3 key_place;  /// On no surface that is drawn
     float3 key_axis;  /// Where the light travels
     float key_inner;
     float key_outer;
@@ -23,7 +23,6 @@ cbuffer Rig : register(b0, space1) {
 
 cbuffer RigDerived : register(b1, space1) {
     float key_falloff_cos;
-    uint key_falloff_edges_meet;
     float key_falloff_inverse_width;
 };
 
@@ -45,21 +44,15 @@ struct FragmentInput {
     [[vk::location(1)]] float3 normal : TEXCOORD1;
 };
 
-/// Zero stays zero.
-float3 safe_normalize(float3 v) {
-    return v * rsqrt(max(dot(v, v), 1.1754944e-38));
-}
-
 float4 main(FragmentInput input) : SV_Target0 {
-    float3 normal = safe_normalize(input.normal);
-    float3 key_to_light = safe_normalize(key_place - input.position);
+    // Zero stays zero.
+    float3 normal = input.normal * rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
+    float3 key_to_light = normalize(key_place - input.position);
     float normal_dot_key_to_light = dot(normal, key_to_light);
     float3 color_negated = -key_to_light;
-    float key_falloff_cosine = dot(key_axis, color_negated);
-    float key_falloff_along = saturate((key_falloff_cosine - key_falloff_cos) * key_falloff_inverse_width);
-    float inherited_key_falloff = key_falloff_edges_meet != 0u
-        ? step(key_falloff_cos, key_falloff_cosine)
-        : key_falloff_along * key_falloff_along * (3.0 - 2.0 * key_falloff_along);
+    float inherited_key_falloff = smoothstep(
+        0.0, 1.0, (dot(key_axis, color_negated) - key_falloff_cos) * key_falloff_inverse_width
+    );
     float4 key_projected = mul(key_to_map, float4(input.position, 1.0));
     // Zero over zero, and anything else over zero, is zero: in all lanes, or in none.
     float3 key_seen = abs(key_projected.w) >= 1.1754944e-38
@@ -78,7 +71,7 @@ float4 main(FragmentInput input) : SV_Target0 {
     float key_falloff = inherited_key_falloff * (key_lit_total / 9.0);
     float color_mirrored = 0.0;
     if (normal_dot_key_to_light > 0.0) {
-        float3 to_eye = safe_normalize(eye - input.position);
+        float3 to_eye = normalize(eye - input.position);
         color_mirrored = pow(saturate(dot(reflect(color_negated, normal), to_eye)), 24.0);
     }
     float3 color = base * ambient_light + (

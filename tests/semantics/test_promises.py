@@ -1,0 +1,80 @@
+"""``nonzero``: what a host promises of a vector, and who tells of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import burnish
+from burnish.stdlib.builtins.geometry import SHORTEST
+
+from ..cli.kit import invoke
+
+LIT = """
+import std.lights.{Point, FocusedSpot}
+import std.terms.{lambert}
+material M { color = lambert(vec3(0.8)) }
+"""
+AT_VERTICES = LIT.replace("= lambert", "= @vertex lambert")
+
+
+def promised(source: str) -> list[dict[str, Any]]:
+    (material,) = burnish.compile(source, ("wgsl",)).materials
+    rows: list[dict[str, Any]] = material.reflection["promises"]
+    return rows
+
+
+def test_the_reflection_tells_what_is_promised_of_which_parameters() -> None:
+    assert promised(LIT + "rig R { lamp : Point }") == [
+        {
+            "value": "lamp.place - position",
+            "least_length": SHORTEST,
+            "parameters": ["object_to_world", "lamp.place"],
+        }
+    ]
+
+
+def test_what_no_result_needs_is_not_promised() -> None:
+    assert promised("material M { unread = nonzero(uv)  color = vec3(1) }") == []
+
+
+def test_a_promise_computes_nothing() -> None:
+    with_, without = (
+        burnish.compile(f"material M {{ color = vec3({value}, 0) }}", ("glsl",))["M"]
+        for value in ("nonzero(uv)", "uv")
+    )
+    assert with_.text("glsl", "fragment") == without.text("glsl", "fragment")
+
+
+def test_lamps_are_off_the_surface_so_nothing_is_guarded_for_them() -> None:
+    for light in ("Point", "FocusedSpot"):
+        (material,) = burnish.compile(LIT + f"rig R {{ lamp : {light} }}", ("wgsl",)).materials
+        assert [g.builtin for g in material.guards if "light" in str(g.span)] == []
+        text = material.text("wgsl", "fragment")
+        assert "normalize(" in text and "inverseSqrt(max(dot(input.normal" in text
+
+
+def test_a_vector_keeps_its_meaning() -> None:
+    source = "material M { color = vec3(dot(nonzero(eye - position), normal)) }"
+    assert burnish.check(source) == ()
+    (found,) = burnish.check("material M { color = vec3(dot(nonzero(eye - position), #fff)) }")
+    assert "vector<world>" in found.message
+
+
+def test_a_number_declares_a_range_instead() -> None:
+    (found,) = burnish.check("material M { param x : float  color = vec3(nonzero(x)) }")
+    assert "nonzero" in found.message
+
+
+def test_a_broken_promise_is_told_by_render(tmp_path: Path) -> None:
+    source = tmp_path / "m.burnish"
+    source.write_text(AT_VERTICES + "rig R { lamp : Point }")
+    arguments = ("render", source, "-o", tmp_path / "m.png", "--mesh", "plane", "--size", "16")
+    kept = invoke(*arguments, "--set", "lamp.place=0,0,1")
+    assert "warning" not in kept.stderr
+    broken = invoke(*arguments, "--set", "lamp.place=0,0,0")
+    assert (
+        "warning: M: `lamp.place - position` is promised not to be zero, and is: "
+        "the pixels that use it are not defined" in broken.stderr
+    )
+    assert broken.exit_code == 0
