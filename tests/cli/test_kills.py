@@ -250,7 +250,7 @@ def test_others_can_add_nothing_whatever_the_umask(
         modes.extend(S_IMODE(each.lstat().st_mode) for each in Path(source).parents[:2])
         Path(source).rename(target)
 
-    monkeypatch.setattr(replacing.os, "replace", rename)
+    monkeypatch.setattr(os, "replace", rename)
     before = os.umask(mask)
     try:
         replace_all(str(tmp_path), {"a": b"new"})
