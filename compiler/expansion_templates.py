@@ -17,7 +17,8 @@ from .diagnostics.source import Span
 from .ir.node import Formal, Node, Op, reachable
 from .ir.types import Scalar, Type, Vector
 from .library import MEANING, expansion
-from .semantics.checking.applications import apply_body, best
+from .semantics.checking.applications import apply_body
+from .semantics.checking.candidates import best
 from .semantics.checking.expressions import RULES
 from .semantics.inheritance.flattening import Records
 from .semantics.lowering.interning import Interning
@@ -87,9 +88,10 @@ def _lowered(name: str, types: tuple[Type, ...]) -> Template | None:
     arguments = tuple(
         ctx.tree.node("formal", type_, (), Formal(f"x{i}")) for i, type_ in enumerate(types)
     )
-    symbol = best(ctx, list(expansion(name)), arguments)
-    if symbol is None:
+    found = best(ctx, expansion(name), arguments)
+    if not found:
         return None
+    (symbol,) = found
     value = apply_body(ctx, symbol, arguments, Span(symbol.module.file.source, 0, 0))
     assert not isinstance(value, Failure), report.diagnostics
     graph = Interning(ctx.notes)

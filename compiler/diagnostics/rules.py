@@ -385,6 +385,12 @@ UNINFERABLE_PARAMETER = _error(
     "The compiler finds out from the arguments what a type parameter stands for, so the type of "
     "at least one argument has to name it.",
 )
+AMBIGUOUS_CALL = _error(
+    "B0329",
+    "several functions `{name}` take ({arguments}) equally well",
+    "None of them takes the arguments better than the others. Say what is meant: of which type a "
+    "number is, as in `float(1)` or `vec3(1)`, or what numbers mean, as in `(v as rgb)`.",
+)
 TEXTURE_LACKS_READ = _error(
     "B0350",
     "`{type}` has no {read}",
@@ -471,7 +477,8 @@ ZERO_DIVISOR = _error(
 NUMBER_TOO_LARGE = _error(
     "B0402",
     "`{text}` does not fit into {type}",
-    "`float` reaches to about 3.4e38, `int` to 2147483647, `uint` to 4294967295.",
+    "`float` reaches to about 3.4e38, `int` to 2147483647, `uint` to 4294967295. A constant that "
+    "is computed has to fit as well.",
 )
 OUT_OF_RANGE = _error(
     "B0403",

@@ -163,3 +163,34 @@ def test_the_default_pass_writes_colour_and_alpha() -> None:
     assert (result.name, result.state) == ("color", RenderTarget("rgba8", "none"))
     assert at(whole, result.value) == (1, 1, 1, 0.25)
     assert not whole.results_of(DISCARD)
+
+
+ADAPTING: dict[str, Lanes] = {
+    "material M : Base { a = 0 }": (0, 2, 0.25),
+    "material M : Base { a = -2 }": (4, 2, 0.25),
+    "material M : Base { a = if uv.x > 0.5 then 1 else 2 }": (4, 2, 0.25),
+    "material M : Base { v = 2 }": (0.0625, 4, 0.25),
+    "material M : Base { v = 0.5 }": (0.0625, 1, 0.25),
+    "material M : Base { l = [2, 3] }": (0.0625, 2, 6),
+    "material M : Base { a = zero }": (0, 2, 0.25),
+    "abstract material N : Base { a = 1 }  material M : N { a = 2 }": (4, 2, 0.25),
+    "mixin Plain { a = 3 }  material M : Base + Plain {}": (9, 2, 0.25),
+    "material M : Base { color = inherited.color + (t() with { a = 2 }) }": (1.0625, 3, 1.25),
+    "material M : Base { v = a  a = 3 }": (9, 6, 0.25),
+    "material M : Base { a = 3  v = vec2(a * a) }": (9, 18, 0.25),
+}
+
+
+@pytest.mark.parametrize(("heirs", "expected"), ADAPTING.items(), ids=ADAPTING)
+def test_a_literal_adapts_to_what_it_overrides(heirs: str, expected: Lanes) -> None:
+    base = """
+        zero = 0
+        abstract material Base {
+            a = uv.x
+            v = uv * 2
+            l = [1.0, 0.25]
+            color = vec3(mix(0, 1, a * a), v.x + v.y, l[0] * l[1])
+        }
+        term t() = vec3(mix(0, 1, a * a) / 4)
+    """
+    assert color(f"{base}{heirs}") == pytest.approx(expected)

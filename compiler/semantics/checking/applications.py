@@ -12,7 +12,6 @@ from ...diagnostics.source import Span
 from ...ir.node import Formals, Node
 from ...syntax import ast
 from ...syntax.quoting import counted
-from ..declarations import contracts
 from ..declarations.contracts import as_declared
 from ..declarations.written_types import declared_type
 from ..names.modules import Symbol
@@ -23,6 +22,7 @@ from ..types.generics import of_unknown_family, shown, uninferable
 from . import lights
 from .bodies import settle_body
 from .call_marks import Callee, marked
+from .candidates import best
 from .functions import bound, fit_result, may_enter, scope_of_body, usage
 from .operands import listed
 from .signatures import SharedCall, applied, failed, shared_call, stand_ins
@@ -36,55 +36,15 @@ def apply_best(
     scope: Scope,
 ) -> Value:
     """The value of a call of whichever of these functions takes the arguments best."""
-    symbol = overloaded[0] if len(overloaded) == 1 else best(ctx, overloaded, arguments)
-    if symbol is not None:
-        return _apply(ctx, symbol, arguments, e, scope)
+    found = overloaded if len(overloaded) == 1 else best(ctx, overloaded, arguments)
+    if len(found) == 1:
+        return _apply(ctx, found[0], arguments, e, scope)
     ctx.report.add(
-        rules.NO_OVERLOAD, e.span, name=overloaded[0].name, arguments=listed(arguments),
-        labels=[Label(s.declaration.name.span, "a candidate") for s in overloaded],
+        rules.AMBIGUOUS_CALL if found else rules.NO_OVERLOAD, e.span,
+        name=overloaded[0].name, arguments=listed(arguments),
+        labels=[Label(s.declaration.name.span, "a candidate") for s in found or overloaded],
     )  # fmt: skip
     return FAILURE
-
-
-def best(ctx: Context, overloaded: list[Symbol], arguments: tuple[Node, ...]) -> Symbol | None:
-    """The overload that takes the arguments most nearly as they are.
-
-    What need not adapt comes before what must, concrete types before type parameters, and then the
-    order of the file decides.
-    """
-    ranked: list[tuple[bool, bool, int]] = []
-    for number, symbol in enumerate(overloaded):
-        adapts = accepts(ctx, symbol, arguments)
-        function = symbol.declaration
-        assert isinstance(function, ast.Function)
-        if adapts is not None:
-            ranked.append((adapts, bool(function.type_parameters), number))
-    return overloaded[min(ranked)[2]] if ranked else None
-
-
-def accepts(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...]) -> bool | None:
-    """Whether an overload takes these arguments only if one adapts; ``None`` if not at all.
-
-    Reports nothing.
-    """
-    function = symbol.declaration
-    assert isinstance(function, ast.Function)
-    if len(function.arguments) != len(arguments):
-        return None
-    variables = bound(ctx, function, arguments)
-    if variables is None:
-        return None
-    adapts = False
-    for formal, argument in zip(function.arguments, arguments, strict=True):
-        wanted = declared_type(ctx, formal.type, symbol.module, variables)
-        generic = formal.type.name.text in variables
-        fits = (
-            None if wanted is None else contracts.adapts(ctx, argument, wanted, broadcast=generic)
-        )
-        if fits is None:
-            return None
-        adapts = adapts or fits
-    return adapts
 
 
 def _apply(
@@ -164,7 +124,8 @@ def apply_body(
             return ctx.applied[key]
         scope = scope_of_body(ctx, symbol, arguments, surface)
         in_use = Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
-        finish = partial(_finish, ctx, key, call, arguments, scope, ctx.report.count, in_use)
+        before = ctx.report.count, len(ctx.deferred)
+        finish = partial(_finish, ctx, key, call, arguments, scope, before, in_use)
         settle_body(ctx, symbol, span, scope, finish)
     return ctx.applied[key]
 
@@ -175,7 +136,7 @@ def _finish(
     call: SharedCall | None,
     arguments: tuple[Node, ...],
     scope: Scope,
-    before: int,
+    before: tuple[int, int],
     in_use: Label,
     result: Node | Failure,
 ) -> None:
@@ -183,9 +144,10 @@ def _finish(
     symbol, *_ = key
     result = fit_result(ctx, symbol, result, arguments)
     if call is not None and isinstance(result, Failure):
-        failed(ctx, call.signature, before)
+        failed(ctx, call.signature, before[0])
     if scope.variables:
-        ctx.report.explain(before, in_use)
+        ctx.report.explain(before[0], in_use)
+        ctx.deferred.explain(before[1], in_use)
     ctx.applied[key] = _marked(ctx, key, arguments, result)
 
 
@@ -194,6 +156,8 @@ def _marked(
 ) -> Node | Failure:
     """A body's value as that of a call, which ``outlining`` may have share a body with others."""
     symbol, _, surface = key
+    if isinstance(value, Node):
+        ctx.deferred.unread(value, arguments)
     if isinstance(value, Node) and value.operands:
         ctx.notes.roles.setdefault(value.id, symbol.name)
         if surface is None:
@@ -213,10 +177,12 @@ def checked_body(
     function, found = callee.symbol.declaration, ctx.report.count
     assert isinstance(function, ast.Function)
     names = [argument.name.text for argument in function.arguments]
+    deferred = len(ctx.deferred)
     stand_in = stand_ins(ctx, names, callee.given, fixed)
     value = apply_body(ctx, callee.symbol, stand_in.values, function.name.span)
     failed = ctx.report.count > found
     ctx.report.forget(found)
+    ctx.deferred.forget(deferred)
     if failed or isinstance(value, Failure) or not stand_in.formals:
         return None
     return value.operands[0] if value.op == "called" else value, stand_in.formals

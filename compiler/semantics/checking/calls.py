@@ -30,8 +30,8 @@ from .applications import apply_best
 from .builtin_calls import builtin_call
 from .constructors import construct, is_constructor
 from .members import member_of
-from .slots import slot
-from .surfaces import shaded
+from .slots import like_overridden, slot
+from .surfaces import shaded, slots_given
 from .unknown_names import is_declared, is_known, unknown, unknown_here
 
 
@@ -282,6 +282,8 @@ def replaced(ctx: Context, e: ast.With, operands: Sequence[Value], scope: Scope)
     given: dict[str, Node | Failure] = {}
     for (name, expression), value in zip(known, operands, strict=False):
         node = plain(ctx, value, expression)
+        base, _ = slots_given(ctx, surface)
+        node = like_overridden(ctx, base, name.text, OUTERMOST, node)
         given[name.text] = assignments.assigned(
             ctx, surface.record, name.text, node, expression, scope, OUTERMOST
         )

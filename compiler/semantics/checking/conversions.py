@@ -25,6 +25,7 @@ from ..types import meaning_rules
 from ..types.typenames import HOMOGENEOUS, SPACES
 from . import applications, combinations
 from .builtin_calls import builtin_call
+from .candidates import best
 from .operands import listed
 from .slots import slot
 
@@ -116,8 +117,9 @@ def _step(
 
 def _library(ctx: Context, name: str, arguments: tuple[Node, ...], span: Span) -> Node | Failure:
     """A function of ``spaces.burnish``."""
-    symbol = applications.best(ctx, list(library().find(name)), arguments)
-    assert symbol is not None, f"{name} does not take {listed(arguments)}"
+    found = best(ctx, library().find(name), arguments)
+    assert len(found) == 1, f"{name} does not take {listed(arguments)}"
+    (symbol,) = found
     result: Node | Failure = applications.library_call(ctx, symbol, arguments, span)
     return result
 

@@ -22,7 +22,7 @@ from ..declarations import contracts
 from ..declarations.fitting import fit
 from ..declarations.overrides import check_overrides
 from ..names.modules import Symbol
-from ..state.context import Context, LightBody
+from ..state.context import Context, LightBody, Twin
 from ..state.scope import (
     FAILURE,
     Application,
@@ -37,6 +37,7 @@ from .bodies import settle_body
 from .functions import fit_result, may_enter, scope_of_body
 from .loops import changing, folded
 from .slots import slot
+from .surfaces import slots_given
 
 
 def per_light(
@@ -74,7 +75,7 @@ def _summed(ctx: Context, body: LightBody, span: Span, surface: Instance) -> Nod
         if formal is not None:
             count = None if entry.count is None else _parameter(ctx, entry.count)
             contribution = folded(
-                ctx.tree, "add", entry.bound, contribution, formal, ctx.notes.follow, count
+                ctx.tree, "add", entry.bound, contribution, formal, ctx.follow, count
             )
         ctx.places.note(contribution, span)
         total = contribution if total is None else ctx.tree.node(
@@ -128,7 +129,7 @@ def _closed(ctx: Context, symbol: Symbol, light: LightVariable, body: Node) -> L
             where = ctx.places.within(node, function.body.span)
             ctx.report.add(rules.CROSSING_PER_LIGHT, where)
             return FAILURE
-    closed = close(ctx.tree, body, formals, ctx.notes.follow)
+    closed = close(ctx.tree, body, formals, ctx.follow)
     ctx.notes.functions.setdefault(closed.id, symbol.name)
     ctx.notes.terms.setdefault(closed.id, symbol.name)
     ctx.notes.arguments.setdefault(closed.id, tuple(light.variables))
@@ -165,8 +166,17 @@ def light_instance(
     """One light of the rig as seen from a surface; for an array, its element at a formal index."""
     key = (entry.name, surface)
     if key not in ctx.lights:
-        ctx.lights[key] = _new_instance(ctx, entry, surface)
+        made = ctx.lights[key] = _new_instance(ctx, entry, surface)
+        if not ctx.is_twin:
+            ctx.twins[made[0]] = partial(_twin, ctx, entry, slots_given(ctx, surface)[0])
     return ctx.lights[key]
+
+
+def _twin(ctx: Context, entry: RigEntry, surface: Instance) -> Twin:
+    """A light in the context apart that its surface has."""
+    apart, shaded = ctx.twins[surface]()
+    same = (other for other in apart.rig if other.short_name == entry.short_name)
+    return apart, light_instance(apart, next(same, entry), shaded)[0]
 
 
 def _new_instance(

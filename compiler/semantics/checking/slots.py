@@ -15,9 +15,10 @@ from ..declarations import contracts
 from ..declarations.assignments import assigned
 from ..declarations.written_types import declared_type
 from ..inheritance.records import Definition, Record, is_abstract
-from ..state.context import Context
+from ..state.context import Context, Twin
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, LightVariable, Scope, Value
+from ..types.coercion import coerce, is_adaptable
 from ..types.typenames import Declared
 from .cycles import is_cycle
 from .unknown_names import unknown
@@ -142,8 +143,36 @@ def _finish_equation(
     record = _typing(instance, name)
     assert scope.instance is not None
     own = scope.level if record is scope.instance.record else OUTERMOST
-    node = plain(ctx, value, written)
+    node = like_overridden(ctx, instance, name, own, plain(ctx, value, written))
     _keep(ctx, instance, name, level, assigned(ctx, record, name, node, written, scope, own))
+
+
+def like_overridden(
+    ctx: Context, instance: Instance, name: str, level: int, node: Node | Failure
+) -> Node | Failure:
+    """A literal adapts to the type of what it overrides, as it would to a written one.
+
+    ``level`` is that of the literal.
+    """
+    record = instance.record
+    if isinstance(node, Failure) or not is_adaptable(node) or record.typing(name) is not None:
+        return node
+    above = record.above(name, level)
+    twin = None if above is None else _twin(ctx, instance)
+    if above is None or twin is None:
+        return node
+    overridden = slot(*twin, name, above.member.name.span, above.level)
+    if isinstance(overridden, Failure):
+        return node
+    return coerce(ctx.tree, node, overridden.type) or node
+
+
+def _twin(ctx: Context, instance: Instance) -> Twin | None:
+    """Where to ask for the types of what an instance overrides; nowhere, if it is in no shader."""
+    if ctx.is_twin:
+        return ctx, instance
+    make = ctx.twins.get(instance)
+    return None if make is None else make()
 
 
 def _keep(ctx: Context, instance: Instance, name: str, level: int, value: Node | Failure) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from enum import IntEnum
 from typing import TypeGuard
 
 from ....stdlib.builtins.facts import UNIT
@@ -11,7 +12,7 @@ from ...diagnostics.fixes import Hint, either
 from ...diagnostics.source import Span
 from ...ir.meaning import ANGLE, GEOMETRY, Meaning
 from ...ir.node import Node, bare
-from ...ir.types import Vector
+from ...ir.types import Array, Type, Vector, scalar_kind
 from ...syntax import ast
 from ...syntax.rewriting import rewritten
 from ..state.context import Context
@@ -162,15 +163,53 @@ def _way_out(
     return ""
 
 
-def adapts(ctx: Context, argument: Node, declared: Declared, *, broadcast: bool) -> bool | None:
-    """Whether an argument has to change to be what is declared; ``None`` where it cannot."""
+class Change(IntEnum):
+    """What has to be done to an argument for a function to take it, from least to most."""
+
+    NONE = 0
+    ALIKE = 1
+    """Another meaning that says as much: a normal as a direction, which has length one, too."""
+    WEAKENED = 2
+    """Another meaning that it has as well: a direction as a vector."""
+    MEANT = 3
+    """A meaning for bare numbers, or none any more."""
+    TO_FLOAT = 4
+    """A whole number as a float."""
+    TO_UINT = 5
+    SPREAD = 6
+    """One number in all lanes."""
+    SPREAD_TO_FLOAT = 7
+    SPREAD_TO_UINT = 8
+
+
+def change(ctx: Context, argument: Node, declared: Declared, *, broadcast: bool) -> Change | None:
+    """What has to be done to an argument to be what is declared; ``None`` if it cannot be that."""
     found = ctx.meanings.of(argument)
     fitted = coerce(ctx.tree, argument, declared.type, broadcast=broadcast)
     if fitted is None or not fits(found, declared.meaning):
         return None
     if needs_unit(declared) and not is_unit(ctx, fitted):
         return None
-    return fitted is not argument or (found is None) != (declared.meaning is None)
+    if argument.type != declared.type:
+        return _of_type(argument.type, declared.type)
+    if found == declared.meaning:
+        return Change.NONE
+    if found is None or declared.meaning is None:
+        return Change.MEANT
+    return Change.ALIKE if needs_unit(declared) else Change.WEAKENED
+
+
+def _of_type(found: Type, wanted: Type) -> Change:
+    """How a literal changes that adapts from one type to another."""
+    while isinstance(found, Array) and isinstance(wanted, Array):
+        found, wanted = found.element, wanted.element
+    kind = scalar_kind(wanted)
+    same, spread = scalar_kind(found) == kind, isinstance(wanted, Vector)
+    if same:
+        return Change.SPREAD
+    if kind == "uint":
+        return Change.SPREAD_TO_UINT if spread else Change.TO_UINT
+    return Change.SPREAD_TO_FLOAT if spread else Change.TO_FLOAT
 
 
 def assumed(ctx: Context, variable: Node, declared: Declared) -> Node:

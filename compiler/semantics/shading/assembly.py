@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache, partial
 from typing import TypeVar
 
 from ....frozen import changed, frozen
@@ -92,10 +93,21 @@ def _put_together(
     check_replacements(ctx, passing, surface)
     passing.surface = surface
     ctx.passing = passing
+    twin = cache(partial(_twin, ctx, parts))
     for instance in (passing,) if reused else (surface, passing):
         if is_declared_abstract(instance.record):
             stand_in(ctx, instance)
+    if not reused:
+        ctx.twins[surface] = lambda: (twin().ctx, twin().surface)
+    ctx.twins[passing] = lambda: (twin().ctx, twin().passing)
     return Setting(ctx, parts, entries, leaves, surface, passing)
+
+
+def _twin(ctx: Context, parts: Parts) -> Setting:
+    """The same parts in a context apart, which reports nothing."""
+    setting = set_up(parts, ctx.report.apart(), ctx.records)
+    setting.ctx.is_twin = True
+    return setting
 
 
 def is_declared_abstract(record: Record) -> bool:

@@ -22,8 +22,10 @@ from ..inheritance.flattening import Records
 from ..names.modules import Module, Symbol
 from ..types.meanings import Meanings
 from ..types.typenames import Declared, TypeResolver
+from .conditions import Conditions
 from .constants import ConstantValues
 from .crossings import Crossings
+from .deferred import Deferred
 from .places import Places
 from .scope import Application, Failure, Inner, Instance, RigEntry, Scope, Value
 from .tree import Tree
@@ -80,6 +82,21 @@ Given: TypeAlias = "Node | tuple[Type, Meaning | None]"
 """What a body knows of an argument: its value, or what kind of value it is."""
 
 
+Kinds: TypeAlias = "tuple[tuple[Type, Meaning | None], ...]"
+"""The type and the meaning of each argument of a call."""
+
+
+@frozen
+class Overloads:
+    """The functions that a file has under one name."""
+
+    exact: dict[Kinds, Symbol]
+    """Those without type parameters, by what they declare. The first of equal ones: that there are
+    others has been reported."""
+    of_count: dict[int, list[Symbol]]
+    """All of them, by how many arguments they take."""
+
+
 class Context:
     """One elaboration: its trees, and everything that its expressions can refer to."""
 
@@ -91,11 +108,12 @@ class Context:
         self.tree = Tree()
         self.notes = Notes()
         self.places = Places(self.notes.spans)
-        self.crossings = Crossings(self.tree, report, self.notes, self.places)
-        self.constants = ConstantValues(report)
+        self.crossings = Crossings(self.tree, report, self.follow, self.places)
+        self.constants = ConstantValues(report, self._is_wrong)
         self.meanings = Meanings(self.tree)
         self.ranges = Ranges(())
         """What is known of values already: it bounds loops and proves lengths."""
+        self.deferred = Deferred(report, self.tree, Conditions(self.constants, self.ranges))
         self.types = WrittenTypes(TypeResolver(report))
         self.externs = ExternBlocks()
         self.progress = Progress()
@@ -103,6 +121,8 @@ class Context:
         """The pass, whose transforms are in scope everywhere."""
         self.applied: dict[Application, Node | Failure] = {}
         """Values of functions and of the file's constants."""
+        self.overloads: dict[Symbol, Overloads] = {}
+        """By the first of them."""
         self.light_bodies: dict[Application, LightBody | Failure] = {}
         """Bodies of terms that are summed over the lights."""
         self.call_sizes: dict[Symbol, int] = {}
@@ -111,6 +131,9 @@ class Context:
         """How many loops are nested in a value, for what stands in a loop (``loops``)."""
         self.entered: set[Symbol] = set()
         """Functions and terms whose bodies were evaluated."""
+        self.twins: dict[Instance, Callable[[], Twin]] = {}
+        """For materials, passes and lights, the same in a context apart (``Twin``)."""
+        self.is_twin = False
         self.placeholders: set[Node] = set()
         """Arguments and slots without a value, in a declaration that is checked by itself."""
         self.light_types: dict[int, Declared] = {}
@@ -127,6 +150,14 @@ class Context:
         self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
         """What is wrong with a function's body as long as nothing is known of its arguments."""
 
+    def follow(self, old: Node, new: Node) -> None:
+        """Hand what is known of a node on to its copy."""
+        self.notes.follow(old, new)
+        self.deferred.follow(old, new)
+
+    def _is_wrong(self, node: Node) -> bool:
+        return self.deferred.is_wrong(node)
+
     def reached(self) -> Iterator[Symbol]:
         """The functions, terms, constants and structures that were checked by being used."""
         yield from self.entered
@@ -136,6 +167,14 @@ class Context:
     def is_left_to_a_use(self, node: Node) -> bool:
         """Whether a value depends on a placeholder, so that only a use can say what it is."""
         return not self.placeholders.isdisjoint(reachable((node,)))
+
+
+Twin: TypeAlias = "tuple[Context, Instance]"
+"""An instance in a context of its own, which is there to ask for the types of what is overridden.
+
+Nothing there is part of the shader or reported, so it does no harm if an overridden equation is
+wrong, or is defined by what overrides it.
+"""
 
 
 @frozen

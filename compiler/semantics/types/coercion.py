@@ -78,6 +78,14 @@ def is_constant(node: Node) -> bool:
     return _is_literal(node)
 
 
+def is_adaptable(node: Node) -> bool:
+    """Whether a value adapts to a type that is required: a constant, or an array of constants."""
+    node = bare(node)
+    if node.op == "array":
+        return all(is_constant(element) for element in node.operands)
+    return is_constant(node)
+
+
 def _is_literal(node: Node) -> bool:
     return bare(node).op == "constant" or is_negated_literal(node)
 

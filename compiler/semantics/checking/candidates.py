@@ -1,0 +1,101 @@
+"""Which of several functions of one name a call means.
+
+``applications`` asks this for each call, and so do conversions and expansions for functions of the
+library. Nothing is reported here. The order of declarations has no meaning: of functions that take
+the arguments equally well none is preferred.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...ir.node import Node
+from ...syntax import ast
+from ..declarations import contracts
+from ..declarations.contracts import Change
+from ..declarations.written_types import declared_type
+from ..names.modules import Symbol
+from ..state.context import Context, Kinds, Overloads
+from .functions import bound
+
+Rank = tuple[list[Change], int, int]
+"""What arguments have to change, the worst first; how many may be of any type, such as `T`; and how
+many type parameters there are."""
+
+
+def best(ctx: Context, overloaded: Sequence[Symbol], arguments: tuple[Node, ...]) -> list[Symbol]:
+    """The functions that take the arguments best; none if none takes them."""
+    overloads = _overloads(ctx, overloaded)
+    kinds = tuple((argument.type, ctx.meanings.of(argument)) for argument in arguments)
+    exact = overloads.exact.get(kinds)
+    if exact is not None and _changes(ctx, exact, arguments) is not None:
+        return [exact]
+    found: list[Symbol] = []
+    least: Rank | None = None
+    for symbol in overloads.of_count.get(len(arguments), ()):
+        changes = _changes(ctx, symbol, arguments)
+        if changes is None:
+            continue
+        rank = sorted(changes, reverse=True), *_generality(_function(symbol))
+        if least is None or rank < least:
+            found, least = [symbol], rank
+        elif rank == least:
+            found.append(symbol)
+    return found
+
+
+def _generality(function: ast.Function) -> tuple[int, int]:
+    parameters = {parameter.name.text for parameter in function.type_parameters}
+    types = (argument.type for argument in function.arguments)
+    any_type = sum(type_.name.text in parameters and type_.count is None for type_ in types)
+    return any_type, len(parameters)
+
+
+def _overloads(ctx: Context, overloaded: Sequence[Symbol]) -> Overloads:
+    """The index of the functions that one file has under one name; each is made once."""
+    known = ctx.overloads.get(overloaded[0])
+    if known is None:
+        known = ctx.overloads[overloaded[0]] = Overloads({}, {})
+        for symbol in overloaded:
+            function = _function(symbol)
+            known.of_count.setdefault(len(function.arguments), []).append(symbol)
+            kinds = None if function.type_parameters else _declared(ctx, symbol)
+            if kinds is not None:
+                known.exact.setdefault(kinds, symbol)
+    return known
+
+
+def _declared(ctx: Context, symbol: Symbol) -> Kinds | None:
+    """What a function declares its arguments to be; ``None`` if one has no proper type."""
+    kinds = []
+    for formal in _function(symbol).arguments:
+        declared = declared_type(ctx, formal.type, symbol.module)
+        if declared is None:
+            return None
+        kinds.append((declared.type, declared.meaning))
+    return tuple(kinds)
+
+
+def _changes(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...]) -> list[Change] | None:
+    """What has to be done to each argument for a function to take it; ``None`` if it cannot."""
+    function = _function(symbol)
+    variables = bound(ctx, function, arguments)
+    if variables is None:
+        return None
+    changes = []
+    for formal, argument in zip(function.arguments, arguments, strict=True):
+        wanted = declared_type(ctx, formal.type, symbol.module, variables)
+        generic = formal.type.name.text in variables
+        change = (
+            None if wanted is None else contracts.change(ctx, argument, wanted, broadcast=generic)
+        )
+        if change is None:
+            return None
+        changes.append(change)
+    return changes
+
+
+def _function(symbol: Symbol) -> ast.Function:
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    return function
