@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from ...frozen import changed, frozen
+from .file_names import readable
 from .fixes import Fix, Hint, sentence
 from .source import Span
 
@@ -124,7 +125,7 @@ class Report:
             (span, *(label.span for label in labels))
         ):
             return None
-        message = rule.message.format(**arguments)
+        message = readable(rule.message.format(**arguments))
         fixes = () if isinstance(hint, str) else hint.fixes
         return Diagnostic(rule, message, span, caption, labels, sentence(hint), fixes)
 

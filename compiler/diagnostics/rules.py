@@ -32,7 +32,8 @@ NOT_A_FILE = _error(
 UNREADABLE_FILE = _error(
     "B0003",
     "`{path}` cannot be read: {reason}",
-    "The file exists, but the system does not allow it to be read. Check its permissions.",
+    "The system does not allow this file to be read. Check its name, its permissions, and those of "
+    "the folders that it lies in.",
 )
 NOT_TEXT = _error(
     "B0004",
