@@ -8,10 +8,11 @@ written again before anything of click or the compiler is loaded.
 from __future__ import annotations
 
 import gc
+import os
 import sys
 
 from .commands.results import answer, ask
-from .commands.terminal import FAILED, INTERRUPTED, show_everything, show_nothing
+from .commands.terminal import FAILED, INTERRUPTED, show_everything, written_out
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,33 +21,51 @@ if TYPE_CHECKING:
 
 def main() -> None:
     """Run the command line that the process was started with."""
-    arguments = sys.argv[1:]
+    code = written_out(_exit_code(sys.argv[1:]))
+    if code:
+        sys.exit(code)
+
+
+def _exit_code(arguments: list[str]) -> int:
+    """Run a command line; returns its exit code."""
     try:
         question = ask(arguments)
         if question is not None and answer(question):
-            return
+            return 0
         # A command makes far more objects than it drops: looking for circles of dropped ones often
         # takes a twentieth of a short compile.
         from .garbage import SELDOM
 
         gc.set_threshold(*SELDOM)
         succeeded = _compiled(arguments, question)
-    except KeyboardInterrupt:
-        sys.exit(INTERRUPTED)
-    except BrokenPipeError:
-        show_nothing()  # A reader that has left, as `head` does: nobody is told, as click does it.
-        sys.exit(FAILED)
-    try:
-        if succeeded is None:
-            from .commands.group import burnish
+        if succeeded is not None:
+            return 0 if succeeded else FAILED
+        if os.getpid() == 1:
+            _heed_termination()
+        from .commands.group import burnish
 
-            burnish.main(arguments, obj=question)
-        elif not succeeded:
-            sys.exit(FAILED)
+        burnish.main(arguments, obj=question)
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except BrokenPipeError:
+        return FAILED  # A reader that has left, as `head` does: nobody is told, as click does it.
+    except SystemExit as ended:
+        return ended.code if isinstance(ended.code, int) else FAILED
     finally:
         # The process ends, and all of its memory with it. What is frozen, Python need not look
         # through for garbage first, which would take longer than a short compile's passes.
         gc.freeze()
+    return 0
+
+
+def _heed_termination() -> None:
+    """Have SIGTERM end the process as Ctrl-C does, if it is the first one, as in a container.
+
+    The kernel ignores it there unless somebody listens, and ``--watch`` would run for ever.
+    """
+    import signal
+
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
 
 
 def _compiled(arguments: list[str], question: Question | None) -> bool | None:

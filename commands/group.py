@@ -5,13 +5,14 @@ Starting fast is a feature, so nothing here loads the compiler.
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
 from typing import Any
 
 import click
 
 from .. import __version__
-from .terminal import FAILED, INTERRUPTED, show_everything
+from .terminal import FAILED, INTERRUPTED, complain, show_everything
 
 COMMANDS = ("compile", "check", "graph", "render", "conform", "targets", "doctor", "explain")
 """The modules of the commands, each of which calls itself so. Only the one asked for is loaded; if
@@ -25,8 +26,13 @@ class _QuietGroup(click.Group):
 
     def main(self, *arguments: Any, **options: Any) -> Any:
         """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
-        show_everything()
-        return super().main(*arguments, **options)
+        try:
+            show_everything()
+            return super().main(*arguments, **options)
+        except OSError as error:
+            place = "" if error.filename is None else f"`{error.filename}`: "
+            complain(f"error: {place}{error.strerror or error}")
+            sys.exit(FAILED)
 
     def list_commands(self, _context: click.Context) -> list[str]:
         """The names of the commands, as the help lists them."""
@@ -54,12 +60,6 @@ class _QuietGroup(click.Group):
             return super().invoke(context)
         except KeyboardInterrupt:
             context.exit(INTERRUPTED)
-        except BrokenPipeError:
-            raise  # A reader that has left, as `head` does; click knows what to do.
-        except OSError as error:
-            place = "" if error.filename is None else f"`{error.filename}`: "
-            click.echo(f"error: {place}{error.strerror or error}", err=True)
-            context.exit(FAILED)
 
 
 @click.group(cls=_QuietGroup, context_settings={"help_option_names": ["-h", "--help"]})

@@ -43,9 +43,10 @@ _PACKAGES = ("click", "jinja2", "lark", "markupsafe")
 class Question:
     """A command line, where and by what it is run."""
 
-    __slots__ = ("circumstances", "key")
+    __slots__ = ("arguments", "circumstances", "key")
 
     def __init__(self, arguments: Sequence[str]) -> None:
+        self.arguments = tuple(arguments)
         here = [os.getcwd(), _ROOT, *arguments]  # noqa: PTH109
         self.key = digest("\0".join(here).encode("utf-8", "surrogatepass"))
         """Where the answer is kept; the next one to the same command line takes its place."""
@@ -95,7 +96,7 @@ def answer(question: Question) -> bool:
         if kept["circumstances"] != question.circumstances or not _unchanged(kept):
             return False
         output = Output(kept["folder"], kept["texts"], kept["printed"], kept["warnings"])
-        if any(os.path.basename(name) != name for name in output.texts):  # noqa: PTH119
+        if not _is_asked_for(output, question):
             return False
         if output.folder != STDOUT:
             replace_all(output.folder, encoded(output.texts))
@@ -144,6 +145,12 @@ def print_output(text: str) -> None:
     sys.stdout.flush()
     sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
     sys.stdout.flush()
+
+
+def _is_asked_for(output: Output, question: Question) -> bool:
+    """Whether an answer writes nowhere but where the command line says."""
+    named = any(word.endswith(output.folder) for word in question.arguments)
+    return named and all(os.path.basename(name) == name for name in output.texts)  # noqa: PTH119
 
 
 def _unchanged(kept: dict[str, dict[str, str]]) -> bool:

@@ -35,12 +35,31 @@ def show_everything() -> None:
             stream.reconfigure(errors="backslashreplace")
 
 
-def show_nothing() -> None:
-    """Drop what is left of the output: its reader has left, and Python would complain at its end.
+def written_out(code: int) -> int:
+    """Write out what the streams still hold, before Python would: it would show a traceback.
 
-    The stream itself has to stay usable, as Python writes out what it still holds.
+    Returns the exit code, which is ``code`` if there was nothing to complain about.
     """
-    nowhere = os.open(os.devnull, os.O_WRONLY)
     for stream in (sys.stdout, sys.stderr):
-        if stream is not None:
-            os.dup2(nowhere, stream.fileno())
+        try:
+            if stream is not None:
+                stream.flush()
+        except OSError as error:
+            _drop(stream)
+            if not code and not isinstance(error, BrokenPipeError):
+                complain(f"error: cannot write to standard output: {error.strerror}")
+            code = code or FAILED
+    return code
+
+
+def _drop(stream: IO[Any]) -> None:
+    """Have what is left of the output go nowhere. Python still writes out what it holds."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def complain(message: str) -> None:
+    """Print a message to the error output, if that can be."""
+    try:
+        print(message, file=sys.stderr)
+    except OSError:
+        return  # Nobody can be told.

@@ -61,13 +61,13 @@ def _relay(file: OutputFile, checker: str, message: Message, report: Report) -> 
 
 def _directed(file: OutputFile, message: Message) -> Span | None:
     """The place in Burnish text, if the tool's message names it because of line directives."""
-    named = {plain(source.name): source for source in file.sources}
+    named = {plain(source.name_in_outputs): source for source in file.sources}
     named |= {str(number): source for number, source in enumerate(file.sources, start=1)}
     source, line = named.get(message.source), message.line
     if source is None or line is None or line > len(source.line_starts):
         return None
     for span in file.spans.values():
-        if span.source.name == source.name and source.position(span.start)[0] == line:
+        if span.source is source and source.position(span.start)[0] == line:
             return span
     start = source.line_starts[line - 1]
     return Span(source, start, start + len(source.line(line)))

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from functools import partial
 from itertools import product
 from pathlib import Path
 
 from .diagnostics import rules
 from .diagnostics.diagnostic import Report
+from .diagnostics.file_names import readable
 from .diagnostics.nearest import suggestion
 from .diagnostics.source import Source, Span
 from .inputs import Inputs
@@ -21,7 +24,7 @@ from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
-from .syntax.load import load_source
+from .syntax.load import check_text, load_source
 from .syntax.parser import parse
 
 _NOT_OWN = {
@@ -35,29 +38,51 @@ class Frontend:
 
     def __init__(self, report: Report, search_path: Sequence[Path] = ()) -> None:
         self.inputs = Inputs()
+        folders = []
         for folder in search_path:
-            if folder.is_dir():
+            if os.path.isdir(folder):  # noqa: PTH112 (it answers whatever the name is)
                 self.inputs.searched(folder)
+                folders.append(folder)
             else:
                 report.add(rules.MISSING_FOLDER, None, path=folder)
+        self._base = _without_links(folders[0]) if folders else ""
+        """The folder from which outputs count the names of files."""
         self._report = report
         self._records = Records(report)
         self._library = standard_library(FOLDER)
-        self._loader = Loader(
-            report, self._library, search_path, parse, self._read, self.inputs.looked
-        )
+        self._loader = Loader(report, self._library, folders, parse, self._read, self.inputs.looked)
 
     def open_file(self, path: Path) -> Module | None:
         """The module in a file; ``None`` after reporting that it cannot be read."""
+        with suppress(ValueError):  # No file has such a name, which is told when it is read.
+            self._base = _without_links(path.parent)
         source = self._read(path, self._report)
         return None if source is None else self._loader.main(source, path)
 
-    def _read(self, path: Path, report: Report, name: str = "") -> Source | None:
+    def _read(
+        self, path: Path, report: Report, name: str = "", span: Span | None = None
+    ) -> Source | None:
         """The text of a file, and a note that it was read."""
-        return load_source(path, report, name, partial(self.inputs.read, path))
+        source = load_source(path, report, name, span, partial(self.inputs.read, path))
+        if source is not None:
+            source.portable = self._portable(path)
+        return source
 
-    def open_text(self, text: str, name: str) -> Module:
-        """The module in a text; its quoted imports are looked up along the search path."""
+    def _portable(self, path: Path) -> str:
+        """What outputs call a file: the same, whatever folder the compiler runs in."""
+        place = os.path.join(_without_links(path.parent), path.name)  # noqa: PTH118
+        try:
+            return readable(os.path.relpath(place, self._base).replace(os.sep, "/"))
+        except ValueError:  # On Windows, no path leads from one drive to another.
+            return ""
+
+    def open_text(self, text: str, name: str) -> Module | None:
+        """The module in a text; its quoted imports are looked up along the search path.
+
+        ``None`` after reporting that the text does not consist of characters.
+        """
+        if not check_text(text, name, self._report):
+            return None
         return self._loader.main(Source(name, text), None)
 
     @property
@@ -224,3 +249,7 @@ def _shines(symbol: Symbol) -> bool:
 
 def _whole(module: Module) -> Span:
     return Span(module.file.source, 0, 0)
+
+
+def _without_links(folder: Path) -> str:
+    return os.path.realpath(folder)

@@ -80,7 +80,7 @@ def trees_to_generate() -> Precomputations:
 def conversions() -> Module:
     """The module with the functions that convert values from one space to another."""
     path = FOLDER / CONVERSIONS
-    file = flawless(Source(CONVERSIONS, path.read_text(encoding="utf-8")), parse_library)
+    file = flawless(Source(f"std/{CONVERSIONS}", path.read_text(encoding="utf-8")), parse_library)
     module = Module(file, path)
     for declaration in file.declarations:
         assert not isinstance(declaration, ast.Import)
@@ -112,7 +112,7 @@ def _meaning() -> tuple[Module, Mapping[str, bytes]]:
     from ..stdlib.builtins import BUILTINS
 
     path = FOLDER / MEANING
-    source = Source(MEANING, path.read_text(encoding="utf-8"))
+    source = Source(f"std/{MEANING}", path.read_text(encoding="utf-8"))
     trees = declarations(source)
     module = Module(ast.File(source, edition=1, doc="", declarations=()), path)
     expanding = {name for row in BUILTINS.values() for name in (row.expansion, row.definition)}

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from ...frozen import changed, frozen
+from .file_names import readable
 from .fixes import Fix, Hint, sentence
 from .source import Span
 
@@ -102,20 +103,34 @@ class Report:
         **arguments: object,
     ) -> None:
         """Record a finding; ``arguments`` fill the rule's message."""
+        found = self.finding(rule, span, caption=caption, labels=labels, hint=hint, **arguments)
+        if found is not None:
+            self.extend((found,))
+
+    def finding(
+        self,
+        rule: Rule,
+        span: Span | None,
+        *,
+        caption: str = "",
+        labels: Iterable[Label] = (),
+        hint: Hint = "",
+        **arguments: object,
+    ) -> Diagnostic | None:
+        """A finding that is not recorded yet; ``None`` if it has to be suppressed."""
         if rule.of_absence and arguments.get("name") in self.unread_names:
-            return
+            return None
         labels = tuple(labels)
         if span is not None and not self._unreadable.isdisjoint(
             (span, *(label.span for label in labels))
         ):
-            return
-        message = rule.message.format(**arguments)
+            return None
+        message = readable(rule.message.format(**arguments))
         fixes = () if isinstance(hint, str) else hint.fixes
-        found = Diagnostic(rule, message, span, caption, labels, sentence(hint), fixes)
-        self._found.setdefault(_key(found), found)
+        return Diagnostic(rule, message, span, caption, labels, sentence(hint), fixes)
 
     def extend(self, others: Iterable[Diagnostic]) -> None:
-        """Add diagnostics from another report."""
+        """Record findings that were made before, such as those of another report."""
         for other in others:
             self._found.setdefault(_key(other), other)
 

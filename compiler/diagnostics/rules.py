@@ -32,7 +32,8 @@ NOT_A_FILE = _error(
 UNREADABLE_FILE = _error(
     "B0003",
     "`{path}` cannot be read: {reason}",
-    "The file exists, but the system does not allow it to be read. Check its permissions.",
+    "The system does not allow this file to be read. Check its name, its permissions, and those of "
+    "the folders that it lies in.",
 )
 NOT_TEXT = _error(
     "B0004",
@@ -475,7 +476,8 @@ ZERO_DIVISOR = _error(
 NUMBER_TOO_LARGE = _error(
     "B0402",
     "`{text}` does not fit into {type}",
-    "`float` reaches to about 3.4e38, `int` to 2147483647, `uint` to 4294967295.",
+    "`float` reaches to about 3.4e38, `int` to 2147483647, `uint` to 4294967295. A constant that "
+    "is computed has to fit as well.",
 )
 OUT_OF_RANGE = _error(
     "B0403",

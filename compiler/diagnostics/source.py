@@ -16,9 +16,17 @@ class Source:
 
     name: str
     text: str
+    portable: str = ""
+    """What outputs call it, whatever folder the compiler runs in: the path from the folder of the
+    file that is compiled. Empty where that is ``name``."""
     compared: int = 0
     """How many names were compared with unknown ones in this text; ``nearest.py`` keeps count."""
     _line_starts: list[int] | None = None
+
+    @property
+    def name_in_outputs(self) -> str:
+        """What source maps and line directives call it."""
+        return self.portable or self.name
 
     @property
     def line_starts(self) -> list[int]:

@@ -23,6 +23,7 @@ from ..ir.types import Type
 from .expand_builtins import Expanding
 from .path_conditions import PathConditions, PathRefinement
 from .remarks import Outcome
+from .simplify import Simplifier
 
 
 @frozen
@@ -95,7 +96,11 @@ class Guarding(Expanding):
         if node.id in self._branches:
             return self.make("select", node.type, operands, BRANCH)
         if node.op == "call" and BUILTINS[CALL.data(node)].expansion and self._is_safe(node):
-            return self._native(node.type, operands, node.data)
+            simplest = Simplifier.make(self, "call", node.type, operands, node.data)
+            is_left = simplest.data == node.data and simplest.operands == operands
+            if simplest.op == "call" and is_left:
+                return self._native(node.type, operands, node.data)
+            return simplest
         self._asked = node
         return super().rule(graph, node, operands)
 

@@ -81,6 +81,8 @@ class Evaluator:
         self._leaves = leaves
         self._xp = xp
         self._observer = observer
+        self._is_lazy = xp is scalars and observer is None
+        """Whether of a choice only the side that is taken is evaluated."""
         self._outermost = Frame()
 
     def value(self, root: Node, *free: Lanes) -> Lanes:
@@ -127,7 +129,8 @@ class Evaluator:
             if known is None:
                 known = self._given(node, home)
             if known is None:
-                before = _needed_first(node)
+                is_choice = self._is_lazy and node.op == "select"
+                before = self._condition_or_side(node, frame) if is_choice else _needed_first(node)
                 missing = [
                     operand
                     for operand in before
@@ -141,12 +144,20 @@ class Evaluator:
                 entered = opened(node, operands, home, self._xp, self._spend)
                 if entered is not None:
                     return entered
-                known = apply(node, operands, self._xp)
+                known = operands[0] if is_choice else apply(node, operands, self._xp)
                 if self._observer is not None:
                     known = self._observer(node, operands, known)
             home.values[node.id] = known
             pending.pop()
         return None
+
+    def _condition_or_side(self, node: Node, frame: Frame) -> tuple[Node]:
+        """Of a choice, the side that is taken; the condition, as long as that is not known."""
+        condition, then, otherwise = node.operands
+        if condition.id not in self._home(condition, frame).values:
+            return (condition,)
+        (holds,) = self._known(condition, frame)
+        return (then if holds else otherwise,)
 
     def _given(self, node: Node, frame: Frame) -> Lanes | None:
         """The value of a variable or a leaf, or ``None`` for any other node."""

@@ -152,14 +152,14 @@ def _backend_row(table: BackendTable) -> dict[str, Any]:
 
 def _source_map(spans: Mapping[int, Span]) -> dict[str, Any]:
     """Rows of a line of the text, and of source, line, column and length in Burnish."""
-    sources = tuple({span.source.name: None for span in spans.values()})
+    sources = tuple({span.source.name_in_outputs: None for span in spans.values()})
     numbers = {source: number for number, source in enumerate(sources)}
     return {
         "sources": list(sources),
         "lines": [
             [
                 line,
-                numbers[span.source.name],
+                numbers[span.source.name_in_outputs],
                 *span.source.position(span.start),
                 span.end - span.start,
             ]

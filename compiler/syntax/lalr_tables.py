@@ -100,15 +100,41 @@ def _compute(grammar: str) -> tuple[Any, ...]:
     inner = {n for n, name in table["tokens"].items() if name in origins}
     numbers = {entry["@"]: n for n, entry in enumerate(data["rules"])}
     rows = [table["states"][state] for state in range(len(table["states"]))]
+    actions = [_actions(row, inner, symbols, numbers) for row in rows]
+    gotos = [{symbols[n]: row[n][1] for n in row.keys() & inner} for row in rows]
+    places = _numbered(actions, gotos, table["start_states"]["file"])
     return (
-        [_actions(row, inner, symbols, numbers) for row in rows],
-        [{symbols[n]: row[n][1] for n in row.keys() & inner} for row in rows],
+        [_moved(actions[state], places) for state in places],
+        [_moved(gotos[state], places) for state in places],
         [_production(memo[entry["@"]]) for entry in data["rules"]],
-        table["start_states"]["file"],
-        table["end_states"]["file"],
+        places[table["start_states"]["file"]],
+        places[table["end_states"]["file"]],
         list(literals.values()),
         patterns,
     )
+
+
+def _numbered(
+    actions: list[dict[str, int]], gotos: list[dict[str, int]], start: int
+) -> dict[int, int]:
+    """New numbers of all states, in the order in which they are reached from the first one.
+
+    Lark's own numbers depend on the hashes of texts, which are different in each process. With
+    these, building the package twice gives the same bytes.
+    """
+    places = {start: 0}
+    reached = [start]
+    for state in reached:
+        for _, target in (*sorted(actions[state].items()), *sorted(gotos[state].items())):
+            if target >= 0 and target not in places:
+                places[target] = len(places)
+                reached.append(target)
+    return places
+
+
+def _moved(row: dict[str, int], places: dict[int, int]) -> dict[str, int]:
+    """A state's actions or gotos with the new numbers of states, in alphabetical order."""
+    return {symbol: places.get(target, target) for symbol, target in sorted(row.items())}
 
 
 def _is_literal(terminal: dict[str, Any]) -> bool:

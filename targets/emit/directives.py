@@ -32,15 +32,15 @@ def directed(text: str, spans: Mapping[int, Span], form: str, name: str) -> Dire
 
     ``form`` is a template of a ``line`` and either a file's ``name`` or its ``number``.
     """
-    sources = tuple({span.source.name: span.source for span in spans.values()}.values())
-    numbers = {source.name: number for number, source in enumerate(sources, start=1)}
+    sources = tuple({span.source.name_in_outputs: span.source for span in spans.values()}.values())
+    numbers = {source.name_in_outputs: number for number, source in enumerate(sources, start=1)}
     lines: list[str] = []
     moved: dict[int, Span] = {}
     expected: tuple[str, int] = ("", 1)
     for number, line in enumerate(text.split("\n"), start=1):
         span = spans.get(number)
         if span is not None:
-            wanted = (span.source.name, span.source.position(span.start)[0])
+            wanted = (span.source.name_in_outputs, span.source.position(span.start)[0])
         elif not expected[0] or re.match(_NEUTRAL, line):
             wanted = expected
         else:
@@ -62,7 +62,7 @@ def _list(sources: tuple[Source, ...]) -> Iterator[str]:
     yield ""
     yield "// The files that #line numbers; 0 is this text."
     for number, source in enumerate(sources, start=1):
-        yield comment_line(f"{number} {source.name}", "//")
+        yield comment_line(f"{number} {source.name_in_outputs}", "//")
 
 
 def plain(name: str) -> str:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 import burnish
+from burnish.compiler.diagnostics.display import harmless as escaped
 from burnish.targets.toolchain import Job, Toolchain, Verdict, count_instructions
 
 from .kit import PLAIN, invoke, shell, tree
@@ -31,16 +34,59 @@ def test_a_leading_dash(tmp_path: Path) -> None:
     assert " --> -dash.burnish:1:22" in run.stderr
 
 
-def test_a_name_that_is_no_text(tmp_path: Path) -> None:
-    """File names are bytes; these are not UTF-8, and errors have to name the file all the same."""
-    name = b"\xff.burnish".decode("utf-8", "surrogateescape")
+NAMES = {
+    b"caf\xe9.burnish": r"caf\xe9.burnish",
+    b"\xff\xfe": r"\xff\xfe",
+    b"a\nb.burnish": "a\nb.burnish",
+    b'it\'s "so".burnish': 'it\'s "so".burnish',
+    b"C:a:1:2.burnish": "C:a:1:2.burnish",
+    b"-dash.burnish": "-dash.burnish",
+    b".burnish": ".burnish",
+    b"back\\slash.burnish": "back\\slash.burnish",
+    b"\xe2\x80\xaeright.burnish": "\u202eright.burnish",
+    b"a" * 247 + b".burnish": "a" * 247 + ".burnish",
+}
+"""Names of files, and what outputs call them."""
+
+
+@pytest.mark.parametrize(("name", "shown"), NAMES.items(), ids=ascii)
+def test_names_that_are_no_plain_text(name: bytes, shown: str, tmp_path: Path) -> None:
+    """File names are any bytes. Outputs are UTF-8 and JSON all the same, and name the file."""
+    file = tmp_path / os.fsdecode(name)
     try:
-        (tmp_path / name).write_text("material M { color = tnt }")
+        file.write_text("/// größe\nmaterial Plain { a = sin(uv.x) color = vec3(a * a) }", "utf-8")
     except OSError:
         pytest.skip("this file system has no such names")
-    run = shell("check", name, folder=tmp_path)
+    options = ("-t", "hlsl,glsl,wgsl", "--line-directives", "-o", "out")
+    run = shell("compile", *options, "--", file.name, folder=tmp_path)
+    assert run.returncode == 0, run.stderr
+    for path in (tmp_path / "out").iterdir():
+        path.read_text("utf-8")
+    reflection = json.loads((tmp_path / "out" / "Plain.json").read_text("utf-8"))
+    maps = reflection["backends"]["wgsl:webgpu"]["source_maps"]
+    assert shown in maps["Plain.frag.wgsl"]["sources"]
+    for form in ("text", "dot", "svg"):
+        run = shell(
+            "graph", "-o", f"graph.{form}", "--format", form, "--", file.name, folder=tmp_path
+        )
+        assert run.returncode == 0, run.stderr
+        assert "Traceback" not in run.stderr
+        (tmp_path / f"graph.{form}").read_text("utf-8")
+
+
+@pytest.mark.parametrize(("name", "shown"), NAMES.items(), ids=ascii)
+def test_errors_in_files_of_such_names(name: bytes, shown: str, tmp_path: Path) -> None:
+    file = tmp_path / os.fsdecode(name)
+    try:
+        file.write_text("material M { color = tnt }", "utf-8")
+    except OSError:
+        pytest.skip("this file system has no such names")
+    run = shell("check", "--", file.name, folder=tmp_path)
     assert run.returncode == 1
-    assert "--> <U+DCFF>.burnish:1:22" in run.stderr
+    assert f" --> {escaped(shown)}:1:22\n" in run.stderr
+    run = shell("check", "--format", "json", "--", file.name, folder=tmp_path)
+    (found,) = json.loads(run.stdout)
+    assert found["span"]["file"] == shown
 
 
 @pytest.fixture(scope="module")

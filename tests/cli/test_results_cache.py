@@ -151,12 +151,27 @@ def test_large_answers_take_no_room(place: Place, monkeypatch: pytest.MonkeyPatc
     assert place.results() == []
 
 
-def test_an_answer_names_no_files_elsewhere(place: Place) -> None:
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"texts": {"../elsewhere": "x"}},
+        {"texts": {"elsewhere": "x"}, "folder": ".."},
+        {"texts": {"elsewhere": "x"}, "folder": "../place"},
+    ],
+)
+def test_an_answer_writes_nowhere_else(place: Place, changes: dict[str, object]) -> None:
     place.write(main="material Main { color = vec3(1) }\n")
     place.run()
     (kept,) = place.results()
-    entry = json.loads(cache.load("result", kept.name) or b"")
-    entry["texts"] = {"../elsewhere": "x"}
+    entry = json.loads(cache.load("result", kept.name) or b"") | changes
     cache.store("result", kept.name, json.dumps(entry).encode())
     assert place.run().how == "COMPILED"
-    assert not (place.folder / "elsewhere").exists()
+    assert not list(place.folder.parent.rglob("elsewhere"))
+
+
+def test_what_was_kept_for_others_is_ignored(place: Place) -> None:
+    """As former versions did, whose folders anybody can read."""
+    place.write(main="material Main { color = vec3(1) }\n")
+    before = place.run()
+    (place.cache / "private").chmod(0o755)
+    assert [place.run() for _ in range(2)] == [before] * 2

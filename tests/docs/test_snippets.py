@@ -100,7 +100,9 @@ def test_json(block: Block) -> None:
     example = block.value("from") or "plastic"
     (material,) = burnish.compile(EXAMPLES / f"{example}.burnish", ("glsl",)).materials
     reflection = material.reflection
-    rows = [row for key in ("parameters", "derived", "blocks") for row in reflection[key]]
+    rows = [
+        row for key in ("parameters", "derived", "promises", "blocks") for row in reflection[key]
+    ]
     assert any(quoted.items() <= row.items() for row in rows)
 
 

@@ -55,9 +55,9 @@ def shaders(source: str | Path, rig: str | None = None) -> list[Shader]:
     frontend = Frontend(report)
     if isinstance(source, Path):
         module = frontend.open_file(source)
-        assert module is not None
     else:
         module = frontend.open_text(source, "<test>")
+    assert module is not None
     found = frontend.shaders(module, None, rig, None)
     if report.failed:
         raise CompileError(report.diagnostics)

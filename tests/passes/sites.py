@@ -135,7 +135,7 @@ class Sites:
             if not typed:
                 raise UnsuitableError
             types = self._chance.choice(typed)
-            parts = pattern.parts or (ANY,) * len(types)
+            parts = pattern.parts or self._chance.choices((ANY, ANY, CONSTANT), k=len(types))
             return self.graph.node("call", type_, self._operands(types, parts), head)
         return _PARTS[head](self, type_)
 

@@ -26,7 +26,6 @@ from burnish.compiler.passes.rules.rule import (
     constant,
     operand,
 )
-from burnish.compiler.passes.rules.structure import LARGEST_FLOAT
 from burnish.compiler.passes.rules.table import RULES
 from burnish.compiler.passes.simplify import Simplifier
 from burnish.compiler.reference.evaluate import evaluate
@@ -34,6 +33,7 @@ from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.reference.operations import apply, constant_lanes
 from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
+from burnish.stdlib.builtins.facts import LARGEST_FLOAT
 from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise
@@ -102,7 +102,7 @@ def is_representable(node: Node) -> bool:
 
 
 def same(old: Lanes, new: Lanes) -> bool:
-    """Whether values agree as far as double precision goes; not to be a number is one value."""
+    """Whether values agree as far as double precision goes, within what float32 holds."""
     return all(map(_lane_same, _flat(old), _flat(new))) and len(_flat(old)) == len(_flat(new))
 
 
@@ -114,6 +114,7 @@ def _lane_same(old: float | int | bool, new: float | int | bool) -> bool:
     if isinstance(old, bool) or isinstance(new, bool):
         return old is new
     if math.isfinite(old) and math.isfinite(new):
+        old, new = (max(min(each, LARGEST_FLOAT), -LARGEST_FLOAT) for each in (old, new))
         return math.isclose(old, new, rel_tol=1e-9, abs_tol=1e-12)
     # What overflows before and after is outside of what any rule promises.
     return not math.isfinite(old)

@@ -14,7 +14,7 @@ from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Type, Vector
 from burnish.compiler.passes.simplify import Simplifier
-from burnish.stdlib.builtins.facts import UNIT, UNKNOWN, Fact
+from burnish.stdlib.builtins.facts import LARGEST_FLOAT, UNIT, UNKNOWN, Fact
 
 BVEC2 = Vector("bool", 2)
 
@@ -96,9 +96,11 @@ def test_constants_are_folded_with_burnish_meaning(kit: Kit) -> None:
     assert kit.simplified(kit.call("pow", kit.number(0.0), kit.number(0.0))) is kit.number(1.0)
 
 
-def test_what_float32_cannot_hold_is_not_folded(kit: Kit) -> None:
+def test_what_float32_cannot_hold_becomes_the_largest_number_that_it_does(kit: Kit) -> None:
     large = kit.call("mul", kit.number(1e30), kit.number(1e30))
-    assert kit.simplified(large) is large
+    assert kit.simplified(large) is kit.number(LARGEST_FLOAT)
+    assert kit.simplified(kit.call("neg", large)) is kit.number(-LARGEST_FLOAT)
+    assert kit.simplified(kit.call("mul", large, kit.number(0.0))) is kit.number(0.0)
 
 
 def test_differences_and_double_negations_vanish(kit: Kit) -> None:
@@ -192,3 +194,11 @@ def test_folds_of_unequal_lanes_do_something(
     operands = count, start, body
     folding = Folding(operator, 9, (Formal("i"),))
     assert kit.simplified(kit.graph.node("fold", VEC3, operands, folding)) is not start
+
+
+def test_a_scalar_lane_stands_for_all_lanes_of_a_vector(kit: Kit) -> None:
+    v = kit.leaf("v", VEC3)
+    lane = build.swizzle(kit.graph, v, (2,))
+    product = kit.graph.node("call", VEC3, (v, lane), "mul")
+    picked = build.swizzle(kit.graph, product, (2,))
+    assert kit.simplified(picked).op == "swizzle"

@@ -29,7 +29,9 @@ def shader(source: str, pass_: str | None = None) -> Shader:
     """The only shader of a text, under the pass named."""
     report = Report()
     frontend = Frontend(report)
-    found = frontend.shaders(frontend.open_text(source, "<test>"), None, None, pass_)
+    module = frontend.open_text(source, "<test>")
+    assert module is not None
+    found = frontend.shaders(module, None, None, pass_)
     if report.failed:
         raise CompileError(report.diagnostics)
     (only,) = found

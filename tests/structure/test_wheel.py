@@ -8,6 +8,7 @@ import sys
 import sysconfig
 import venv
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -21,17 +22,35 @@ PACKAGE = ("commands", "compiler", "stdlib", "targets")
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Built from a copy, so that nothing is left in the tree and nothing old gets in."""
+def wheels(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Built from a copy, so that nothing is left in the tree and nothing old gets in: one from the
+    tree, and one from its source archive."""
     folder = tmp_path_factory.mktemp("wheel")
     for path in files(ROOT):
         copy = folder / "tree" / path.relative_to(ROOT)
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(path, copy)
-    build = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder)]
-    run([*build, str(folder / "tree")], check=True)
-    (wheel,) = folder.glob("*.whl")
-    return wheel
+    built: list[Path] = []
+    for name, options in (("direct", ["--wheel"]), ("archive", [])):
+        to = ["--no-isolation", "--outdir", str(folder / name), str(folder / "tree")]
+        run([sys.executable, "-m", "build", *options, *to], check=True)
+        built += (folder / name).glob("*.whl")
+    return built
+
+
+@pytest.fixture(scope="module")
+def wheel(wheels: list[Path]) -> Path:
+    return wheels[0]
+
+
+def test_the_source_archive_makes_the_same(wheels: list[Path]) -> None:
+    contents = []
+    for wheel in wheels:
+        with zipfile.ZipFile(wheel) as archive:
+            contents.append({name: archive.read(name) for name in archive.namelist()})
+    direct, archived = contents
+    assert direct.keys() == archived.keys()
+    assert [name for name in direct if direct[name] != archived[name]] == []
 
 
 def test_content(wheel: Path) -> None:
@@ -50,30 +69,82 @@ def test_content(wheel: Path) -> None:
     assert packed == wanted | top | generated | {"burnish/py.typed"}
 
 
-COMPILE = """
-import sys
-import burnish
-assert burnish.__file__.startswith(sys.prefix), burnish.__file__
-result = burnish.compile(sys.argv[1])
-print(len(result["Plastic"].files), result["Plastic"].reflection["material"])
-"""
-
-
-def test_installed_elsewhere(wheel: Path, tmp_path: Path) -> None:
-    """In an environment that has this one's other packages, but not this checkout."""
-    example = str(tmp_path / "plastic.burnish")
-    shutil.copyfile(ROOT / "examples" / "plastic.burnish", example)
-    venv.create(tmp_path / "env", with_pip=False)
-    python = str(tmp_path / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
-    (site,) = (tmp_path / "env").rglob("site-packages")
+@pytest.fixture(scope="module")
+def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """An environment with the wheel and the other packages of this one, but not this checkout; a
+    material lies beside it. Nothing in it can be written to."""
+    folder = tmp_path_factory.mktemp("installed")
+    shutil.copyfile(ROOT / "examples" / "plastic.burnish", folder / "plastic.burnish")
+    venv.create(folder / "env", with_pip=False)
+    (site,) = (folder / "env").rglob("site-packages")
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(site)
     (site / "others.pth").write_text(sysconfig.get_path("purelib"))
-    environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
-    environment["BURNISH_CACHE"] = str(tmp_path / "cache")
-    told = run([python, "-c", COMPILE, example], cwd=tmp_path, env=environment)
-    assert told.stderr == ""
-    assert told.stdout.startswith("6 ")
-    command = [python, "-m", "burnish", "compile", example, "--target", "wgsl", "-o", "out"]
-    run(command, check=True, cwd=tmp_path, env=environment)
-    assert (tmp_path / "out" / "Plastic.frag.wgsl").is_file()
+    _set_writable(folder, False)
+    yield folder
+    _set_writable(folder, True)
+
+
+def _set_writable(folder: Path, writable: bool) -> None:
+    for path in (folder, *folder.rglob("*")):
+        if not path.is_symlink():
+            mode = path.stat().st_mode
+            path.chmod(mode | 0o200 if writable else mode & ~0o222)
+
+
+MORTAL = """
+import ctypes, os, sys
+PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1
+ctypes.CDLL(None).prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0)
+os.execv(sys.argv[1], sys.argv[1:])
+"""
+"""Runs a program for which permissions count, although it may be root who runs the tests."""
+
+STRANGER = """
+import pwd, sys
+
+def unknown(_):
+    raise KeyError
+
+pwd.getpwuid = unknown
+import burnish
+assert burnish.__file__.startswith(sys.prefix), burnish.__file__
+from burnish.cli import main
+try:
+    main()
+finally:
+    assert {"lark", "jinja2"}.isdisjoint(sys.modules)
+"""
+"""A command of a user who has no entry in the password file."""
+
+
+def command(installed: Path, *arguments: str) -> tuple[int, str]:
+    """What a command says that is run where nothing can be written, by a user without a home."""
+    python = str(installed / "env" / "bin" / "python")
+    line = [sys.executable, "-c", MORTAL, python, "-c", STRANGER, *arguments]
+    ended = run(line, cwd=installed, env={"PATH": os.environ["PATH"]})
+    return ended.returncode, ended.stdout + ended.stderr
+
+
+def test_compiling_where_it_is_installed(installed: Path, tmp_path: Path) -> None:
+    out = str(tmp_path / "out")
+    assert command(installed, "compile", "plastic.burnish", "-o", out) == (
+        0, f"Plastic: 6 shaders and Plastic.json in {out}\n"
+    )  # fmt: skip
+    assert len(list((tmp_path / "out").iterdir())) == 7
+    code, said = command(installed, "compile", "plastic.burnish", "-o", "out")
+    assert code == 1
+    assert "cannot write to `out`: Permission denied" in said
+
+
+def test_drawing_where_it_is_installed(installed: Path, tmp_path: Path) -> None:
+    picture = str(tmp_path / "plastic.png")
+    drawn = command(installed, "render", "plastic.burnish", "-o", picture, "--size", "8")
+    assert drawn == (0, f"Plastic: {picture}\n")
+    code, said = command(installed, "conform", "plastic.burnish", "--routes", "lavapipe:glsl")
+    assert (code, said.splitlines()[-1]) == (0, "1 agrees"), said
+
+
+@pytest.mark.parametrize("what", ["targets", "check plastic.burnish", "explain B0201", "--help"])
+def test_other_commands_where_it_is_installed(installed: Path, what: str) -> None:
+    assert command(installed, *what.split())[0] == 0

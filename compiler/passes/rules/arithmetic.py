@@ -116,8 +116,9 @@ def _untransposed(b: Builder, at: Site) -> Node:
     return b.call("mul", at.type, matrix.operands[0], factor)
 
 
-def _is_not_negative(b: Builder, at: Site) -> bool:
-    return b.ranges.of(at.operands[0]).lo >= 0
+def _is_moved(_b: Builder, at: Site) -> bool:
+    """Whether a matrix is multiplied by a vector."""
+    return isinstance(at.operands[0].type, Matrix) and isinstance(at.type, Vector)
 
 
 ARITHMETIC = (
@@ -151,8 +152,21 @@ ARITHMETIC = (
          ("add", "sub", "mul", "div"), ANY, _with_scalar, _is_vector_call, some=_EQUAL_LANES),
     Rule("negated twice", "The negation of a negation is the value.",
          ("neg",), (builtin("neg"),), inner),
-    Rule("to the power of one", "A value that is not negative, to the power of one, is itself.",
-         ("pow",), (ANY, lanes(1)), operand(0), _is_not_negative),
+    Rule("to the power of one", "The power of one is the value, but zero for negative values.",
+         ("pow",), (ANY, lanes(1)),
+         lambda b, at: b.call("max", at.type, at.operands[0], b.constant(at.type, 0))),
+    Rule("to the power of zero", "Everything to the power of zero is one, by definition.",
+         ("pow",), (ANY, lanes(0)), constant(1)),
+    Rule("one to a power", "One to any power is one.",
+         ("pow",), (lanes(1), ANY), constant(1)),
+    Rule("mixed with weight zero", "With weight zero, only the first value counts.",
+         ("mix",), (ANY, ANY, lanes(0)), operand(0)),
+    Rule("mixed with weight one", "With weight one, only the second value counts.",
+         ("mix",), (ANY, ANY, lanes(1)), operand(1)),
+    Rule("product of zeros", "With a vector of zeros, every dot product and every cross is zero.",
+         ("dot", "cross"), (lanes(0), ANY), constant(0), either=True),
+    Rule("zero moved", "A matrix of finite numbers leaves zero where it is.",
+         ("mul",), (ANY, lanes(0)), constant(0), _is_moved),
     Rule("transposed twice", "The transpose of a transpose is the matrix.",
          ("transpose",), (builtin("transpose"),), inner),
     Rule("transposed around a factor", "Two transposes cancel, with a scalar factor between them.",

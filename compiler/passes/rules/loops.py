@@ -11,8 +11,8 @@ from ...ir.operations import FORMAL, LOOPS, with_role
 from ...ir.types import INT
 from ...reference.evaluate import evaluate
 from ..cost import cost, cost_of
+from .constants import constant_of
 from .rule import ANY, CONSTANT, Builder, Rule, Site, uniform_lane
-from .structure import representable
 
 UNROLLED = 2
 """Loops of at most so many turns are written out, if they come to no more operations than
@@ -67,27 +67,28 @@ def _adds_nothing(_b: Builder, at: Site) -> bool:
 
 
 def _is_fixed(_b: Builder, at: Site) -> bool:
-    """Whether a loop computes with constants and its own index, and not for too long."""
-    turns = _turns(at)
-    if turns is None:
+    """Whether a loop computes with constants and its own variables, and not for too long."""
+    assert isinstance(at.data, Folding | Iterating)
+    turns, variables = _turns(at), at.data.variables
+    if turns is None or at.operands[0].op != "constant":
         return False
     seen: set[int] = set()
-    pending = [at.operands[2]]
+    pending = list(at.operands[1:])
     while pending:
         node = pending.pop()
         if node.id in seen:
             continue
         seen.add(node.id)
-        own = node.op == "formal" and FORMAL.data(node) in _folding(at).variables
+        own = node.op == "formal" and FORMAL.data(node) in variables
         if not (own or node.op in _COMPUTED) or len(seen) * turns > LONGEST_FIXED:
             return False
         pending += node.operands
     return True
 
 
-def _evaluated(b: Builder, at: Site) -> Node | None:
+def _evaluated(b: Builder, at: Site) -> Node:
     loop = b.graph.node("fold", at.type, at.operands, at.data)
-    return representable(b, at.type, evaluate(loop))
+    return constant_of(b, at.type, evaluate(loop))
 
 
 def _fold_is_short(_b: Builder, at: Site) -> bool:
@@ -124,6 +125,15 @@ def _unchanged(b: Builder, at: Site) -> Node:
 
 def _states(b: Builder, at: Site, states: tuple[Node, ...]) -> Node:
     return states[0] if len(states) == 1 else b.graph.node("struct", at.type, states)
+
+
+def _evaluated_states(b: Builder, at: Site) -> Node:
+    loop = b.graph.node("iterate", at.type, at.operands, at.data)
+    values, starts = evaluate(loop), _starts(at)
+    if len(starts) == 1:
+        return constant_of(b, at.type, values)
+    pairs = zip(starts, values, strict=True)
+    return _states(b, at, tuple(constant_of(b, start.type, value) for start, value in pairs))
 
 
 def _stops_at_once(_b: Builder, at: Site) -> bool:
@@ -189,6 +199,8 @@ LOOP_RULES = (
          (".iterate",), ANY, _unchanged, _stops_at_once),
     Rule("loop that changes nothing", "A state that stays as it is, is what it starts with.",
          (".iterate",), ANY, _unchanged, _changes_nothing),
+    Rule("loop of constants", "A loop of constants is computed when compiling, if it is short.",
+         (".iterate",), ANY, _evaluated_states, _is_fixed),
     Rule("loop written out", "A loop of few turns, or of few operations, that never stops early "
          "is written out.",
          (".iterate",), ANY, _loop_unrolled, _loop_is_short),

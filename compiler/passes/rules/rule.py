@@ -30,6 +30,8 @@ class Builder:
         self.graph = graph
         self.ranges = ranges
         self.notes = notes
+        self.steady: dict[Node, bool] = {}
+        """Whether values are the same for all pixels of a triangle (``differences``)."""
 
     def make(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None

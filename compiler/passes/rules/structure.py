@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-from math import isfinite
-
-from ....stdlib.builtins import BUILTINS
 from ...ir import build
-from ...ir.build import Number
 from ...ir.node import Node
 from ...ir.operations import SWIZZLE
 from ...ir.refinements import OPPOSITES
-from ...ir.types import Scalar, Type, Vector, width
-from ...reference.namespace import Lanes
-from ...reference.operations import apply, constant_lanes
+from ...ir.types import Scalar, Vector, width
 from .rule import (
     ANY,
     CONSTANT,
@@ -28,48 +22,12 @@ from .rule import (
     operand,
 )
 
-LARGEST_FLOAT = 3.4028234663852886e38
-
-
-# --- constants -----------------------------------------------------------------------------------
-
-
-def _is_foldable(_b: Builder, at: Site) -> bool:
-    row = BUILTINS[str(at.data)]
-    return isinstance(at.type, Scalar | Vector) and not row.uniform_control_flow
-
-
-def _folded(b: Builder, at: Site) -> Node | None:
-    """The value of a builtin of constants, where float32 can hold it."""
-    values = [constant_lanes(each.type, each.data) for each in at.operands]
-    call = b.graph.node("call", at.type, at.operands, at.data)
-    return representable(b, at.type, apply(call, values))
-
-
-def representable(b: Builder, type_: Type, values: Lanes) -> Node | None:
-    """A constant, where float32 can hold it."""
-    for value in values:
-        if isinstance(value, float) and not (isfinite(value) and abs(value) <= LARGEST_FLOAT):
-            return None
-    return _constant_of(b, type_, tuple(values))
-
-
-def _constant_of(b: Builder, type_: Type, values: tuple[Number, ...]) -> Node:
-    return build.constant(b.graph, type_, values if isinstance(type_, Vector) else values[0])
-
-
 # --- lanes ---------------------------------------------------------------------------------------
 
 
 def _lanes(at: Site) -> tuple[int, ...]:
     assert isinstance(at.data, tuple)
     return at.data
-
-
-def _picked_constant(b: Builder, at: Site) -> Node:
-    (source,) = at.operands
-    values = constant_lanes(source.type, source.data)
-    return _constant_of(b, at.type, tuple(values[lane] for lane in _lanes(at)))
 
 
 def _picked_twice(b: Builder, at: Site) -> Node:
@@ -99,11 +57,6 @@ def _is_whole(_b: Builder, at: Site) -> bool:
     return _lanes(at) == tuple(range(width(at.operands[0].type)))
 
 
-def _joined_constants(b: Builder, at: Site) -> Node:
-    values = (constant_lanes(each.type, each.data) for each in at.operands)
-    return _constant_of(b, at.type, tuple(lane for part in values for lane in part))
-
-
 def _are_one_scalar(b: Builder, at: Site) -> bool:
     return are_same(b, at) and isinstance(at.operands[0].type, Scalar)
 
@@ -118,11 +71,6 @@ def _rejoined(b: Builder, at: Site) -> Node | None:
         is_whole = each.op != "swizzle"
         found += tuple(range(width(each.type))) if is_whole else SWIZZLE.data(each)
     return b.make("swizzle", at.type, (source,), found)
-
-
-def _filled_constant(b: Builder, at: Site) -> Node:
-    (value,) = constant_lanes(at.operands[0].type, at.operands[0].data)
-    return _constant_of(b, at.type, (value,) * width(at.type))
 
 
 # --- parts ---------------------------------------------------------------------------------------
@@ -171,14 +119,7 @@ def _sides_are_same(_b: Builder, at: Site) -> bool:
 
 _CHOICES = (".select", "choose")
 
-FOLDING = (
-    Rule("constants", "A builtin of constants is the constant that the reference computes.",
-         ("*",), CONSTANT, _folded, _is_foldable),
-)  # fmt: skip
-
 STRUCTURE = (
-    Rule("lanes of a constant", "Lanes of a constant are a constant.",
-         (".swizzle",), (CONSTANT,), _picked_constant),
     Rule("lanes of lanes", "Lanes of lanes are lanes of the vector itself.",
          (".swizzle",), (made("swizzle"),), _picked_twice),
     Rule("lanes of one scalar", "Every lane of a filled vector is the scalar.",
@@ -187,15 +128,11 @@ STRUCTURE = (
          (".swizzle",), (made("vector"),), _picked_of_part),
     Rule("all lanes in order", "All lanes in their order are the vector itself.",
          (".swizzle",), (ANY,), operand(0), _is_whole),
-    Rule("constants joined", "Constants, joined, are a constant.",
-         (".vector",), CONSTANT, _joined_constants),
     Rule("one scalar joined", "A vector of one scalar in all lanes is filled with it.",
          (".vector",), ANY, lambda b, at: b.make("splat", at.type, at.operands[:1]),
          _are_one_scalar),
     Rule("joined again", "Lanes of one vector, taken apart and joined, are lanes of that vector.",
          (".vector",), ANY, _rejoined, some=made("swizzle")),
-    Rule("constant filled in", "A vector filled with a constant is a constant.",
-         (".splat",), (CONSTANT,), _filled_constant),
     Rule("element of equal ones", "Of elements that are all one value, each is that value.",
          (".index",), (made("array"), ANY), lambda _b, at: at.operands[0].operands[0],
          _of_equal_elements),

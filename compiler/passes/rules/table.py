@@ -13,12 +13,16 @@ from ....stdlib.builtins import BUILTINS
 from .arithmetic import ARITHMETIC
 from .bits import BIT_RULES
 from .bounds import BOUNDS
+from .constant_terms import CONSTANT_TERMS
+from .constants import FOLDING
+from .differences import DIFFERENCES
 from .loops import LOOP_RULES
 from .rule import Pattern, Rule
-from .structure import FOLDING, STRUCTURE
+from .structure import STRUCTURE
 
 RULES: tuple[Rule, ...] = (
-    *FOLDING, *ARITHMETIC, *BOUNDS, *BIT_RULES, *STRUCTURE, *LOOP_RULES,
+    *FOLDING, *ARITHMETIC, *CONSTANT_TERMS, *BOUNDS, *BIT_RULES, *STRUCTURE, *LOOP_RULES,
+    *DIFFERENCES,
 )  # fmt: skip
 
 MOST_KEPT = 20_000

@@ -124,7 +124,8 @@ def apply_body(
             return ctx.applied[key]
         scope = scope_of_body(ctx, symbol, arguments, surface)
         in_use = Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
-        finish = partial(_finish, ctx, key, call, arguments, scope, ctx.report.count, in_use)
+        before = ctx.report.count, len(ctx.deferred)
+        finish = partial(_finish, ctx, key, call, arguments, scope, before, in_use)
         settle_body(ctx, symbol, span, scope, finish)
     return ctx.applied[key]
 
@@ -135,7 +136,7 @@ def _finish(
     call: SharedCall | None,
     arguments: tuple[Node, ...],
     scope: Scope,
-    before: int,
+    before: tuple[int, int],
     in_use: Label,
     result: Node | Failure,
 ) -> None:
@@ -143,9 +144,10 @@ def _finish(
     symbol, *_ = key
     result = fit_result(ctx, symbol, result, arguments)
     if call is not None and isinstance(result, Failure):
-        failed(ctx, call.signature, before)
+        failed(ctx, call.signature, before[0])
     if scope.variables:
-        ctx.report.explain(before, in_use)
+        ctx.report.explain(before[0], in_use)
+        ctx.deferred.explain(before[1], in_use)
     ctx.applied[key] = _marked(ctx, key, arguments, result)
 
 
@@ -154,6 +156,8 @@ def _marked(
 ) -> Node | Failure:
     """A body's value as that of a call, which ``outlining`` may have share a body with others."""
     symbol, _, surface = key
+    if isinstance(value, Node):
+        ctx.deferred.unread(value, arguments)
     if isinstance(value, Node) and value.operands:
         ctx.notes.roles.setdefault(value.id, symbol.name)
         if surface is None:
@@ -173,10 +177,12 @@ def checked_body(
     function, found = callee.symbol.declaration, ctx.report.count
     assert isinstance(function, ast.Function)
     names = [argument.name.text for argument in function.arguments]
+    deferred = len(ctx.deferred)
     stand_in = stand_ins(ctx, names, callee.given, fixed)
     value = apply_body(ctx, callee.symbol, stand_in.values, function.name.span)
     failed = ctx.report.count > found
     ctx.report.forget(found)
+    ctx.deferred.forget(deferred)
     if failed or isinstance(value, Failure) or not stand_in.formals:
         return None
     return value.operands[0] if value.op == "called" else value, stand_in.formals

@@ -31,14 +31,18 @@ def settle_body(
     """
     function = symbol.declaration
     assert isinstance(function, ast.Function)
+    first = len(ctx.tree)
     parts = FunctionParts({part.name.text: part for part in function.parts}, scope)
     if function.parts:
         scope = parts.scope = changed(scope, parts=parts)
 
     def keep(value: Value) -> None:
-        for part in function.parts:
-            part_value(ctx, parts, part.name.text, part.name.span)
-        finish(plain(ctx, value, function.body))
+        found = [part_value(ctx, parts, p.name.text, p.name.span) for p in function.parts]
+        result = plain(ctx, value, function.body)
+        if isinstance(result, Node):
+            values = [part for part in found if isinstance(part, Node)]
+            ctx.deferred.unread(result, values, first)
+        finish(result)
 
     settle(ctx, Demand(symbol, symbol.name, span, function.body, scope, keep))
 

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ....stdlib.builtins.facts import LARGEST_FLOAT
+from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
+from ...ir.types import FLOAT
 from ...syntax import ast
+from ...syntax.quoting import shortened
 from ..state.context import Context
 from ..state.scope import Failure, Scope
 from ..types import overloads
@@ -39,4 +43,11 @@ def builtin_call(
             return no_signature(ctx, name, operands, span, shown, written)
         fitted.append(lane)
     node = ctx.tree.node("call", found.result, tuple(fitted), name)
+    largest = ctx.constants.largest(node)
+    if largest is not None and largest > LARGEST_FLOAT:
+        error = ctx.report.finding(
+            rules.NUMBER_TOO_LARGE, span, text=shortened(span.text), type=FLOAT,
+            hint=f"it comes to {largest:.3g}",
+        )  # fmt: skip
+        ctx.deferred.add(node, error, *fitted)
     return checked(ctx, node, shown, span, written, scope)

@@ -10,10 +10,12 @@ from typing import TypeGuard
 from ....frozen import changed
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.elsewhere import Instead
+from ....stdlib.builtins.row import nowhere
 from ...diagnostics import rules
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
 from ...diagnostics.source import Span
 from ...ir.node import Node, bare
+from ...ir.operations import CALL
 from ...ir.types import TEXTURES, Texture
 from ...syntax import ast
 from ...syntax.rewriting import called_here
@@ -238,6 +240,11 @@ def _unguarded(ctx: Context, arguments: tuple[Node, ...], e: ast.Call) -> Value:
         ctx.report.add(rules.UNGUARDED, e.span)
         return FAILURE
     node = bare(arguments[0])
+    name = CALL.data(node)
+    if BUILTINS[name].domain is nowhere:
+        hint = f"no hardware has `{name}`, so there is no guard to leave out"
+        ctx.report.add(rules.UNGUARDED, e.span, hint=hint)
+        return FAILURE
     native = ctx.tree.node("native", node.type, node.operands, node.data)
     return ctx.meanings.ascribed(native, ctx.meanings.of(arguments[0]))
 

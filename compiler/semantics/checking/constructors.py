@@ -39,6 +39,8 @@ def construct(ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call)
             result = _matrix(ctx, type_, arguments)
         case _:
             pass
+    if result is None and any(map(ctx.deferred.is_wrong, arguments)):
+        return FAILURE
     if result is None:
         found = ", ".join(str(argument.type) for argument in arguments)
         hint = _hint(name, type_, arguments, e.arguments)

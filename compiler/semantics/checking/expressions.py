@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from math import radians
 
+from ....stdlib.builtins.facts import LARGEST_FLOAT
 from ...diagnostics import rules
 from ...diagnostics.fixes import Hint, fix_it
 from ...diagnostics.source import Span
@@ -49,7 +50,6 @@ LOWEST = str(2**31)
 
 # --- literals ------------------------------------------------------------------------------------
 
-_LARGEST_FLOAT = 2.0**128 - 2.0**104
 _TOO_LARGE = 2.0**128 - 2.0**103
 """What is less is rounded to the largest float32, as ``3.40282347e38`` is, which C headers have."""
 
@@ -71,7 +71,7 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Node], _scope: Scop
     if value >= _TOO_LARGE:
         ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=shortened(e.text), type=FLOAT)
         return FAILURE
-    value = min(value, _LARGEST_FLOAT)
+    value = min(value, LARGEST_FLOAT)
     number = build.floating(ctx.tree, radians(value) if e.unit == "deg" else value)
     return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
 
@@ -113,18 +113,21 @@ def _index(ctx: Context, e: ast.Index, operands: Sequence[Node], _scope: Scope) 
             ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type)
             return FAILURE
     known = ctx.constants.known_integer(position)
-    if known is not None:
-        if not 0 <= known < count:
-            highest = str(count - 1)
-            hint = fix_it(f"counted from 0, the last one is `[{highest}]`", (e.index.span, highest))
-            ctx.report.add(
-                rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
-            )
-            return FAILURE
-        return build.part(ctx.tree, operand, known)
+    if known is not None and 0 <= known < count:
+        part = build.part(ctx.tree, operand, known)
+        ctx.deferred.unread(part, operands)
+        return part
     zero, last = (build.constant(ctx.tree, INT, n) for n in (0, count - 1))
     clamped = ctx.tree.node("call", INT, (position, zero, last), "clamp")
-    return build.index(ctx.tree, operand, clamped)
+    part = build.index(ctx.tree, operand, clamped)
+    if known is not None:
+        highest = str(count - 1)
+        hint = fix_it(f"counted from 0, the last one is `[{highest}]`", (e.index.span, highest))
+        found = ctx.report.finding(
+            rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
+        )
+        ctx.deferred.add(part, found, position)
+    return part
 
 
 # --- operators -----------------------------------------------------------------------------------
@@ -159,15 +162,16 @@ def _unary(ctx: Context, e: ast.Unary, operands: Sequence[Node], scope: Scope) -
 
 def _binary(ctx: Context, e: ast.Binary, operands: Sequence[Node], scope: Scope) -> Value:
     left, right = operands
-    if e.operator in ("/", "mod") and ctx.constants.is_zero(right):
-        ctx.report.add(rules.ZERO_DIVISOR, e.right.span)
-        return FAILURE
     if e.operator == "*" and conversions.moves(ctx, left, right):
         return conversions.moved(ctx, left, right, e, scope)
     written = (e.left, e.right)
-    return builtin_call(
+    value = builtin_call(
         ctx, OPERATORS[e.operator], (left, right), e.span, e.operator, written, scope
     )
+    if e.operator in ("/", "mod") and isinstance(value, Node) and ctx.constants.is_zero(right):
+        found = ctx.report.finding(rules.ZERO_DIVISOR, e.right.span)
+        ctx.deferred.add(value, found, right)
+    return value
 
 
 def _conditional(ctx: Context, e: ast.Conditional, operands: Sequence[Node], scope: Scope) -> Value:

@@ -75,7 +75,7 @@ def _summed(ctx: Context, body: LightBody, span: Span, surface: Instance) -> Nod
         if formal is not None:
             count = None if entry.count is None else _parameter(ctx, entry.count)
             contribution = folded(
-                ctx.tree, "add", entry.bound, contribution, formal, ctx.notes.follow, count
+                ctx.tree, "add", entry.bound, contribution, formal, ctx.follow, count
             )
         ctx.places.note(contribution, span)
         total = contribution if total is None else ctx.tree.node(
@@ -129,7 +129,7 @@ def _closed(ctx: Context, symbol: Symbol, light: LightVariable, body: Node) -> L
             where = ctx.places.within(node, function.body.span)
             ctx.report.add(rules.CROSSING_PER_LIGHT, where)
             return FAILURE
-    closed = close(ctx.tree, body, formals, ctx.notes.follow)
+    closed = close(ctx.tree, body, formals, ctx.follow)
     ctx.notes.functions.setdefault(closed.id, symbol.name)
     ctx.notes.terms.setdefault(closed.id, symbol.name)
     ctx.notes.arguments.setdefault(closed.id, tuple(light.variables))

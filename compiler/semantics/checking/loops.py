@@ -133,10 +133,12 @@ def _count(
     if known[0] is not None and known[1] is not None:
         turns = max(known[1] - known[0], 0)
         turns = turns if written.most is None else max(min(turns, most), 0)
+        found = min(turns, LONGEST)
+        count = build.constant(ctx.tree, INT, found)
         if turns > LONGEST:
-            ctx.report.add(rules.FOLD_TOO_LONG, span, count=turns, most=LONGEST)
-            return None
-        return build.constant(ctx.tree, INT, turns), turns
+            error = ctx.report.finding(rules.FOLD_TOO_LONG, span, count=turns, most=LONGEST)
+            ctx.deferred.add(count, error, first, end)
+        return count, found
     if written.most is not None and most > LONGEST:
         ctx.report.add(rules.FOLD_TOO_LONG, written.most.span, count=most, most=LONGEST)
         return None
@@ -197,7 +199,10 @@ def _folded(
         initial = fitted
     if not _allowed(ctx, turns, (body,), {turns.formal}, e.span, waits=False):
         return FAILURE
-    return _combined(ctx, e, operator, turns, body, initial)
+    result = _combined(ctx, e, operator, turns, body, initial)
+    if isinstance(result, Node):
+        ctx.deferred.unread(result, (turns.count,))
+    return result
 
 
 def _term(ctx: Context, e: ast.Fold, operator: FoldOperator, body: Node) -> Node | Failure:
@@ -220,19 +225,32 @@ def _combined(
 ) -> Node | Failure:
     crosses = any(node.op == "cross" for node in changing((body,), {turns.formal}))
     if initial is None and operator in ("min", "max"):
-        if not turns.known or turns.bound == 0:
+        if not turns.known:
             ctx.report.add(rules.NO_INITIAL, e.span, word=e.operator)
             return FAILURE
+        if turns.bound == 0:
+            return _of_no_terms(ctx, e, operator, turns, body)
         return _written_out(ctx, operator, turns, body, None) if crosses else _from_first(
             ctx, operator, turns, body
         )  # fmt: skip
     if crosses:
         return _written_out(ctx, operator, turns, body, initial)
     result = folded(
-        ctx.tree, operator, turns.bound, body, turns.formal, ctx.notes.follow, turns.count, initial
+        ctx.tree, operator, turns.bound, body, turns.formal, ctx.follow, turns.count, initial
     )
     ctx.notes.variables.setdefault(result.id, (e.turns.variable.text,))
     return result
+
+
+def _of_no_terms(
+    ctx: Context, e: ast.Fold, operator: FoldOperator, turns: _Turns, body: Node
+) -> Node:
+    """The least of nothing: an error, if the program comes to it, and as good as one term if not"""
+    term = _at(ctx, body, turns.formal, 0)
+    value = ctx.tree.node("call", body.type, (term, term), operator)
+    found = ctx.report.finding(rules.NO_INITIAL, e.span, word=e.operator)
+    ctx.deferred.add(value, found, turns.count)
+    return value
 
 
 def _from_first(ctx: Context, operator: FoldOperator, turns: _Turns, body: Node) -> Node:
@@ -241,10 +259,8 @@ def _from_first(ctx: Context, operator: FoldOperator, turns: _Turns, body: Node)
     turn = ctx.tree.node("formal", INT, (), turns.formal)
     one = build.constant(ctx.tree, INT, 1)
     later = ctx.tree.node("call", INT, (turn, one), "add")
-    rest = substitute(ctx.tree, body, {turns.formal: later}, ctx.notes.follow)
-    return folded(
-        ctx.tree, operator, turns.bound - 1, rest, turns.formal, ctx.notes.follow, start=first
-    )
+    rest = substitute(ctx.tree, body, {turns.formal: later}, ctx.follow)
+    return folded(ctx.tree, operator, turns.bound - 1, rest, turns.formal, ctx.follow, start=first)
 
 
 def _written_out(
@@ -262,7 +278,7 @@ def _written_out(
 
 def _at(ctx: Context, body: Node, formal: Formal, turn: int) -> Node:
     number = build.constant(ctx.tree, INT, turn)
-    return substitute(ctx.tree, body, {formal: number}, ctx.notes.follow)
+    return substitute(ctx.tree, body, {formal: number}, ctx.follow)
 
 
 # --- states --------------------------------------------------------------------------------------
@@ -359,7 +375,7 @@ def _looped(
     going: Node,
 ) -> list[Node]:
     """The last states of a loop; what no turn changes is no part of it."""
-    graph, moved = ctx.tree, ctx.notes.follow
+    graph, moved = ctx.tree, ctx.follow
     fixed = {f: start for f, variable, start, following in states if following is variable}
     kept = [state for state in states if state[0] not in fixed]
     if not kept:

@@ -42,7 +42,9 @@ def _component(ctx: Context, node: Node, e: ast.Field) -> Node | Failure:
     if isinstance(node.type, Struct):
         members = dict(node.type.members)
         if name.text in members:
-            return build.member(ctx.tree, node, name.text)
+            member = build.member(ctx.tree, node, name.text)
+            ctx.deferred.unread(member, (node,))
+            return member
         unknown(ctx, "member", name.text, name.span, members)
         return FAILURE
     if isinstance(node.type, Vector | Scalar):

@@ -50,7 +50,9 @@ def listed(operands: Sequence[Node]) -> str:
 def no_signature(
     ctx: Context, name: str, operands: Sequence[Node], span: Span, shown: str, written: Written
 ) -> Failure:
-    """Report operands that no signature of a builtin takes."""
+    """Report operands that no signature of a builtin takes, or what is wrong with one of them."""
+    if any(map(ctx.deferred.is_wrong, operands)):
+        return FAILURE
     row, places = BUILTINS[name], [each.span for each in written]
     if row.operator:
         types = [str(node.type) for node in operands]

@@ -146,7 +146,7 @@ def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
         replaced = zip(signature.slots, stand_in.values[count:], strict=True)
         surface = shaded(ctx, surface, dict(replaced))
     scope = scope_of_body(ctx, signature.symbol, arguments, surface)
-    around = ctx.report.count, ctx.progress.unproven
+    around = ctx.report.count, len(ctx.deferred), ctx.progress.unproven
     ctx.progress.unproven = 0
     finish = partial(_finish, ctx, signature, stand_in, arguments, first, around)
     settle_body(ctx, signature.symbol, span, scope, finish)
@@ -204,18 +204,19 @@ def _finish(
     stand_in: StandIns,
     arguments: tuple[Node, ...],
     first: int,
-    around: tuple[int, int],
+    around: tuple[int, int, int],
     result: Node | Failure,
 ) -> None:
     """Keep a body that serves all calls of its signature, if this one does."""
     symbol = signature.symbol
-    before, ctx.progress.unproven, unproven = *around, ctx.progress.unproven
+    before, deferred, ctx.progress.unproven, unproven = *around, ctx.progress.unproven
     value = fit_result(ctx, symbol, result, arguments)
     if ctx.report.count > before or isinstance(value, Failure):
         # The arguments of a call may tell what is missing here. If not, it is reported then. But
         # a function that calls itself does so for all arguments.
         found = ctx.report.since(before)
         ctx.report.forget(before)
+        ctx.deferred.forget(deferred)
         ctx.report.extend([d for d in found if d.rule is rules.RECURSIVE_FUNCTION])
         ctx.withheld[signature] = tuple(d for d in found if d.rule is not rules.RECURSIVE_FUNCTION)
         ctx.bodies[signature] = None
@@ -250,7 +251,7 @@ def _repeated(ctx: Context, body: SharedBody, parts: tuple[Node, ...]) -> Node:
             continue
         operands = tuple([made.get(operand, operand) for operand in node.operands])
         new = made[node] = _of_operands(ctx, node, operands)
-        ctx.notes.follow(node, new)
+        ctx.follow(node, new)
     return made.get(body.value, body.value)
 
 
@@ -282,7 +283,7 @@ def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool
 
 def _closed(ctx: Context, symbol: Symbol, body: Node, formals: tuple[Formal, ...]) -> Node:
     """A body with its variables bound, and with what texts show of the function."""
-    closed = close(ctx.tree, body, formals, ctx.notes.follow)
+    closed = close(ctx.tree, body, formals, ctx.follow)
     ctx.notes.functions.setdefault(closed.id, symbol.name)
     ctx.notes.arguments.setdefault(closed.id, tuple(formal.name for formal in formals))
     if symbol.declaration.doc:

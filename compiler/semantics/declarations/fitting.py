@@ -29,6 +29,8 @@ def fit(
     if isinstance(node, Failure):
         return FAILURE
     fitted = coerce(ctx.tree, node, wanted)
+    if fitted is None and ctx.deferred.is_wrong(node):
+        return FAILURE
     if fitted is None:
         ctx.report.add(
             rules.WRONG_TYPE, span, expected=declared, found=node.type,

@@ -79,7 +79,7 @@ def cut_quotient(operands: Iterable[Node], places: Sequence[Span] = ()) -> Hint:
         if node.op != "call" or node.data != "div" or scalar_kind(node.type) != "int":
             continue
         x, y = (bare(part).data for part in node.operands)
-        if isinstance(x, int) and isinstance(y, int):
+        if isinstance(x, int) and isinstance(y, int) and y:
             said = f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
             span = places[number] if number < len(places) else None
             written = None if span is None else re.fullmatch(_WHOLE_QUOTIENT, span.text)

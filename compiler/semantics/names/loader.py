@@ -7,13 +7,16 @@ imported from ``std`` comes from the ``StandardLibrary``, which is linked alread
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePosixPath
+from stat import S_ISDIR, S_ISREG
 from typing import Protocol
 
 from ....frozen import record
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
+from ...diagnostics.file_names import why_unreadable
 from ...diagnostics.source import Source
 from ...syntax import ast
 from .declarations import declare_all
@@ -21,6 +24,9 @@ from .import_hints import missing_import_hint
 from .imports import import_names
 from .modules import Module
 from .standard_library import Parse, Read, StandardLibrary, in_library
+
+LONGEST_CYCLE = 8
+"""How many files of a cycle a message names."""
 
 
 class Looked(Protocol):
@@ -62,8 +68,9 @@ class Loader:
         self._read = read
         self._looked = looked
         self._modules: dict[Path, Module] = {}
-        self._loading: dict[Path, None] = {}
-        """The files whose imports are being read, each imported by the one before it."""
+        self._loading: dict[Path, str] = {}
+        """The files whose imports are being read, each imported by the one before it, with what
+        messages call them."""
         self._real: dict[Path, Path] = {}
         """Folders without links, as far as anybody has asked: the system goes through all of a path
         each time."""
@@ -77,7 +84,7 @@ class Loader:
     def main(self, source: Source, path: Path | None) -> Module:
         """The module that a user compiles."""
         if path is not None:
-            self._loading[path.resolve()] = None
+            self._loading[_real(path)] = source.name
         module = Module(
             self._parse(source, self._report), path, prelude=self._library.prelude,
             offered=self._library.offering,
@@ -122,17 +129,34 @@ class Loader:
             self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
             return None
         for root in self._roots(module):
-            found = root / relative
-            path = found.resolve()
-            if not path.is_relative_to(self._resolved(root)):
-                self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
+            try:
+                found = root / relative
+                path = _real(found)
+                if not path.is_relative_to(self._resolved(root)):
+                    self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
+                    return None
+                mode = _mode(found)
+            except (OSError, ValueError) as error:
+                self._report.add(
+                    rules.UNREADABLE_FILE, wanted.span, path=relative, reason=why_unreadable(error)
+                )
                 return None
-            is_file = path.is_file()
-            self._looked(root, found, found=is_file)
-            if is_file:
+            self._looked(root, found, found=mode is not None)
+            if mode is not None and self._is_file(mode, wanted, found):
                 return self._load(found, path, wanted)
+            if mode is not None:
+                return None
         self._report_missing(wanted, relative)
         return None
+
+    def _is_file(self, mode: int, wanted: ast.Import, found: Path) -> bool:
+        """Whether what an import has found is a file; anything else is reported, and not opened."""
+        if S_ISDIR(mode):
+            self._report.add(rules.NOT_A_FILE, wanted.span, path=found)
+        elif not S_ISREG(mode):
+            reason = "it is a pipe or a device"
+            self._report.add(rules.UNREADABLE_FILE, wanted.span, path=found, reason=reason)
+        return S_ISREG(mode)
 
     def _from_library(self, wanted: ast.Import) -> Module | None:
         inside = in_library(wanted.path)
@@ -148,7 +172,7 @@ class Loader:
     def _resolved(self, folder: Path) -> Path:
         """A folder that files are looked for in, without links."""
         if folder not in self._real:
-            self._real[folder] = folder.resolve()
+            self._real[folder] = _real(folder)
         return self._real[folder]
 
     def _roots(self, module: Module) -> Iterator[Path]:
@@ -160,18 +184,40 @@ class Loader:
         if path in self._modules:
             return self._modules[path]
         if path in self._loading:
-            pending = list(self._loading)
-            cycle = [*pending[pending.index(path) :], path]
-            self._report.add(
-                rules.IMPORT_CYCLE, wanted.span, cycle=" → ".join(step.name for step in cycle)
-            )
+            self._report.add(rules.IMPORT_CYCLE, wanted.span, cycle=self._cycle(path))
             return None
         library = self._resolved(self._library.folder)
         if path.is_relative_to(library):
             return self._library.module(path.relative_to(library).as_posix())
-        source = self._read(path, self._report, str(found))
+        source = self._read(found, self._report, str(found), wanted.span)
         if source is None:
             return None
-        self._loading[path] = None
+        self._loading[path] = source.name
         module = Module(self._parse(source, self._report), path, prelude=self._library.prelude)
         return _Linking(module, self._declared(module), path, wanted)
+
+    def _cycle(self, path: Path) -> str:
+        """The files that import each other, from the one at ``path`` to itself, in words."""
+        pending = list(self._loading)
+        steps = pending[pending.index(path) :]
+        names = [step.name for step in steps]
+        if len(set(names)) < len(names):
+            names = [self._loading[step] for step in steps]
+        if len(names) > LONGEST_CYCLE:
+            left_out = len(names) - LONGEST_CYCLE
+            half = LONGEST_CYCLE // 2
+            names = [*names[:half], f"{left_out} more", *names[-half:]]
+        return " → ".join([*names, names[0]])
+
+
+def _real(path: Path) -> Path:
+    """A path without links; one that goes round in links stays as it is."""
+    return Path(os.path.realpath(path))
+
+
+def _mode(path: Path) -> int | None:
+    """What kind of file is there; ``None`` if there is none. Raises ``OSError``."""
+    try:
+        return path.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return None

@@ -15,7 +15,7 @@ from typing import Protocol
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
-from ...diagnostics.source import Source
+from ...diagnostics.source import Source, Span
 from ...syntax import ast
 from .declarations import declare_all
 from .imports import import_names
@@ -33,9 +33,11 @@ class Parse(Protocol):
 
 
 class Read(Protocol):
-    """Reads a file, which messages call ``name``; ``None`` after reporting why it cannot."""
+    """Reads a file, which messages call ``name``; ``None`` after reporting at ``span`` why not."""
 
-    def __call__(self, path: Path, report: Report, name: str = "", /) -> Source | None: ...
+    def __call__(
+        self, path: Path, report: Report, name: str = "", span: Span | None = None, /
+    ) -> Source | None: ...
 
 
 class StandardLibrary:

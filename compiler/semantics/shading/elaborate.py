@@ -69,6 +69,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     ctx, parts = setting.ctx, setting.parts
     results = results_of(setting)
     check_rig(ctx, setting.surface)
+    ctx.deferred.report()
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
     if ctx.report.failed or not places_vertices(results):
         return None

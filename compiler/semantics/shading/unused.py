@@ -201,6 +201,7 @@ class _Trial:
     def __init__(self, setting: Setting) -> None:
         self._setting = setting
         self._report = setting.ctx.report
+        setting.ctx.deferred.report()
         self._from_start = self._report.since(0)
 
     def attempt(self, check: Check, whole: bool = False) -> Attempt:
@@ -211,6 +212,7 @@ class _Trial:
         before = self._report.count
         self._setting.ctx.passing = self._setting.passing
         came_to_values = check(self._setting)
+        self._setting.ctx.deferred.report()
         found = self._report.since(before)
         self._report.forget(before)  # Another declaration may have the same mistake.
         if whole:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import hypot
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL, UNIT_SLACK
@@ -11,7 +12,7 @@ from ...diagnostics.source import Span
 from ...ir.build import parts_of
 from ...ir.node import Node
 from ...ir.shader import ConstantValue as Value
-from ...ir.types import Scalar, Type
+from ...ir.types import Matrix, Scalar, Type, scalar_kind
 from ...reference.evaluate import Evaluator, NotConstantError, TooLongError, evaluate
 from ...reference.namespace import Lanes
 from .scope import Failure
@@ -41,8 +42,10 @@ _OPERATIONS = frozenset(
 class ConstantValues:
     """Evaluates nodes that depend on nothing; reports those that do."""
 
-    def __init__(self, report: Report) -> None:
+    def __init__(self, report: Report, is_wrong: Callable[[Node], bool]) -> None:
+        """``is_wrong`` says whether a value has errors of its own, and reports them."""
         self._report = report
+        self._is_wrong = is_wrong
         self._plain: dict[Node, bool] = {}
         """The nodes that were looked at, and whether they are made of constants."""
         self._known = Evaluator()
@@ -50,6 +53,8 @@ class ConstantValues:
 
     def lanes(self, node: Node, span: Span) -> Lanes | None:
         """The lanes of a node, or ``None`` after reporting why they cannot be known here."""
+        if self._is_wrong(node):
+            return None
         if self.is_known(node):
             return self._known.value(node)
         try:
@@ -84,6 +89,14 @@ class ConstantValues:
     def known_integer(self, node: Node) -> int | None:
         """The value of an ``int`` where it is one, and nothing is reported if not."""
         return int(self._known.value(node)[0]) if self.is_known(node) else None
+
+    def largest(self, node: Node) -> float | None:
+        """The largest magnitude among the floats of a constant; ``None`` if it is none."""
+        if scalar_kind(node.type) != "float" or not self.is_known(node):
+            return None
+        lanes = self._known.value(node)
+        columns = lanes if isinstance(node.type, Matrix) else (lanes,)
+        return max(abs(float(lane)) for column in columns for lane in column)
 
     def is_zero(self, node: Node) -> bool:
         """Whether a node is a constant with a lane that counts as zero."""

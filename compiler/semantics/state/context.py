@@ -22,8 +22,10 @@ from ..inheritance.flattening import Records
 from ..names.modules import Module, Symbol
 from ..types.meanings import Meanings
 from ..types.typenames import Declared, TypeResolver
+from .conditions import Conditions
 from .constants import ConstantValues
 from .crossings import Crossings
+from .deferred import Deferred
 from .places import Places
 from .scope import Application, Failure, Inner, Instance, RigEntry, Scope, Value
 from .tree import Tree
@@ -106,11 +108,12 @@ class Context:
         self.tree = Tree()
         self.notes = Notes()
         self.places = Places(self.notes.spans)
-        self.crossings = Crossings(self.tree, report, self.notes, self.places)
-        self.constants = ConstantValues(report)
+        self.crossings = Crossings(self.tree, report, self.follow, self.places)
+        self.constants = ConstantValues(report, self._is_wrong)
         self.meanings = Meanings(self.tree)
         self.ranges = Ranges(())
         """What is known of values already: it bounds loops and proves lengths."""
+        self.deferred = Deferred(report, self.tree, Conditions(self.constants, self.ranges))
         self.types = WrittenTypes(TypeResolver(report))
         self.externs = ExternBlocks()
         self.progress = Progress()
@@ -144,6 +147,14 @@ class Context:
         """Those of them, closed, that mean the same wherever they are applied."""
         self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
         """What is wrong with a function's body as long as nothing is known of its arguments."""
+
+    def follow(self, old: Node, new: Node) -> None:
+        """Hand what is known of a node on to its copy."""
+        self.notes.follow(old, new)
+        self.deferred.follow(old, new)
+
+    def _is_wrong(self, node: Node) -> bool:
+        return self.deferred.is_wrong(node)
 
     def reached(self) -> Iterator[Symbol]:
         """The functions, terms, constants and structures that were checked by being used."""

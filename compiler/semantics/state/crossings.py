@@ -7,7 +7,7 @@ stands under ``@vertex``), the crossings in it are taken out: there is nothing t
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Callable, Container
 
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics import rules
@@ -17,7 +17,6 @@ from ...ir import build
 from ...ir.domains import Domains
 from ...ir.node import AGE, Graph, Node
 from ...ir.operations import INPUT
-from ...ir.shader import Notes
 from ...ir.stages import (
     FLAT,
     RASTERISED,
@@ -39,10 +38,13 @@ INPUTS = inputs_of(RASTERISED)
 class Crossings:
     """Makes and removes crossings in the trees of one elaboration."""
 
-    def __init__(self, graph: Graph, report: Report, notes: Notes, places: Places) -> None:
+    def __init__(
+        self, graph: Graph, report: Report, follow: Callable[[Node, Node], None], places: Places
+    ) -> None:
+        """``follow`` hands what is known of a node on to its copy."""
         self._graph = graph
         self._report = report
-        self._notes = notes
+        self._follow = follow
         self._places = places
         self._vertex: dict[int, Node] = {}
         """What nodes are at the vertices, by their ids."""
@@ -98,7 +100,7 @@ class Crossings:
             else:
                 new = self._graph.node(node.op, node.type, operands, node.data)
                 self._vertex[node.id] = new
-                self._notes.follow(node, new)
+                self._follow(node, new)
                 self._places.follow(node, new)
         return self._vertex[root.id]
 

@@ -1,0 +1,28 @@
+"""Names of files as text that can be shown and written, and why files cannot be read.
+
+File names are bytes. Where they are not UTF-8, Python stands surrogates for them, which no encoding
+takes: neither a terminal nor JSON can show them.
+"""
+
+from __future__ import annotations
+
+import re
+
+_SURROGATE = re.compile("[\ud800-\udfff]")
+
+
+def readable(name: str) -> str:
+    """``name`` with each byte that is no text written out, as in ``caf\\xe9.burnish``."""
+    return name if name.isascii() else _SURROGATE.sub(_written_out, name)
+
+
+def why_unreadable(error: OSError | ValueError) -> str:
+    """What kept the system from finding or reading a file."""
+    if isinstance(error, OSError):
+        return error.strerror or str(error)
+    return "no file has a name like this"  # It contains NUL, or a surrogate that is no byte.
+
+
+def _written_out(found: re.Match[str]) -> str:
+    number = ord(found[0])
+    return f"\\x{number - 0xDC00:02x}" if 0xDC80 <= number <= 0xDCFF else f"\\u{number:04x}"

@@ -1,0 +1,98 @@
+"""Which conditions are known when compiling: by constants, or by the ranges of what is compared.
+
+``deferred`` asks for this, to find the sides of choices that are never taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from ....stdlib.builtins.facts import Fact
+from ...ir.node import Node, bare
+from ...ir.operations import CALL
+from ...ir.ranges import Ranges
+from ...ir.types import BOOL, Scalar
+from .constants import ConstantValues
+
+_ABSORBING = {"and": False, "or": True}
+_NEVER: Mapping[str, Callable[[Fact, Fact], bool]] = {
+    "lt": lambda left, right: left.lo >= right.hi,
+    "le": lambda left, right: left.lo > right.hi,
+    "gt": lambda left, right: left.hi <= right.lo,
+    "ge": lambda left, right: left.hi < right.lo,
+    "eq": lambda left, right: left.hi < right.lo or left.lo > right.hi,
+}
+_OPPOSITE = {"lt": "ge", "le": "gt", "gt": "le", "ge": "lt", "ne": "eq"}
+
+
+class Conditions:
+    """The values of bools, as far as they are known; each node is looked at once."""
+
+    def __init__(self, constants: ConstantValues, ranges: Ranges) -> None:
+        self._constants = constants
+        self._ranges = ranges
+        self._known: dict[Node, bool | None] = {}
+
+    def value(self, condition: Node) -> bool | None:
+        """Whether a scalar condition always or never holds; ``None`` where that is not known."""
+        known, pending = self._known, [condition]
+        while pending:
+            node = pending[-1]
+            missing = [operand for operand in _parts(node) if operand not in known]
+            if missing and node not in known:
+                pending += missing
+                continue
+            if node not in known:
+                known[node] = self._value(node)
+            pending.pop()
+        return known[condition]
+
+    def decisive(self, node: Node) -> list[Node]:
+        """The operands of ``and`` or ``or`` each of which decides it, whatever the other is."""
+        if node.type != BOOL:
+            return []
+        absorbing = _ABSORBING[CALL.data(node)]
+        return [operand for operand in node.operands if self.value(operand) is absorbing]
+
+    def _value(self, node: Node) -> bool | None:
+        plain = bare(node)
+        if plain is not node:
+            return self._known[plain]
+        if node.type != BOOL:
+            return None
+        if self._constants.is_known(node):
+            return bool(self._constants.known(node))
+        known = [self._known[part] for part in _parts(node)]
+        if node.op == "select":
+            return None if known[0] is None else known[1 if known[0] else 2]
+        return self._called(node, known) if node.op == "call" else None
+
+    def _called(self, node: Node, known: list[bool | None]) -> bool | None:
+        name = CALL.data(node)
+        if name in _ABSORBING:
+            absorbing = _ABSORBING[name]
+            if absorbing in known:
+                return absorbing
+            return None if None in known else not absorbing
+        if name == "not":
+            return None if known[0] is None else not known[0]
+        if not all(isinstance(operand.type, Scalar) for operand in node.operands):
+            return None
+        facts = tuple(map(self._ranges.of, node.operands))
+        if name in _NEVER and _NEVER[name](*facts):
+            return False
+        if name in _OPPOSITE and _NEVER[_OPPOSITE[name]](*facts):
+            return True
+        return None
+
+
+def _parts(node: Node) -> tuple[Node, ...]:
+    """The conditions that a condition is made of."""
+    plain = bare(node)
+    if plain is not node:
+        return (plain,)
+    if node.type != BOOL:
+        return ()
+    if node.op == "select" or (node.op == "call" and node.data in ("and", "or", "not")):
+        return node.operands
+    return ()

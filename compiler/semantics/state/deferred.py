@@ -1,0 +1,193 @@
+"""Errors about the values of constants: they are reported only if a program can come to them.
+
+``if b == 0 then 0 else a / b`` may be called with a constant 0: the side that would divide by it is
+never taken. So a rule that finds such an error defers it. The operation gets a node, with the
+meaning that it has for a value that is not constant, and the error waits until all that needs the
+node has been checked. Then ``report`` walks from the values that were made down to what they need,
+but not into sides that are never taken, and reports what it comes upon. Errors about types are not
+deferred.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ....frozen import changed
+from ...diagnostics.diagnostic import Diagnostic, Label, Report
+from ...ir.node import Folding, Iterating, Node, bare
+from .conditions import Conditions
+from .tree import Tree
+
+_MARKS = ("as", "called")
+
+
+class Deferred:
+    """Errors that wait until it is known whether the program can come to their nodes."""
+
+    def __init__(self, report: Report, tree: Tree, conditions: Conditions) -> None:
+        self._report = report
+        self._tree = tree
+        self._conditions = conditions
+        self._found: dict[Node, Diagnostic] = {}
+        self._also: dict[Node, tuple[Node, ...]] = {}
+        """What was evaluated for a node that is no part of its value."""
+        self._passed: set[Node] = set()
+        """Nodes that nothing may need, and whose errors count elsewhere: there are copies of them,
+        or parts of them have been taken."""
+        self._touched: dict[Node, bool] = {}
+        """Whether a node needs one with an error, on whatever side."""
+        self._reached: set[Node] = set()
+        """What the program can come to, as far as ``report`` has walked."""
+        self._first = 0
+        """The first node that no ``report`` has seen."""
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def add(self, node: Node, found: Diagnostic | None, *operands: Node) -> None:
+        """Defer an error about ``node``; nothing is said if an operand is wrong already."""
+        if found is not None and not any(map(self._touches, operands)):
+            self._found.setdefault(node, found)
+            self._touched[node] = True
+
+    def explain(self, since: int, label: Label) -> None:
+        """Add a label to all errors after the first ``since`` ones."""
+        for node in list(self._found)[since:]:
+            found = self._found[node]
+            self._found[node] = changed(found, labels=(*found.labels, label))
+
+    def forget(self, since: int) -> None:
+        """Drop all errors after the first ``since`` ones."""
+        for node in list(self._found)[since:]:
+            del self._found[node]
+
+    def follow(self, old: Node, new: Node) -> None:
+        """``new`` is a copy of ``old``, as of a function's body for other arguments."""
+        if not self._found:
+            return
+        self._passed.add(old)
+        if old in self._found:
+            self._found.setdefault(new, self._found[old])
+            self._touched[new] = True
+        if old in self._also:
+            self._also.setdefault(new, self._also[old])
+
+    def unread(self, value: Node, evaluated: Sequence[Node], first: int | None = None) -> None:
+        """Note what was evaluated for a value and is no part of it: an argument, an element.
+
+        The value was made since there were ``first`` nodes, or after what was evaluated.
+        """
+        if not self._found or not evaluated:
+            return
+        wrong = [part for node in evaluated for part in _parts(node) if self._touches(part)]
+        if not wrong:
+            return
+        first = 1 + max(node.id for node in evaluated) if first is None else first
+        seen, pending = {value}, [value]
+        for node in pending:  # It grows on the way.
+            if node.id >= first:
+                new = [operand for operand in node.operands if operand not in seen]
+                seen.update(new)
+                pending += new
+        self._passed.update(evaluated)
+        left = tuple(node for node in wrong if node not in seen)
+        self._also[value] = (*self._also.get(value, ()), *left)
+
+    def report(self) -> None:
+        """Report the errors that the program can come to."""
+        first, self._first = self._first, len(self._tree)
+        if self._found:
+            outermost = list(self._outermost(self._tree.nodes[first:]))
+            self._report.extend(self._errors(outermost, self._reached))
+
+    def is_wrong(self, node: Node) -> bool:
+        """Whether a value that is needed now has errors, which are reported."""
+        if not self._touches(node):
+            return False
+        found = list(self._errors([node], set()))
+        self._report.extend(found)
+        return bool(found)
+
+    def _errors(self, pending: list[Node], reached: set[Node]) -> Iterator[Diagnostic]:
+        """The errors that a program comes to on the way to values, but for what is ``reached``."""
+        while pending:
+            node = pending.pop()
+            if node in reached:
+                continue
+            reached.add(node)
+            if node in self._found:
+                yield self._found[node]
+            pending += self._taken(node)
+
+    def _outermost(self, nodes: list[Node]) -> Iterator[Node]:
+        """The nodes that no other one needs, but for those that were passed; marks do not count."""
+        needed = {node for others in self._also.values() for node in others}
+        for node in reversed(nodes):
+            if node not in needed:
+                if node.op in _MARKS:
+                    continue
+                if node not in self._passed:
+                    yield node
+            needed.update(node.operands)
+
+    def _taken(self, node: Node) -> Iterator[Node]:
+        """What a node needs, without sides that are never taken."""
+        yield from self._also.get(node, ())
+        match node.op, node.data:
+            case "select", _:
+                condition, then, otherwise = node.operands
+                holds = self._conditions.value(condition)
+                yield condition
+                if holds is not False:
+                    yield then
+                if holds is not True:
+                    yield otherwise
+            case "call", "and" | "or":
+                decisive = sorted(self._conditions.decisive(node), key=self._touches)
+                yield from decisive[:1] or node.operands
+            case (("fold" | "iterate"), Folding() | Iterating()):
+                yield from self._turned(node)
+            case "called", _:
+                yield node.operands[0]
+            case _:
+                yield from node.operands
+
+    def _turned(self, loop: Node) -> Iterator[Node]:
+        """What a loop needs: not its body, if it never turns."""
+        assert isinstance(loop.data, Folding | Iterating)
+        count, bodies = loop.operands[0], loop.data.bodies
+        yield from loop.operands[: bodies.start]
+        if loop.data.bound == 0 or (count.op == "constant" and count.data == 0):
+            return
+        if isinstance(loop.data, Iterating):
+            going = loop.operands[bodies.start]
+            if self._conditions.value(going) is False:
+                yield going
+                return
+        yield from loop.operands[bodies.start :]
+
+    def _touches(self, root: Node) -> bool:
+        if not self._found:
+            return False
+        touched, pending = self._touched, [root]
+        while pending:
+            node = pending[-1]
+            missing = [operand for operand in node.operands if operand not in touched]
+            if node not in touched and missing:
+                pending += missing
+                continue
+            if node not in touched:
+                touched[node] = any(touched[operand] for operand in node.operands)
+            pending.pop()
+        return touched[root]
+
+
+def _parts(whole: Node) -> Iterator[Node]:
+    """The members and elements of a value that was put together, or the value itself."""
+    pending = [whole]
+    while pending:
+        node = bare(pending.pop())
+        if node.op in ("struct", "array"):
+            pending += node.operands
+        else:
+            yield node

@@ -1,0 +1,158 @@
+"""Errors about values of constants are reported only if a program can come to them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import pytest
+
+from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.diagnostics.render import render_all
+
+from .kit import shader
+
+FUNCTIONS = (
+    "fn over(a: float, b: float) -> float = if b == 0 then 0 else a / b",
+    "fn named(a: float, b: float) -> float = if b == 0 then 0 else q where { q = a / b }",
+    "fn both(a: float, b: float) -> float = if b != 0 and a / b > 1 then 1 else 0",
+    "fn swapped(a: float, b: float) -> float = if a / b > 1 and b != 0 then 1 else 0",
+    "fn either(a: float, b: float) -> float = if b == 0 or a / b > 1 then 1 else 0",
+    "fn model(m: int, a: float, b: float) -> float = "
+    "if m == 0 then 1 else if m == 1 then a / b else over(a, b)",
+    "fn total(n: int, b: float) -> float = sum i in 0..n : float(i) / b",
+    "fn steady(n: int, b: float) -> float = sum i in 0..n : 1.0 / b",
+    "fn looped(n: int, b: float) -> float = iterate s from 1.0 for i in 0..n : s / b",
+    "fn stopped(go: bool, b: float) -> float = iterate s from 1.0 up to 9 while go : s / b",
+    "fn pick(a: float[2], i: int) -> float = if i < 2 then a[i] else 0",
+    "fn lane(v: vec3, i: int) -> float = if i >= 0 and i < 3 then v[i] else 0",
+    "fn least(n: int, x: float) -> float = if n == 0 then 0 else min i in 0..n : x + float(i)",
+    "fn long(n: int) -> float = if n > 4096 then 0 else sum i in 0..n : float(i)",
+    "fn grown(x: float) -> float = if x > 80 then 0 else exp(x)",
+    "fn chosen(m: int, a: float, b: float) -> float = if m == 0 then a else b",
+    "struct Pair { a : float, b : float } fn first(p: Pair) -> float = p.a",
+    "term term_(m: int) = if m == 1 then kd / zero else kd",
+)
+RIGHT = {
+    "a guard": "over(uv.x, 0)",
+    "a guard of constants": "over(1, 0)",
+    "a part": "named(uv.x, 0)",
+    "and": "both(uv.x, 0)",
+    "and, the other way round": "swapped(uv.x, 0)",
+    "or": "either(uv.x, 0)",
+    "a choice in a choice": "model(2, uv.x, 0) + model(0, uv.x, 0)",
+    "calls in calls": "named(over(uv.x, 0), 0)",
+    "a sum of nothing": "total(0, 0)",
+    "a sum of nothing that does not depend on the turn": "steady(0, 0)",
+    "a loop without turns": "looped(0, 0)",
+    "a loop that stops at once": "stopped(false, 0)",
+    "an element": "pick([1.0, 2.0], 2)",
+    "a lane": "lane(vec3(uv, 1), 5)",
+    "a least of nothing": "least(0, uv.x)",
+    "a fold that is too long": "long(5000)",
+    "overflow": "grown(100)",
+    "an argument on the side that is not taken": "chosen(0, 1, 1 / zero)",
+    "a slot": "if on then inverse_ else 2",
+    "an element that is not taken": "if on then [1 / zero, 2.0][1] else 2",
+    "a member that is not taken": "if on then first(Pair(uv.x, 1 / zero)) else 2",
+    "in a loop": "sum i in 0..3 : over(float(i), 0)",
+    "by a range": "if few > 5 then 1 / zero else 1",
+    "at the vertices": "@vertex over(position.x, 0)",
+    "a term": "term_(0).x",
+}
+WRONG = {
+    "a call": "a / b\nover(uv.x, 0)",
+    "a side that may be taken": "a / b\nif uv.x > 0.5 then over(1, 0) else 1",
+    "a side that is taken": "0\nif on then 1 else 1 / zero",
+    "an argument that is not read": "1\nover(1 / zero, 2)",
+    "a part that is not read": "1 where { q = a / b }\nover(uv.x, 0)",
+    "an element that is not read": "0\n[1 / zero, 2.0][1]",
+    "what is wrong with what is wrong": "0\n1 / (1 / zero)",
+    "a condition": "0\nif 1 / zero > 1 then 1 else 2",
+}
+
+
+def program(expression: str, functions: Iterable[str] = FUNCTIONS) -> str:
+    """A material of this colour, with the functions that it calls and that these call."""
+    text = expression
+    for function in reversed(list(functions)):
+        name = function.split("(")[0].split()[1]
+        if f"{name}(" in text:
+            text = f"{function}\n{text}"
+    declarations = text.removesuffix(expression)
+    return f"""
+{declarations}
+material M {{
+    param few : int in 0..4 = 2
+    on : bool = false
+    zero : float = 0
+    inverse_ = if zero == 0 then 1 else 1 / zero
+    kd = vec3(uv, 1)
+    color = vec3({expression})
+}}
+"""
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_a_side_that_is_never_taken_may_divide_by_zero(name: str) -> None:
+    assert shader(program(RIGHT[name])).results
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_what_a_program_can_come_to_is_reported_once(name: str) -> None:
+    body, expression = WRONG[name].split("\n")
+    functions = f"fn over(a: float, b: float) -> float = {body}"
+    with pytest.raises(CompileError) as raised:
+        shader(program(expression, (functions,)))
+    assert [found.rule.code for found in raised.value.diagnostics] == ["B0401"]
+
+
+def test_all_of_them_together_come_to_one_shader() -> None:
+    everything = " + ".join(f"({each})" for each in RIGHT.values())
+    assert shader(program(everything)).results
+
+
+def test_the_message_is_that_of_an_operation_written_in_place() -> None:
+    source = "fn over(a: float, b: float) -> float = a / b\nmaterial M { alpha = over(uv.x, 0) }\n"
+    with pytest.raises(CompileError) as raised:
+        shader(source)
+    assert render_all(raised.value.diagnostics) == RENDERED
+
+
+RENDERED = """\
+error[B0401]: this divisor is always zero
+ --> <test>:1:44
+  |
+1 | fn over(a: float, b: float) -> float = a / b
+  |                                            ^
+  = help: The quotient would be undefined on some backends and infinite on others."""
+
+
+def test_a_default_is_not_computed_of_a_side_that_is_not_taken() -> None:
+    heavy = "sum i in 0..4096 : (sum j in 0..4096 : sin(float(i * j)))"
+    found = shader(f"material M {{ param p : float = if 1 == 0 then ({heavy}) else 2 }}")
+    (p,) = (info for info in found.parameters if info.parameter.name == "p")
+    assert p.default == 2
+
+
+def test_an_error_of_types_on_such_a_side_stays_one() -> None:
+    with pytest.raises(CompileError, match="no `\\+` between vec3 and vec2"):
+        shader("material M { color = if false then vec3(1) + vec2(1) else vec3(1) }")
+
+
+@pytest.mark.parametrize(
+    ("expression", "shown", "value"),
+    [
+        ("exp(100.0)", "`exp(100.0)`", "2.69e+43"),
+        ("3e38 + 3e38", "`3e38 + 3e38`", "6e+38"),
+        ("uv.x * pow(10, 50).x", "`pow(10, 50)`", "1e+50"),
+        ("(vec3(3e38, 1, 2) * vec3(3, 1, 2)).y", "`vec3(3e38, 1, 2) * vec3(3, 1, 2)`", "9e+38"),
+        ("determinant(mat2(3e38))", "`determinant(mat2(3e38))`", "9e+76"),
+    ],
+)
+def test_a_constant_beyond_float32_is_an_error(expression: str, shown: str, value: str) -> None:
+    with pytest.raises(CompileError) as raised:
+        shader(f"material M {{ alpha = {expression} }}")
+    (found,) = raised.value.diagnostics
+    assert (found.message, found.hint) == (
+        f"{shown} does not fit into float", f"it comes to {value}",
+    )  # fmt: skip
