@@ -194,3 +194,11 @@ def test_folds_of_unequal_lanes_do_something(
     operands = count, start, body
     folding = Folding(operator, 9, (Formal("i"),))
     assert kit.simplified(kit.graph.node("fold", VEC3, operands, folding)) is not start
+
+
+def test_a_scalar_lane_stands_for_all_lanes_of_a_vector(kit: Kit) -> None:
+    v = kit.leaf("v", VEC3)
+    lane = build.swizzle(kit.graph, v, (2,))
+    product = kit.graph.node("call", VEC3, (v, lane), "mul")
+    picked = build.swizzle(kit.graph, product, (2,))
+    assert kit.simplified(picked).op == "swizzle"

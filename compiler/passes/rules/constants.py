@@ -141,10 +141,13 @@ def _computed_lanes(b: Builder, at: Site) -> Node | None:
 
 
 def _lane(node: Node, lane: int, depth: int) -> Number | None:
-    """The value of one lane, if it is constant; recurses into so many operations."""
+    """The value of one lane, if it is constant; recurses into so many operations.
+
+    A scalar stands for a vector with this number in every lane.
+    """
+    lane = lane if isinstance(node.type, Vector) else 0
     if node.op == "constant" and not isinstance(node.type, Matrix):
-        values = constant_lanes(node.type, node.data)
-        value: Number = values[lane if isinstance(node.type, Vector) else 0]
+        value: Number = constant_lanes(node.type, node.data)[lane]
         return value
     if not depth:
         return None
