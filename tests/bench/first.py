@@ -23,11 +23,13 @@ from .checkout import Checkout
 from .table import Row, Section
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "plastic.burnish"
-ROUNDS = 12
+ROUNDS = 10
 LATER = 2
 """How many later compiles there are in a round. Medians count, of these as of the first ones."""
 AIM = 1.1
-UNTRACKED = shutil.ignore_patterns(".*", "build", "dist", "generated", "*.egg-info", "__pycache__")
+NOT_INSTALLED = shutil.ignore_patterns(
+    ".*", "*.egg-info", "__pycache__", "build", "dist", "docs", "examples", "generated", "tests"
+)
 
 
 def measure(checkouts: Sequence[Checkout]) -> Iterator[Section]:
@@ -57,7 +59,7 @@ def _row(checkout: Checkout, way: str) -> Row:
 def _installed(checkout: Checkout, way: str, folder: Path) -> Path:
     """Install a checkout below a folder; returns the path of the environment's Python."""
     tree = folder / "tree"
-    shutil.copytree(checkout.root, tree, ignore=UNTRACKED)
+    shutil.copytree(checkout.root, tree, ignore=NOT_INSTALLED)
     venv.create(folder / "env")
     python = folder / "env" / "bin" / "python"
     (site,) = (folder / "env").rglob("site-packages")
