@@ -8,7 +8,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test lint bench tools clean
+.PHONY: help demo test quick lint bench tools clean
 
 help: ## List everything that make can do
 	@sed -n 's/^\([a-z]*\):.*## /make \1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -27,6 +27,9 @@ demo: $(VENV)/installed ## Compile examples/plastic.burnish for all backends int
 
 test: tools lint ## Install what the tests need, then check style, types and behaviour
 	$(BIN)/python -m pytest -n auto --dist loadgroup
+
+quick: lint ## The same, but for the tests that take long: for while you work
+	$(BIN)/python -m pytest -n auto --quick
 
 lint: $(VENV)/dev build/mypy/burnish ## Check style and types
 	$(BIN)/ruff format --check .

@@ -12,6 +12,7 @@ from importlib.metadata import Distribution, PackageNotFoundError
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from burnish.compiler.passes.checkpoint import VARIABLE
 from burnish.targets.toolchain import places
@@ -20,7 +21,11 @@ from .suite.processes import run
 
 os.environ[VARIABLE] = "1"
 
-pytest_plugins = ["burnish.tests.suite.account"]
+# How long an example takes says more about the machine than about Burnish.
+settings.register_profile("burnish", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("burnish")
+
+pytest_plugins = ["burnish.tests.suite.account", "burnish.tests.suite.quick"]
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -39,7 +39,11 @@ class Machine:
         self._values.clear()
 
     def knows(self, symbol: str) -> bool:
-        """Whether the present state has an action for ``symbol``."""
+        """Whether the present state has an action for ``symbol``.
+
+        If not, then ``accepts`` says no, too, but takes longer. The other way round an action may
+        only reduce what stands here, and ``symbol`` have no place afterwards.
+        """
         return symbol in self._actions[self._stack[-1]]
 
     def run(

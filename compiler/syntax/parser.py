@@ -154,9 +154,11 @@ class _Parser:
         token = self._tokens[index]
         if self._outline.is_member(index):
             return token.text
-        if not self._machine.knows(token.text) or self._names_something(index):
+        machine = self._machine
+        if not machine.knows(token.text) or self._names_something(index):
             return token.kind
-        return token.text
+        is_operand = not machine.accepts(token.text) and machine.accepts("NUMBER")
+        return token.kind if is_operand else token.text
 
     def _names_something(self, index: int) -> bool:
         """Whether the tokens after a word show it to be a name."""

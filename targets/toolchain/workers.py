@@ -21,6 +21,9 @@ from .process import Ending, how_it_crashed
 LOG_TAIL = 20_000
 """How many bytes of a dead child's output are kept."""
 
+END_LIMIT = 10.0
+"""How many seconds a child may go on after it has closed its output."""
+
 
 @dataclass(frozen=True, slots=True)
 class Answer:
@@ -55,8 +58,9 @@ class Worker:
             child.kill()
 
         timer = Timer(time_limit, give_up)
-        timer.start()
+        timer.daemon = True
         try:
+            timer.start()  # Here, too, Ctrl-C may come, and a timer would keep the process waiting.
             line = _exchange(child, json.dumps(request).encode() + b"\n")
         finally:
             timer.cancel()
@@ -79,7 +83,11 @@ class Worker:
 
     def _post_mortem(self, timeout: str) -> Answer:
         assert self._child is not None and self._errors is not None
-        code = self._child.wait()
+        try:
+            code = self._child.wait(END_LIMIT)
+        except subprocess.TimeoutExpired:
+            self._child.kill()
+            code = self._child.wait()
         self._errors.seek(0)
         said = self._errors.read()[-LOG_TAIL:].decode(errors="replace")
         self._bury(self._child)

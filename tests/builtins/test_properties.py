@@ -150,7 +150,7 @@ def on_arrays(
 
 
 @rows
-@settings(max_examples=EXAMPLES, deadline=None)
+@settings(max_examples=EXAMPLES)
 @given(data=st.data())
 def test_finite_operands_have_a_finite_result(row: Builtin, data: st.DataObject) -> None:
     types = data.draw(shapes(row))
@@ -222,7 +222,7 @@ def test_bits_that_are_shifted_out_bound_nothing() -> None:
 
 
 @rows
-@settings(max_examples=EXAMPLES, deadline=None)
+@settings(max_examples=EXAMPLES)
 @given(data=st.data())
 def test_results_are_within_the_range(row: Builtin, data: st.DataObject) -> None:
     types = data.draw(shapes(row))
@@ -282,7 +282,7 @@ def test_every_limited_domain_is_checked_against_the_naive_function() -> None:
 
 
 @pytest.mark.parametrize("name", NAIVE)
-@settings(max_examples=4 * EXAMPLES, deadline=None)
+@settings(max_examples=4 * EXAMPLES)
 @given(data=st.data())
 def test_within_its_domain_the_naive_function_is_the_meaning(
     name: str, data: st.DataObject

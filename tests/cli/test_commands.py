@@ -7,7 +7,6 @@ import os
 import re
 import signal
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -190,20 +189,21 @@ def test_watching(tmp_path: Path) -> None:
     main_file = tmp_path / "m.burnish"
     main_file.write_text('import "tones.burnish"\nmaterial M { color = vec3(tone) }')
     shader = tmp_path / "out" / "M.frag.wgsl"
-    with started([sys.executable, "-m", "burnish", *WATCH], cwd=tmp_path) as command:
+    said = tmp_path / "said"
+    watching = [sys.executable, "-m", "burnish", *WATCH]
+    with said.open("w") as stream, started(watching, cwd=tmp_path, stderr=stream) as command:
         await_text(shader, "0.5")
         (tmp_path / "tones.burnish").write_text("tone = tnt")
-        time.sleep(2)
+        await_text(said, "error[B0201]: unknown name `tnt`")
         assert "0.5" in shader.read_text()
         replacement = tmp_path / "new"
         replacement.write_text("tone = 0.25")
         replacement.rename(tmp_path / "tones.burnish")
         await_text(shader, "0.25")
         command.signal(signal.SIGINT)
-        ended = command.ended()
-    assert ended.returncode == 130
-    assert ended.stderr.startswith("error[B0201]: unknown name `tnt`")
-    assert "Traceback" not in ended.stderr
+        assert command.ended().returncode == 130
+    assert said.read_text().startswith("error[B0201]: unknown name `tnt`")
+    assert "Traceback" not in said.read_text()
 
 
 def await_text(file: Path, text: str) -> None:

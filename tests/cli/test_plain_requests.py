@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from burnish.commands.compile import compile_
@@ -37,7 +37,6 @@ words = st.one_of(
 )
 
 
-@settings(deadline=None)
 @given(st.lists(words, max_size=8))
 @example(["m.burnish", "-o", "out", "-t", "glsl", "-t", "wgsl,hlsl", "--no-hoist", "-I", "a"])
 @example(["--output=-", "m.burnish", "--rig", "One", "--rig", "Two", "--hoist", "--no-hoist"])

@@ -34,7 +34,7 @@ def overlap(one: Item, other: Item) -> bool:
     )
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=80)
 @given(graph=graphs())
 def test_boxes_and_passages_keep_apart_and_arrows_point_right(graph: Graph) -> None:
     sizes, edges = graph

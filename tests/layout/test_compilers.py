@@ -242,7 +242,6 @@ def test_uses_of_a_matrix_are_accepted(toolchain: Toolchain) -> None:
 
 @settings(
     max_examples=10,
-    deadline=None,
     derandomize=True,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
@@ -266,7 +265,6 @@ extern_members = st.lists(
 
 @settings(
     max_examples=10,
-    deadline=None,
     derandomize=True,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )

@@ -90,7 +90,7 @@ def _shown(case: str | tuple[Type, ...]) -> str:
 
 
 @pytest.mark.parametrize(("name", "types"), CASES, ids=_shown)
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(data=st.data())
 def test_an_expansion_is_the_builtin(
     name: str, types: tuple[Type, ...], data: st.DataObject
@@ -111,7 +111,7 @@ DEFINED = [row.name for row in BUILTINS.values() if row.definition]
 
 
 @pytest.mark.parametrize("name", DEFINED)
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(data=st.data())
 def test_a_definition_is_the_builtin(name: str, data: st.DataObject) -> None:
     types = data.draw(st.sampled_from(fitting(name)))

@@ -29,7 +29,7 @@ MISTAKES = {each.code for each in (rules.ZERO_DIVISOR, rules.OUT_OF_BOUNDS, rule
 """What is wrong with some of the programs, since constants are drawn too."""
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=SLOW)
+@settings(max_examples=60, suppress_health_check=SLOW)
 @given(text=programs(), seed=st.integers(0, 2**16), hoist=st.booleans())
 def test_random_programs_keep_their_value(text: str, seed: int, hoist: bool) -> None:
     note(text)
@@ -42,7 +42,7 @@ def test_random_programs_keep_their_value(text: str, seed: int, hoist: bool) -> 
     assert not disagreements(given_shader, worlds, Options(hoist)), text
 
 
-@settings(max_examples=30, deadline=None, suppress_health_check=SLOW)
+@settings(max_examples=30, suppress_health_check=SLOW)
 @given(text=programs())
 def test_random_programs_compile_for_every_target(text: str) -> None:
     note(text)
@@ -60,7 +60,7 @@ def toolchain() -> Iterator[Toolchain]:
         yield tools
 
 
-@settings(max_examples=2, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=2, suppress_health_check=list(HealthCheck))
 @given(texts=st.lists(programs(), min_size=3, max_size=3))
 def test_random_programs_are_accepted(texts: list[str], toolchain: Toolchain) -> None:
     jobs: list[Job] = []

@@ -83,7 +83,7 @@ def broken(given_shader: Shader, world: World, *, single: bool) -> list[str]:
 
 
 @pytest.mark.parametrize("single", [False, True], ids=["float64", "float32"])
-@settings(max_examples=40, deadline=None, suppress_health_check=SLOW)
+@settings(max_examples=40, suppress_health_check=SLOW)
 @given(text=programs(), seed=st.integers(0, 2**16), traps=st.booleans())
 def test_values_of_random_programs_lie_within_their_facts(
     single: bool, text: str, seed: int, traps: bool

@@ -75,7 +75,7 @@ COORDINATE = st.one_of(
 POINT = st.tuples(COORDINATE, COORDINATE)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(st.lists(POINT, min_size=3, max_size=9), POINT, POINT, st.sampled_from([None, 4, 8]))
 def test_inner_edges_are_not_seen(rim: Any, one: Any, other: Any, bits: int | None) -> None:
     """How often a closed line winds around a pixel does not depend on where its fan is centred."""

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from burnish.compiler.ir.leaves import Resource
@@ -159,7 +159,6 @@ def _across(place: tuple[int, int], face: int, size: int) -> tuple[tuple[int, in
     return (int(found[0]), int(found[1])), int(other)
 
 
-@settings(deadline=None)
 @given(st.floats(-0.9, 0.9), st.integers(0, 5), st.integers(0, 1))
 def test_a_filtered_cube_has_no_seams(along: float, face: int, side: int) -> None:
     """Just before and just behind an edge it is nearly the same."""

@@ -58,7 +58,7 @@ cases = parameters.flatmap(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(cases)
 def test_what_is_written_is_what_shaders_read(
     case: tuple[list[Parameter], tuple[Any, ...]],
@@ -95,7 +95,7 @@ def host_tuples(type_: Type, value: Any) -> Any:
             return value
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(cases)
 def test_part_by_part_is_as_good_as_at_once(case: Case) -> None:
     declared, given_values = case

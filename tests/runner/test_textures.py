@@ -137,7 +137,7 @@ def mean_over(lanes: np.ndarray[Any, Any], axis: int) -> np.ndarray[Any, Any]:
     return np.concatenate([part.mean(axis, keepdims=True) for part in parts], axis)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.integers(1, 40), st.integers(1, 40), st.integers(0, 2**32 - 1))
 def test_all_levels_are_means_by_area(height: int, width: int, seed: int) -> None:
     array = np.random.default_rng(seed).random((height, width, 4), np.float32)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from threading import Timer
+from threading import enumerate as enumerate_threads
 
 import pytest
 
-from burnish.targets.toolchain import CHECKERS, TOOLS, Job, Toolchain, inspect
+from burnish.targets.toolchain import CHECKERS, TOOLS, Job, Toolchain, inspect, workers
 from burnish.targets.toolchain.tools import tool_named
 from burnish.targets.toolchain.workers import Worker
 
+from ..suite.processes import until
 from .conftest import PlantTool
 
 GLSLANG = "glslang/bin/glslangValidator"
@@ -128,6 +131,29 @@ def test_a_dead_workers_last_words_are_kept() -> None:
         assert answer.ending == "crashed"
         assert "no!" in answer.log
         assert "killed by signal 6" in answer.log
+
+
+def test_a_worker_that_closes_its_output_and_does_not_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "END_LIMIT", 0.2)
+    answer = _python("import os, time; os.close(1); time.sleep(600)").ask({}, 20)
+    assert answer.ending == "crashed"
+    assert "killed by signal 9" in answer.log
+
+
+def test_no_timer_outlives_an_interrupt(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ctrl-C may come while the timer starts. If it went on, it would keep the process waiting."""
+    start = Timer.start
+
+    def interrupted(timer: Timer) -> None:
+        start(timer)
+        raise KeyboardInterrupt
+
+    worker = _python("import time; time.sleep(600)")
+    monkeypatch.setattr(Timer, "start", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        worker.ask({}, 600)
+    worker.close()
+    until(lambda: not any(isinstance(thread, Timer) for thread in enumerate_threads()), "its end")
 
 
 def test_half_an_answer_is_none() -> None:

@@ -1,0 +1,66 @@
+"""Which tests ``make quick`` leaves out: a plugin of pytest that adds the option ``--quick``.
+
+Quick tests compile in the process of the tests. Left out are folders and modules that mostly start
+programs (drivers, downstream compilers, the command line) and those that compile huge or random
+programs. They find what a change breaks in few places, and take nine tenths of the time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+TESTS = Path(__file__).parents[1]
+
+_DRAW = "draw with every driver"
+_COMPILERS = "run downstream compilers"
+_COMMANDS = "start the command line again and again"
+_LARGE = "compile huge programs, or many random ones"
+
+LEFT_OUT: Mapping[str, str] = {
+    "cli/test_commands.py": _COMMANDS,
+    "cli/test_conform.py": _DRAW,
+    "cli/test_graph.py": _LARGE,
+    "cli/test_kills.py": _COMMANDS,
+    "cli/test_names.py": _COMPILERS,
+    "cli/test_output.py": _COMMANDS,
+    "cli/test_progress.py": _DRAW,
+    "cli/test_render.py": _DRAW,
+    "cli/test_render_errors.py": _DRAW,
+    "cli/test_results_cache.py": _COMMANDS,
+    "cli/test_unchanged.py": _COMMANDS,
+    "cli/test_validate.py": _COMPILERS,
+    "conformance": _DRAW,
+    "diagnostics/test_growth.py": _LARGE,
+    "examples/test_accepted.py": _COMPILERS,
+    "layout/test_compilers.py": _COMPILERS,
+    "mistakes/test_edits.py": _LARGE,
+    "passes/test_random.py": _LARGE,
+    "runner": _DRAW,
+    "semantics/test_depth.py": _LARGE,
+    "structure/test_wheel.py": "builds a wheel",
+    "suite": "start pytest again and again",
+    "targets/test_accepted.py": _COMPILERS,
+    "targets/test_metal.py": _COMPILERS,
+    "toolchain": _COMPILERS,
+}
+"""The folders and modules that are left out, and what their tests do."""
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Called when pytest starts."""
+    parser.addoption("--quick", action="store_true", help="leave out tests that take long")
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Called for each folder and each module, before it is imported; ``None`` is no opinion."""
+    if config.getoption("--quick") and is_left_out(collection_path):
+        return True
+    return None
+
+
+def is_left_out(path: Path) -> bool:
+    """Whether a folder or a module is left out."""
+    return path.is_relative_to(TESTS) and path.relative_to(TESTS).as_posix() in LEFT_OUT
