@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from ..ir.program import Block, Program, StageName
-from ..ir.storage import byte_size
-from ..ir.types import Struct
+from ..ir.storage import LANE, byte_size, padding_names
+from ..ir.types import FLOAT, Struct, Type
 from ..packing import Packing
 
 
@@ -27,17 +27,37 @@ def _block_row(block: Block, stages: list[StageName]) -> dict[str, Any]:
         "extern": block.host is not None,
         "size": block.size,
         "stages": stages,
-        "members": [
-            {
-                "name": member.name,
-                "type": str(member.type),
-                "offset": member.offset,
-                "size": member.size,
-                "parameter": member.parameter.name if member.parameter else None,
-            }
-            for member in block.members
-        ],
+        "members": list(_member_rows(block)),
         "structs": [_struct_row(struct) for struct in block.structs],
+    }
+
+
+def _member_rows(block: Block) -> Iterator[dict[str, Any]]:
+    """The members of a block, and between them the gaps that every language leaves by itself."""
+    free = padding_names(f"{block.name.lower()}_pad", (member.name for member in block.members))
+    end = 0
+    for member in block.members:
+        yield from _gap_rows(free, end, member.offset)
+        parameter = member.parameter.name if member.parameter else None
+        yield _member_row(member.name, member.type, member.offset, parameter)
+        end = member.offset + member.size
+    yield from _gap_rows(free, end, block.size)
+
+
+def _gap_rows(names: Iterator[str], start: int, end: int) -> Iterator[dict[str, Any]]:
+    """A member for each lane of a gap."""
+    for offset in range(start, end, LANE):
+        yield _member_row(next(names), FLOAT, offset, None)
+
+
+def _member_row(name: str, type_: Type, offset: int, parameter: str | None) -> dict[str, Any]:
+    size = byte_size(type_)
+    return {
+        "name": name,
+        "type": str(type_),
+        "offset": offset,
+        "size": size,
+        "parameter": parameter,
     }
 
 
