@@ -34,6 +34,8 @@ class ParameterInfo:
     """Of a structure, or of an array's elements: one row for each member."""
     light: str = ""
     """The rig's entry that it belongs to."""
+    library: str = ""
+    """Which declaration of the library it is: ``std.file.Record.name``; empty for others."""
 
 
 @frozen

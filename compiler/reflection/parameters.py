@@ -74,6 +74,7 @@ def _declaration(info: ParameterInfo) -> dict[str, Any]:
         "range": listed(info.range),
         "default": listed(info.default),
         "doc": info.doc,
+        "library": info.library or None,
     }
 
 
@@ -91,6 +92,7 @@ def _member(member: PackedMember, info: ParameterInfo | None) -> dict[str, Any]:
         "range": None,
         "default": None,
         "doc": "",
+        "library": None,
     }
     return {
         "name": member.name,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runner.instances.instance import Instance
-from ..runner.scene import scene_names
+from ..runner.scene import set_by_scene
 from ..runner.textures.texture import Texture
 
 SPREAD = 4.0
@@ -36,8 +36,10 @@ def sample_values(instance: Instance, seed: int, *, missing: bool = False) -> No
 
     With ``missing``, set only those that have no value.
     """
-    placed = _set_by_scene(instance.reflection)
-    for light in instance.reflection["lights"]:
+    lights = instance.reflection["lights"]
+    counts = {light["count"] for light in lights if light["count"]}
+    placed = set_by_scene(instance.reflection) | counts
+    for light in lights:
         if light["count"]:
             instance.set(light["count"], light["capacity"])
     without = [name.replace("[", ".") for name in instance.missing]
@@ -77,17 +79,6 @@ def _sampled_texture(row: Mapping[str, Any], chance: random.Random, turn: int) -
     if sample == "depth":
         return Texture.of_array(texels[..., :1].clip(0, 1), dimension=dimension, sample="depth")
     return Texture.of_array(np.rint(texels * 255).astype(np.uint8), dimension=dimension)
-
-
-def _set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
-    """The names of the parameters that a scene sets, including those of its lights."""
-    names, lights = scene_names(), reflection["lights"]
-    own = {name for light in lights for name in light["parameters"]}
-    return {
-        *names["parameters"],
-        *(light["count"] for light in lights if light["count"]),
-        *(name for name in own if name.rpartition(".")[2] in names["lights"]),
-    }
 
 
 def _value(row: Mapping[str, Any], chance: random.Random) -> Any:

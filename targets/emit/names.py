@@ -33,6 +33,8 @@ class Names:
     samplers: Mapping[str, str]
     """By texture; only textures that are read by a sampler have one."""
     attributes: Mapping[str, str]
+    semantics: Mapping[str, str]
+    """What marks each attribute in the text, where the language marks them."""
     varyings: Mapping[str, str]
     render_targets: Mapping[str, str]
     functions: Mapping[tuple[StageName, Node], str]
@@ -56,6 +58,26 @@ class Names:
 def name_program(program: Program, language: Language) -> Names:
     """Decide the names of ``program`` in a language."""
     return _Naming(program, language).names()
+
+
+_INDEX = re.compile(r"[0-9]*$")
+
+
+def _semantics(language: Language, attributes: Iterable[Field]) -> dict[str, str]:
+    """What marks each attribute, the later of two that would be the same with its location.
+
+    Direct3D tells them apart neither by case nor by a missing index: ``A0`` is ``A``.
+    """
+    found: dict[str, str] = {}
+    taken: set[tuple[str, int]] = set()
+    for field in attributes:
+        semantic = language.semantic("attribute", field.name, field.location)
+        stem, index = _INDEX.sub("", semantic).upper(), _INDEX.search(semantic)
+        key = stem, int(index[0] or 0) if index else 0
+        is_taken = bool(semantic) and key in taken
+        found[field.name] = f"{semantic}_AT{field.location}_" if is_taken else semantic
+        taken.add(key)
+    return found
 
 
 class _Naming:
@@ -90,6 +112,7 @@ class _Naming:
             textures=textures,
             samplers=samplers,
             attributes=fields.attributes,
+            semantics=_semantics(self._language, program.vertex_inputs),
             varyings=fields.varyings,
             render_targets=fields.render_targets,
             functions=self._functions(fields),

@@ -69,8 +69,7 @@ def backend_table(
         },
         vertex_inputs={
             field.name: VertexInputName(
-                names.attributes[field.name],
-                language.semantic("attribute", field.name, field.location),
+                names.attributes[field.name], names.semantics[field.name]
             )
             for field in program.vertex_inputs
         },

@@ -147,6 +147,11 @@ class StagePrinter:
         }
         return table[role][field.name]
 
+    def _semantic(self, field: Field, role: FieldRole) -> str:
+        if role == "attribute":
+            return self._names.semantics[field.name]
+        return self._language.semantic(role, field.name, field.location)
+
     def _field(self, field: Field, role: FieldRole) -> FieldView:
         name = self._field_name(field, role)
         return FieldView(
@@ -154,7 +159,7 @@ class StagePrinter:
             type=self._types.type(field.type),
             typed=self._types.declare(name, field.type),
             location=field.location,
-            semantic=self._language.semantic(role, field.name, field.location),
+            semantic=self._semantic(field, role),
             crosses=role == "varying",
             flat=field.mode == "flat" and role == "varying",
             comment=comment_line(field.doc),

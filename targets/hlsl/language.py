@@ -149,6 +149,10 @@ INPUTS = {
 }
 
 
+LONGEST_SEMANTIC = 54
+"""Direct3D takes 64 characters; longer names are cut, and told apart by their location."""
+
+
 def semantic(role: FieldRole, name: str, location: int) -> str:
     """The semantic by which a host or the next stage finds a field.
 
@@ -161,6 +165,8 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
     if role == "render target":
         return f"SV_Target{location}"
     word = name.upper().replace(".", "_COLUMN")
+    if len(word) > LONGEST_SEMANTIC:
+        word = f"{word[:40]}_AT{location}_"
     return f"ATTRIBUTE_{word}" if re.match("SV_", word) else word
 
 

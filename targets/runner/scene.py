@@ -1,7 +1,7 @@
-"""Sets up a camera, an object and lights for a material, by the names of its parameters.
+"""Sets up a camera, an object and lights for a material, by what its parameters are declared to be.
 
-``stdlib/scene.toml`` says what these names mean in a scene. World space is right-handed with y
-upwards; clip space has z from 0 to w.
+``stdlib/scene.toml`` says what the library's declarations mean in a scene. World space is
+right-handed with y upwards; clip space has z from 0 to w.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .instances.instance import Instance
-from .meshes import BONES, Mesh, MeshError
+from .meshes import BONES, CHANNELS, Mesh, MeshError
 
 Matrix = NDArray[np.float64]
 """Rows and columns as in mathematics: ``m[row, column]``."""
@@ -53,7 +53,6 @@ class Scene:
 
     def apply(self, instance: Instance, aspect: float) -> None:
         """Set all parameters that belong to a scene; ``aspect`` is width divided by height."""
-        names = scene_names()
         given = {
             "world_to_clip": _columns(self.world_to_clip(aspect)),
             "eye": self.eye,
@@ -61,10 +60,10 @@ class Scene:
             "pose": pose(),
         }
         for row in instance.reflection["parameters"]:
-            role = names["parameters"].get(row["name"]) or names["types"].get(row["type"])
-            if role is not None:
+            role = _role(row)
+            if role in given:
                 instance.set(row["name"], given[role])
-        self._place_lights(instance, names["lights"])
+        self._place_lights(instance)
 
     def world_to_clip(self, aspect: float) -> Matrix:
         """The projection times the view transform."""
@@ -72,7 +71,7 @@ class Scene:
             self.eye, self.look_at
         )
 
-    def _place_lights(self, instance: Instance, roles: Mapping[str, str]) -> None:
+    def _place_lights(self, instance: Instance) -> None:
         """Set the parameters of all lights, including those of an array beyond its current count.
 
         So the count can be changed later.
@@ -85,12 +84,12 @@ class Scene:
             further = (row["capacity"] or 1) - count
             numbers = (*range(shining, shining + count), *range(spare, spare + further))
             shining, spare = shining + count, spare + further
-            members = [member for member in _members(instance, row) if member in roles]
+            roles = dict(light_roles(instance.reflection, row))
             placed = [
-                {member: self._light(roles[member], number, total) for member in members}
+                {member: self._light(role, number, total) for member, role in roles.items()}
                 for number in numbers
             ]
-            if members:
+            if roles:
                 instance.set(row["name"], placed[0] if row["capacity"] is None else placed)
             if row["count"] is not None:
                 instance.set(row["count"], count)
@@ -113,9 +112,55 @@ class Scene:
         return _scaled(_LIGHT_TINTS[number % len(_LIGHT_TINTS)], strength)
 
 
+def light_roles(
+    reflection: Mapping[str, Any], light: Mapping[str, Any]
+) -> Iterator[tuple[str, str]]:
+    """The parameters of a light that a scene sets, without the light's own name, each with what
+    the scene calls its value."""
+    for row in reflection["parameters"]:
+        if light["capacity"] is not None and row["name"] == light["name"]:
+            members = [(member["name"], member) for member in row["members"]]
+        elif light["capacity"] is None and row["name"] in light["parameters"]:
+            members = [(row["name"].removeprefix(f"{light['name']}."), row)]
+        else:
+            continue
+        for name, member in members:
+            role = _light_role(member)
+            if role is not None:
+                yield name, role
+
+
+def _light_role(row: Mapping[str, Any]) -> str | None:
+    """Nothing is assumed of the name: a light's place is a library's, or what a type says."""
+    names = scene_names()
+    known = names["parameters"].get(row["library"])
+    by_type = names["light_types"].get(row["type"]) if row["default"] is None else None
+    return known or by_type
+
+
+def set_by_scene(reflection: Mapping[str, Any]) -> set[str]:
+    """The names of the parameters that a scene sets, including those of single lights."""
+    found = {row["name"] for row in reflection["parameters"] if _role(row) in _OF_VIEWS}
+    for light in reflection["lights"]:
+        if light["capacity"] is None:
+            roles = light_roles(reflection, light)
+            found.update(f"{light['name']}.{name}" for name, _ in roles)
+    return found
+
+
+_OF_VIEWS = ("world_to_clip", "eye", "object_to_world", "pose")
+"""What a scene calls the values that are not a light's."""
+
+
+def _role(row: Mapping[str, Any]) -> str | None:
+    """What a scene calls the value of a parameter, if it has one for it."""
+    names = scene_names()
+    return names["parameters"].get(row["library"]) or names["types"].get(row["type"])
+
+
 @cache
 def scene_names() -> Mapping[str, Mapping[str, str]]:
-    """What the names of the library mean in a scene, by kind."""
+    """What the declarations of the library mean in a scene, by kind."""
     return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
 
 
@@ -131,7 +176,7 @@ def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[
     for row in reflection["vertex_inputs"]:
         held = mesh.instances if row["step"] == "instance" else mesh.channels
         channel = roles.get(row["name"], row["name"])
-        values = held.get(row["name"], held.get(channel))
+        values = held.get(_own(row["name"]), held.get(row["name"], held.get(channel)))
         if values is None:
             raise MeshError(
                 f"{reflection['material']} reads the vertex input `{row['name']}` "
@@ -163,8 +208,16 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INST
             row["representation"][0] not in "iu"
         )
         if not fits:
-            channels[name] = _pattern(row, position)
+            channels[_own(name)] = _pattern(row, position)
     return Mesh(channels, mesh.triangles, of_instances, count)
+
+
+def _own(name: str) -> str:
+    """Where a mesh keeps the values of a vertex input that it got for one material.
+
+    A material may call an input ``position``, and still the mesh has its positions.
+    """
+    return f"own {name}" if name in CHANNELS else name
 
 
 def is_instanced(reflection: Mapping[str, Any]) -> bool:
@@ -253,16 +306,6 @@ def _bent(number: int) -> Matrix:
         turn[:2, 3] = [math.sin(angle) * height, (1 - math.cos(angle)) * height]
         bent = bent @ turn
     return bent
-
-
-def _members(instance: Instance, light: Mapping[str, Any]) -> Iterator[str]:
-    """The names of a light's parameters, without the light's own name."""
-    if light["capacity"] is None:
-        yield from (name.removeprefix(f"{light['name']}.") for name in light["parameters"])
-        return
-    for row in instance.reflection["parameters"]:
-        if row["name"] == light["name"]:
-            yield from (member["name"] for member in row["members"])
 
 
 def _light_direction(number: int) -> Vector:

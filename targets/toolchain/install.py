@@ -10,6 +10,7 @@ are configured to get them.
 from __future__ import annotations
 
 import fcntl
+import json
 import os
 import platform
 import shutil
@@ -36,6 +37,8 @@ CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
 it.
 """
+NPM_LOCK = Path(__file__).with_name("npm-lock.json")
+"""The packages that Tint consists of, with their digests; ``npm ci`` insists on all of it."""
 APT_LOCK_SECONDS = 300
 
 
@@ -153,8 +156,12 @@ def _cargo_naga(version: str, folder: Path) -> None:
 
 
 def _npm_webgpu(version: str, folder: Path) -> None:
+    """Install what ``npm-lock.json`` lists; npm refuses whatever has another digest than there."""
+    wanted = {"dependencies": {"webgpu": version}}
+    (folder / "package.json").write_text(json.dumps(wanted), "utf-8")
+    shutil.copyfile(NPM_LOCK, folder / "package-lock.json")
     quiet = ("--no-audit", "--no-fund", "--ignore-scripts")
-    _run("npm", "install", f"webgpu@{version}", "--prefix", str(folder), *quiet)
+    _run("npm", "ci", "--prefix", str(folder), *quiet)
 
 
 def _pip_dxc(_version: str, folder: Path) -> None:

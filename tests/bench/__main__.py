@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from . import aims, chains, drawing, guard_cost, lean, times
+from . import aims, chains, drawing, first, guard_cost, lean, times
 from .checkout import Checkout
 from .growth import measure as growth
 from .table import Section
@@ -21,6 +21,7 @@ PARTS: dict[str, Part] = {
     "lean": lambda _: lean.measure(),
     "guards": lambda _: guard_cost.measure(),
     "aims": lambda asked: aims.measure(_checkouts(asked)),
+    "first": lambda asked: first.measure(_checkouts(asked)),
     "time": lambda _: times.measure(),
     "chains": lambda _: chains.measure(),
     "growth": lambda asked: growth.measure(growth.select(asked.shape), _checkouts(asked)),
@@ -50,7 +51,7 @@ def _parser() -> ArgumentParser:
     )
     parser.add_argument(
         "--against", metavar="CHECKOUT", type=Path,
-        help="another checkout of Burnish, measured in turn with this one (aims, growth)",
+        help="another checkout of Burnish, measured in turn with this one (aims, first, growth)",
     )  # fmt: skip
     parser.add_argument(
         "--shape", metavar="TEXT", action="append", default=[],

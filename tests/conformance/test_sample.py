@@ -14,7 +14,7 @@ import burnish
 from burnish.targets.conformance.sample import sample_textures, sample_values
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import sphere
-from burnish.targets.runner.scene import Scene, scene_names, with_inputs
+from burnish.targets.runner.scene import Scene, with_inputs
 
 from ..examples.kit import VARIANTS, Variant
 
@@ -124,14 +124,6 @@ def test_values_go_through_their_ranges() -> None:
     flags = [lane for instance in drawn for lane in instance.get("flags")]
     assert {True, False} == set(flags)
     assert len({instance.get("lowest") for instance in drawn}) > 30
-
-
-def test_what_lights_are_called_by_may_be_a_materials_parameter() -> None:
-    """``place`` and ``axis`` stand for a scene's lights only behind the name of one."""
-    assert {"place", "axis"} <= set(scene_names()["lights"])
-    instance = everything()
-    sample_values(instance, 0)
-    assert instance.get("place") is not None and instance.get("axis") is not None
 
 
 def test_seeds_decide() -> None:

@@ -9,8 +9,23 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.targets.runner.meshes import BONES, MESHES, Mesh, MeshError, farthest_first, mesh
-from burnish.targets.runner.scene import Scene, placements, pose, vertex_data, with_inputs
+from burnish.targets.runner.meshes import (
+    BONES,
+    CHANNELS,
+    MESHES,
+    Mesh,
+    MeshError,
+    farthest_first,
+    mesh,
+)
+from burnish.targets.runner.scene import (
+    Scene,
+    placements,
+    pose,
+    set_by_scene,
+    vertex_data,
+    with_inputs,
+)
 from burnish.targets.runner.scene_state import set_up
 
 LAMPS = """
@@ -96,3 +111,75 @@ def test_a_mesh_without_instances_is_refused() -> None:
 
 def _crowd(reflection: Mapping[str, Any], count: int) -> Mesh:
     return with_inputs(reflection, mesh("cube"), count)
+
+
+NAMED = (
+    "eye",
+    "bones",
+    "object_to_world",
+    "view_projection",
+    "morph",
+    "place",
+    "axis",
+    "direction",
+)
+"""Names that parameters of the library have."""
+
+
+@pytest.mark.parametrize("declared", ["float", "uvec3", "mat4[64]", "Dual[4]"])
+@pytest.mark.parametrize("name", NAMED)
+def test_a_scene_sets_no_parameter_for_its_name(name: str, declared: str) -> None:
+    """A pass has none of the library's parameters, so it may use all of these names."""
+    text = f"""
+        struct Dual {{ real : vec4, dual : vec4 }}
+        pass P : Forward {{ param {name} : {declared} }}
+        material M {{}}
+    """
+    (material,) = burnish.compile(text, "wgsl", pass_="P").materials
+    instance = material.instance()
+    Scene().apply(instance, 1.0)
+    names = {row["name"] for row in material.reflection["parameters"]}
+    own = f"P.{name}" if f"P.{name}" in names else name
+    assert own not in set_by_scene(material.reflection)
+    row = next(row for row in material.reflection["parameters"] if row["name"] == own)
+    assert row["library"] is None
+
+
+def test_a_light_s_parameters_are_set_for_what_they_are() -> None:
+    text = """
+        import std.lights.{Spot}
+        light Own : Light {
+            param place : float = 7
+            param axis : uint = 3u
+            param at : point<world>
+            param way : direction<world> = vec3(0, 1, 0)
+            to_light = normalize(at + way * place * float(axis) - position)
+        }
+        rig R { own : Own  spot : Spot }
+        material M { color = matt() }
+        term matt() per light = light.diffuse * light.to_light.x
+    """
+    (material,) = burnish.compile(text, "wgsl").materials
+    instance = material.instance()
+    Scene().apply(instance, 1.0)
+    assert instance.missing == ()
+    assert (instance.own.place, instance.own.axis, instance.own.way) == (7.0, 3, (0.0, 1.0, 0.0))
+    assert set_by_scene(material.reflection) >= {"own.at", "spot.place", "spot.axis", "eye"}
+
+
+@pytest.mark.parametrize("name", sorted(CHANNELS.keys() - {"color"}))
+def test_an_input_that_is_called_like_a_channel_leaves_the_channel_alone(name: str) -> None:
+    text = f"""
+        pass P : Forward {{
+            attribute {name} : uvec2
+            target own : rgba8 = vec4(vec2({name}), material.uv.x, material.normal.y)
+        }}
+        material M {{}}
+    """
+    (material,) = burnish.compile(text, "wgsl", pass_="P").materials
+    whole = with_inputs(material.reflection, mesh("sphere"))
+    values = vertex_data(material.reflection, whole)
+    assert values[name].dtype.kind == "i" and values[name].shape[1] == 2
+    for channel in ("position", "normal", "uv"):
+        expected = mesh("sphere").channels[channel]
+        assert (values[f"vertex_{channel}"] == expected).all()

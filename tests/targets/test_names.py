@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import burnish
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.program import Let, Program, Region
@@ -88,3 +89,18 @@ def program_of_words(words: list[str]) -> Program:
         lets.append(Let(word, total))
     color = build.splat(make.graph, total, 4)
     return tiny(color, make, (material,), region=Region(tuple(lets)))
+
+
+def test_no_two_attributes_have_one_semantic() -> None:
+    """Direct3D takes ``tint`` and ``Tint`` for one, and ``a``, ``a0`` and ``a00``, too."""
+    names = ("tint", "Tint", "a", "a0", "a00", "a1", "A01", "b" * 70, "b" * 71, "B")
+    declared = "".join(f"attribute {name} : float  " for name in names)
+    text = f"material M {{ {declared} alpha = {' + '.join(names)} }}"
+    (made,) = burnish.compile(text, "hlsl").materials
+    rows = made.reflection["backends"]["hlsl:sm6"]["vertex_inputs"]
+    semantics = [rows[name]["semantic"] for name in names]
+    assert semantics[:4] == ["TINT", "TINT_AT4_", "A", "A0_AT6_"]
+    parted = [re.fullmatch(r"(.*?)([0-9]*)", semantic) for semantic in semantics]
+    keys = {(part[1].upper(), int(part[2] or 0)) for part in parted if part}
+    assert len(keys) == len(names)
+    assert max(map(len, semantics)) <= 64

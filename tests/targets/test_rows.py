@@ -102,5 +102,6 @@ def test_attributes_have_semantics() -> None:
     semantic = registry.load("hlsl").semantic
     assert semantic("attribute", "texcoord1", 3) == "TEXCOORD1"
     assert semantic("attribute", "sv_position", 0) == "ATTRIBUTE_SV_POSITION"
+    assert semantic("attribute", "w" * 1000, 3) == "W" * 40 + "_AT3_"
     assert semantic("varying", "normal", 2) == "TEXCOORD2"
     assert semantic("render target", "color", 1) == "SV_Target1"

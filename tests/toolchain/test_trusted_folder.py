@@ -1,13 +1,15 @@
-"""Programs are run from the cache folder only if no other user can have put them there."""
+"""Programs that the installer puts into the cache folder: nobody else can have put them there."""
 
 from __future__ import annotations
 
+import json
 import os
 from pathlib import Path
 
 import pytest
 
 from burnish.targets.toolchain import install
+from burnish.targets.toolchain.sources import OwnInstaller
 from burnish.targets.toolchain.tools import cache_folder, tool_named
 
 from .conftest import PlantTool
@@ -52,3 +54,14 @@ def test_without_a_home_nothing_is_found_in_the_current_folder(
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("HOME", home)
     assert cache_folder() == Path(os.devnull) / "burnish" / "tools"
+
+
+def test_packages_of_npm_have_digests() -> None:
+    """And the one that is wanted has the version that the table of tools pins."""
+    packages = json.loads(install.NPM_LOCK.read_text("utf-8"))["packages"]
+    source = tool_named("tint").source
+    assert isinstance(source, OwnInstaller)
+    wanted = packages.pop("")
+    assert wanted == {"dependencies": {"webgpu": source.pinned}}
+    assert packages["node_modules/webgpu"]["version"] == source.pinned
+    assert all(package["integrity"].startswith("sha512-") for package in packages.values())

@@ -61,10 +61,21 @@ def leaves_of(
         for name, definition in leaf_definitions(record, given)
     ]
     return Leaves(
-        tuple(info for each in found for info in each.parameters),
+        tuple(_known_as(record, info) for each in found for info in each.parameters),
         tuple(info for each in found for info in each.resources),
         tuple(info for each in found for info in each.attributes),
     )
+
+
+def _known_as(record: Record, info: ParameterInfo) -> ParameterInfo:
+    """A parameter with its declaration in the library, by which a host tells it from others that
+    only have the same name."""
+    name = info.parameter.name.rpartition(".")[2]
+    owners = (each.owner for each in record.definitions[name] if isinstance(each.member, ast.Param))
+    owner = next((owner for owner in owners if owner.module.is_standard), None)
+    if owner is None or owner.module.path is None:
+        return info
+    return changed(info, library=f"std.{owner.module.path.stem}.{owner.name}.{name}")
 
 
 def _of_param(ctx: Context, definition: Definition, name: str) -> Leaves:
