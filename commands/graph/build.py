@@ -10,7 +10,7 @@ from ...compiler.formula import Formulas
 from ...compiler.ir.leaves import Parameter
 from ...compiler.ir.node import Formal, Node, formals_of
 from ...compiler.ir.operations import CROSS, ITERATE, LOOPS, OUTSIDE
-from ...compiler.ir.program import Branch, Connective, Function, Iterate, Let, Loop, Region, Stage
+from ...compiler.ir.program import Function, Iterate, Region, Stage
 from ...compiler.ir.shader import Notes, Shader
 from ...compiler.ir.stages import VARYING
 from ...compiler.ir.types import Struct
@@ -347,12 +347,4 @@ def _statements(region: Region) -> Iterator[tuple[int, str]]:
                 yield statement.node.id, statement.name
             elif len(statement.states) == 1:
                 yield statement.node.id, statement.states[0].name
-            match statement:
-                case Branch(then=then, otherwise=otherwise):
-                    pending += [then, otherwise]
-                case Loop(body=body) | Connective(right=body):
-                    pending.append(body)
-                case Iterate(head=head, body=body):
-                    pending += [head, body]
-                case Let():
-                    pass
+            pending += statement.regions

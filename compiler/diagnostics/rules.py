@@ -452,7 +452,8 @@ CROSSING_IN_LOOP = _error(
     "B0387",
     "a value that changes in a loop cannot be computed at the vertices",
     "Each iteration would need a varying of its own. That is done for folds of at most 16 "
-    "iterations whose bounds are constants. Otherwise put `@vertex` in front of the whole loop.",
+    "iterations whose bounds are constants, if they come to at most 4096 operations. Otherwise put "
+    "`@vertex` in front of the whole loop.",
 )
 CROSSING_PER_LIGHT = _error(
     "B0388",
@@ -463,7 +464,8 @@ CROSSING_PER_LIGHT = _error(
 LOOPS_TOO_NESTED = _error(
     "B0389",
     "loops are nested too deeply: more than {most}",
-    "Compilers of shading languages do not take many more. Join several of these loops into one.",
+    "Compilers of shading languages do not take many more. Loops in functions that are called in a "
+    "loop count as well. Join several of these loops into one.",
 )
 
 # --- B04: values and meaning ---------------------------------------------------------------------
@@ -732,7 +734,7 @@ UNSUPPORTED = _error(
 TOO_MANY = _error(
     "B0702",
     "{count} {what}, but {target} has only {limit}",
-    "The limit is what every device of the target is guaranteed to have.",
+    "The limit is what every device of the target is guaranteed to have, and its compilers take.",
 )
 REJECTED = _error(
     "B0703",

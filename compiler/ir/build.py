@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from .node import Applying, Formals, Graph, Iterating, Node, Op
+from .node import Applying, FoldOperator, Formals, Graph, Iterating, Node, Op
 from .stages import Crossing
 from .types import (
     FLOAT,
@@ -12,6 +12,7 @@ from .types import (
     VEC4,
     Array,
     Matrix,
+    ScalarKind,
     Struct,
     TallMatrix,
     Type,
@@ -32,6 +33,22 @@ def constant(graph: Graph, type_: Type, value: Number | tuple[Number, ...]) -> N
 def floating(graph: Graph, value: float) -> Node:
     """A float constant."""
     return constant(graph, FLOAT, float(value))
+
+
+def neutral(operator: FoldOperator, kind: ScalarKind) -> Number:
+    """What a fold without terms is: no term of this kind is changed by being joined with it."""
+    if operator in ("min", "max"):
+        least, greatest = _ENDS[kind]
+        return greatest if operator == "min" else least
+    value = _NEUTRAL[operator]
+    return float(value) if kind == "float" else value
+
+
+_NEUTRAL: Mapping[FoldOperator, int | bool] = {"add": 0, "mul": 1, "and": True, "or": False}
+LARGEST_FLOAT = float.fromhex("0x1.fffffep127")
+_ENDS: Mapping[ScalarKind, tuple[Number, Number]] = {
+    "float": (-LARGEST_FLOAT, LARGEST_FLOAT), "int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1),
+}  # fmt: skip
 
 
 def vector(graph: Graph, operands: tuple[Node, ...]) -> Node:

@@ -114,6 +114,11 @@ class Let:
     node: Node
     doc: str = ""
 
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """It has no blocks of its own."""
+        return ()
+
 
 @frozen
 class Branch:
@@ -125,6 +130,11 @@ class Branch:
     otherwise: Region
     """The sides' values are ``node.operands[1]`` and ``[2]``."""
 
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """The blocks in it."""
+        return self.then, self.otherwise
+
 
 @frozen
 class Connective:
@@ -135,6 +145,11 @@ class Connective:
     node: Node
     right: Region
     """The right operand is ``node.operands[1]``."""
+
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """The block in it."""
+        return (self.right,)
 
 
 @frozen
@@ -151,6 +166,11 @@ class Loop:
     body: Region
     value: Node
     """What each turn adds (multiplies, …), in terms of ``index``."""
+
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """The block in it."""
+        return (self.body,)
 
 
 @frozen
@@ -180,6 +200,11 @@ class Iterate:
     """What it takes to know whether to go on."""
     going: Node
     body: Region
+
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """The parts of the block in it, before and behind the decision to go on."""
+        return self.head, self.body
 
 
 Statement = Let | Branch | Connective | Loop | Iterate
@@ -286,6 +311,11 @@ class Stage:
     def outputs(self) -> tuple[Field, ...]:
         """The fields of all results that have one."""
         return tuple(output.field for output in self.results if output.field is not None)
+
+    @property
+    def regions(self) -> tuple[Region, ...]:
+        """The bodies of its entry point and of its functions."""
+        return (self.region, *(function.region for function in self.functions))
 
     @property
     def roots(self) -> tuple[Node, ...]:

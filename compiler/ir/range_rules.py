@@ -166,11 +166,12 @@ def _cross(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
 
 def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     data = FOLD.data(node)
-    _count, start, body = known
+    count, start, body = known
+    turns = count.lo >= 1 and data.bound >= 1
     if data.operator == "min":
-        return Fact(min(start.lo, body.lo), start.hi)
+        return Fact(min(start.lo, body.lo), min(start.hi, body.hi) if turns else start.hi)
     if data.operator == "max":
-        return Fact(start.lo, max(start.hi, body.hi))
+        return Fact(max(start.lo, body.lo) if turns else start.lo, max(start.hi, body.hi))
     if data.operator in ("and", "or"):
         return UNKNOWN
     if data.operator == "add":

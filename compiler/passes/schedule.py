@@ -70,6 +70,8 @@ class Scheduler:
         """The loop's header and body blocks; a fold has one block for both."""
         self._sides: dict[int, tuple[_Block, ...]] = {}
         """For each choice that becomes a branch, the blocks of the operands behind the first."""
+        self._flat: set[int] = set()
+        """Branches of which both sides are computed before, since they would nest too deeply."""
         self._size: dict[int, tuple[int, int]] = {}
         self._apart: set[int] = set()
         """What is computed before the loop, branch or `?:` that uses it, and so needs a name."""
@@ -114,19 +116,7 @@ class Scheduler:
             if lifted or (node.id in optional and node.id in self._together):
                 self._apart.add(node.id)
             home = self._home[node.id]
-            if node.op in LOOPS:
-                variables = frozenset(formals_of(node))
-                head = _Block(home, node, variables, home.depth + 1, home.uniform)
-                tail = head
-                if node.op == "iterate":
-                    tail = _Block(head, None, depth=head.depth + 1, uniform=home.uniform)
-                self._loops[node.id] = head, tail
-            elif chooses(node) and self._branches(node, home):
-                uniform = home.uniform and self._choices.is_uniform(node)
-                self._sides[node.id] = tuple(
-                    _Block(home, node, depth=home.depth + 1, uniform=uniform)
-                    for _ in node.operands[1:]
-                )
+            self._open_blocks(node, home)
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
             elif node.id in self._coordinates and is_access(node):
@@ -144,6 +134,23 @@ class Scheduler:
                 self._uses[operand.id] = self._uses.get(operand.id, 0) + uses
                 if node.id not in self._sides and (node.id in optional or may_skip(node, position)):
                     optional.add(operand.id)
+
+    def _open_blocks(self, node: Node, home: _Block) -> None:
+        """The blocks of a loop, or of a choice that becomes a branch."""
+        if node.op in LOOPS:
+            variables = frozenset(formals_of(node))
+            head = _Block(home, node, variables, home.depth + 1, home.uniform)
+            tail = head
+            if node.op == "iterate":
+                tail = _Block(head, None, depth=head.depth + 1, uniform=home.uniform)
+            self._loops[node.id] = head, tail
+        elif chooses(node) and self._branches(node, home):
+            uniform = home.uniform and self._choices.is_uniform(node)
+            if home.depth >= DEEPEST and node.data != BRANCH:
+                self._flat.add(node.id)
+            self._sides[node.id] = tuple(
+                _Block(home, node, depth=home.depth + 1, uniform=uniform) for _ in node.operands[1:]
+            )
 
     def _branches(self, choice: Node, home: _Block) -> bool:
         """Whether a choice in a region becomes a branch."""
@@ -163,7 +170,7 @@ class Scheduler:
             # Of a fold the whole body; of a loop with states first what says whether to go on.
             head, tail = self._loops[user.id]
             return head if position == inside.start else tail
-        if user.id in self._sides and position > 0:
+        if user.id in self._sides and position > 0 and user.id not in self._flat:
             return self._sides[user.id][position - 1]
         return home
 

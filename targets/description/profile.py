@@ -62,7 +62,7 @@ class Framebuffer:
 
 @frozen
 class Limits:
-    """What every device of a profile has at least."""
+    """What every device and every compiler of a profile has, or takes, at least."""
 
     varyings: int = 16
     """Vectors that cross between the stages."""
@@ -74,6 +74,8 @@ class Limits:
     """Bytes of one uniform block."""
     render_targets: int = 8
     """Render targets that a pass writes."""
+    nested_blocks: int = 240
+    """Loops and branches inside of each other. DXC and clang take 256 brackets."""
     groups: int | None = None
     """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
     bindings: int | None = None

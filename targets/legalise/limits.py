@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...compiler.ir.program import NativeUse, Program, TextureRead
+from ...compiler.ir.program import NativeUse, Program, Region, TextureRead
 from ...compiler.ir.stages import TARGET
 from ...compiler.ir.types import Texture
 from ...frozen import frozen
@@ -33,16 +33,29 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     inputs = max((field.location + 1 for field in program.vertex_inputs), default=0)
     varyings = max((len(face.varyings) for face in program.interfaces), default=0)
     block = max((block.size for block in program.blocks), default=0)
+    depth = max(_nested_blocks(region) for stage in program.stages for region in stage.regions)
     for what, count, limit in (
         ("varyings", varyings, profile.limits.varyings),
         ("vertex inputs", inputs, profile.limits.attributes),
         ("textures", textures, profile.limits.textures),
         ("bytes in a uniform block", block, profile.limits.block_bytes),
+        ("nested blocks", depth, profile.limits.nested_blocks),
         ("render targets", len(program.results_of(TARGET)), profile.limits.render_targets),
     ):
         if count > limit:
             yield Excess(what, count, limit)
     yield from _excessive_places(program, profile.limits)
+
+
+def _nested_blocks(region: Region) -> int:
+    """How many loops and branches stand inside of each other."""
+    deepest = 0
+    pending = [(region, 0)]
+    while pending:
+        block, depth = pending.pop()
+        deepest = max(deepest, depth)
+        pending += [(inner, depth + 1) for s in block.statements for inner in s.regions]
+    return deepest
 
 
 def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:

@@ -71,15 +71,15 @@ def test_what_does_not_vary_with_the_light_is_computed_before_the_loop() -> None
     assert text.index("normalize(view.eye - input.position)") < loop
 
 
-def test_lights_and_parameters_do_not_share_a_name() -> None:
+def test_a_light_with_the_name_of_a_parameter_is_called_after_its_rig_too() -> None:
     source = LIGHTS + (
         "material A { param lamps : float = 1  color = lambert(vec3(lamps)) }\n"
         "rig R { lamps : Point[2] }\n"
     )
-    with pytest.raises(
-        burnish.CompileError, match="a light and a parameter would both be called `lamps`"
-    ):
-        burnish.compile(source)
+    (material,) = burnish.compile(source, ("wgsl",))
+    assert [light["name"] for light in material.reflection["lights"]] == ["R.lamps"]
+    names = {parameter["name"] for parameter in material.reflection["parameters"]}
+    assert {"lamps", "R.lamps"} <= names
 
 
 def test_a_block_too_large_for_a_profile_is_told() -> None:

@@ -63,10 +63,12 @@ pass P {
     map wind : texture2d
     param tints : rgb[5]
     param gain : float per draw
+    param turns : int in 0..4 per draw
     clip_position = vec4(a.xyz + wind.level(vec2(0), 0).xyz, 1)
     target x : rgba8 = a * b.x * vec4(tints[int(b.y)], 1)
     target y : rgba8 = low(a.xy) * high(a.zw)
-    target z : rgba8 = vec4(a.x * gain * b.z)
+    target z : rgba8 = vec4(a.x * gain * b.z) * waves
+    waves = sum i in 0..turns : sum j in 0..turns : sin(a.x * float(i * j))
 }
 material M { color = #fff }
 """
@@ -76,6 +78,7 @@ HAS = {
     "textures": ("textures", 2),
     "block_bytes": ("bytes in a uniform block", 80),
     "render_targets": ("render targets", 3),
+    "nested_blocks": ("nested blocks", 2),
 }
 """What a program has of that for which there are limits. Its vertex inputs have three places,
 although nothing reads what is at the second."""

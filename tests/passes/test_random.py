@@ -25,7 +25,7 @@ TARGETS = [
     for target in map(registry.load, registry.names())
     for profile in target.profiles
 ]
-MISTAKES = {rules.ZERO_DIVISOR.code, rules.OUT_OF_BOUNDS.code}
+MISTAKES = {each.code for each in (rules.ZERO_DIVISOR, rules.OUT_OF_BOUNDS, rules.NUMBER_TOO_LARGE)}
 """What is wrong with some of the programs, since constants are drawn too."""
 
 

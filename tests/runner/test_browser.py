@@ -11,6 +11,7 @@ from subprocess import PIPE
 
 import pytest
 
+from burnish.targets.runner.drivers.browser import chromium
 from burnish.targets.runner.drivers.browser.driver import APIS, Browser
 from burnish.targets.runner.drivers.draw import DriverError, Job
 from burnish.targets.runner.drivers.wire import to_json
@@ -149,6 +150,18 @@ def test_missing_browser(api: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(DriverError, match="chromium is missing; to install it: apt-get"):
         Browser(APIS[api]).device()
+
+
+def test_a_browser_that_hangs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    fake = tmp_path / "chromium"
+    fake.write_text("#!/bin/sh\nexec sleep 600\n")
+    fake.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
+    monkeypatch.setattr(chromium, "START_LIMIT", 1000.0)
+    before = descendants(os.getpid()).keys()
+    with pytest.raises(DriverError, match=r"chromium does not start: .*Timeout 1000ms exceeded"):
+        Browser(APIS["webgpu"]).device()
+    until(lambda: not descendants(os.getpid()).keys() - before, "the end of what was started")
 
 
 def test_missing_package(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -120,3 +120,50 @@ def test_one_failure_is_told_once() -> None:
     with pytest.raises(CompileError) as caught:
         shader(text)
     assert [found.rule.code for found in caught.value.diagnostics] == ["B0201"]
+
+
+def size(text: str) -> int:
+    """How many nodes a material's shader has."""
+    return len(shader(text).graph)
+
+
+@pytest.mark.parametrize("word", ["min", "max"])
+def test_extremes_in_extremes_grow_with_their_number(word: str) -> None:
+    def nested(levels: int) -> str:
+        value = "sin(uv.x)"
+        for i in range(levels):
+            value = f"({word} i{i} in 0..5 : cos({value} + float(i{i})))"
+        return f"material M {{ alpha = {value} }}"
+
+    assert size(nested(16)) - size(nested(8)) == 2 * (size(nested(8)) - size(nested(4)))
+
+
+def test_folds_of_crossings_are_written_out_so_far_only() -> None:
+    def nested(levels: int) -> str:
+        sums = " + ".join(f"{i}.5 * float(i{i})" for i in range(levels))
+        value = f"@vertex sin(uv.x * ({sums}))"
+        for i in range(levels):
+            value = f"(sum i{i} in 0..8 : {value})"
+        return f"material M {{ alpha = {value} }}"
+
+    assert size(nested(2)) > 128
+    with pytest.raises(CompileError) as caught:
+        shader(nested(5))
+    (error,) = caught.value.diagnostics
+    assert error.message == "a value that changes in a loop cannot be computed at the vertices"
+
+
+def test_loops_of_called_functions_nest_in_those_around_the_call() -> None:
+    def nested(levels: int) -> str:
+        functions = "\n".join(
+            f"fn f{i}(x: float) -> float = sum i in 0..3 : f{i + 1}(x + float(i))"
+            for i in range(levels)
+        )
+        last = f"fn f{levels}(x: float) -> float = sin(x)"
+        return f"{functions}\n{last}\nmaterial M {{ alpha = f0(uv.x) }}"
+
+    assert shader(nested(48))
+    with pytest.raises(CompileError) as caught:
+        shader(nested(49))
+    (error,) = caught.value.diagnostics
+    assert error.message == "loops are nested too deeply: more than 48"

@@ -130,19 +130,65 @@ def toolchain() -> Iterator[Toolchain]:
         yield tools
 
 
-@pytest.mark.parametrize("name", BODIES)
-def test_bodies(name: str, toolchain: Toolchain) -> None:
-    equations, body = BODIES[name]
-    result = burnish.compile(f"{HEAD}{equations}}}", "all")
-    (material,) = result.materials
-    (text,) = (f.text for f in material.files if f.name == "M.frag.glsl")
-    main = text.partition("void main() {\n")[2].removesuffix("}\n")
-    assert dedent(main).strip() == dedent(body).strip()
+def refused(material: burnish.CompiledMaterial, toolchain: Toolchain) -> str:
+    """What compilers say about the fragment stages that they do not take."""
     jobs = [
         Job(checker, "frag", file.text, file.entry_points["fragment"], file.name)
         for file in material.files
         if "fragment" in file.entry_points
         for checker in file.checkers
     ]
-    refused = [v.report() for v in toolchain.check(jobs) if v.status != "accepted"]
-    assert not refused, "\n".join(refused)
+    return "\n".join(v.report() for v in toolchain.check(jobs) if v.status != "accepted")
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_bodies(name: str, toolchain: Toolchain) -> None:
+    equations, body = BODIES[name]
+    (material,) = burnish.compile(f"{HEAD}{equations}}}", "all").materials
+    (text,) = (f.text for f in material.files if f.name == "M.frag.glsl")
+    main = text.partition("void main() {\n")[2].removesuffix("}\n")
+    assert dedent(main).strip() == dedent(body).strip()
+    assert not refused(material, toolchain)
+
+
+DEEP = 100
+CHAINS = {
+    "choices": "(if uv.x > {k} then {next} + 0.5 else {k})",
+    "choices on the other side": "(if uv.x > {k} then {k} else {next} + 0.5)",
+    "dear choices": "(if uv.x > {k} then pow(sin(uv.x + {k}) + 2, 1 + abs({next})) else {k})",
+    "guards": "(if uv.x > {k} then 1 / (uv.x - {k}) + {next} else {k})",
+    "connectives": "(if uv.x > {k} and speckled(uv + {k}) then {next} else {k})",
+    "elements": "[uv.x, {k}, {next}][int({next}) & 1]",
+    "reads": "t.level(vec2({next}, {k}), 0).x",
+    "calls": "sin({next} + {k})",
+    "matrices": "(if uv.x > {k} then turned * {next} else turned)",
+}
+
+
+@pytest.mark.parametrize("name", CHAINS)
+def test_deep_chains_are_accepted(name: str, toolchain: Toolchain) -> None:
+    """Compilers take neither many blocks nor many brackets inside of each other."""
+    links = "\n".join(
+        f"s{i} = {CHAINS[name].format(k=(i + 1) / 1024, next=f's{i + 1}')}" for i in range(DEEP)
+    )
+    last, lane = ("turned", "[0].x") if name == "matrices" else ("uv.y", "")
+    text = f"{HEAD}param turned : mat3\n{links}\ns{DEEP} = {last}\nalpha = s0{lane}}}"
+    (material,) = burnish.compile(text, "all").materials
+    assert not refused(material, toolchain)
+
+
+def nested(levels: int) -> str:
+    """Loops with a branch in each, that are there for what stands behind the condition."""
+    value = "uv.y"
+    for i in range(levels):
+        place = f"(uv.x - float(i{i}) - {i})"
+        value = f"(sum i{i} in 0..n : if {place} > 0 then 1 / {place} + {value} else 0)"
+    return f"{HEAD}alpha = {value}}}"
+
+
+def test_what_nests_too_deeply_is_told_for_the_profile(toolchain: Toolchain) -> None:
+    (material,) = burnish.compile(nested(31), "all").materials
+    assert not refused(material, toolchain)
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(nested(32), "all")
+    assert str(caught.value) == "64 nested blocks of M, but wgsl:webgpu has only 62"

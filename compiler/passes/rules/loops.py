@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from ...ir import build
-from ...ir.build import Number
 from ...ir.node import Folding, Formal, Iterating, Node
 from ...ir.operations import FORMAL, LOOPS, with_role
-from ...ir.types import INT
+from ...ir.types import INT, scalar_kind
 from ...reference.evaluate import evaluate
 from ..cost import cost, cost_of
 from .constants import constant_of
@@ -28,9 +27,6 @@ LONGEST_FIXED = 4096
 
 _COMPUTED = with_role("constant", "join", "part", "choice") | {"call"}
 """What the reference computes for constants."""
-
-NEUTRAL: Mapping[str, Number] = {"add": 0, "mul": 1, "and": True, "or": False}
-"""What changes nothing, term by term; of the least and the greatest no constant does."""
 
 
 def _folding(at: Site) -> Folding:
@@ -62,8 +58,13 @@ def _never_turns(_b: Builder, at: Site) -> bool:
 
 
 def _adds_nothing(_b: Builder, at: Site) -> bool:
-    operator = _folding(at).operator
-    return operator in NEUTRAL and uniform_lane(at.operands[2]) == NEUTRAL[operator]
+    return _is_neutral(at, at.operands[2])
+
+
+def _is_neutral(at: Site, operand: Node) -> bool:
+    kind = scalar_kind(at.type)
+    assert kind is not None
+    return uniform_lane(operand) == build.neutral(_folding(at).operator, kind)
 
 
 def _is_fixed(_b: Builder, at: Site) -> bool:
@@ -98,9 +99,11 @@ def _fold_is_short(_b: Builder, at: Site) -> bool:
 def _fold_unrolled(b: Builder, at: Site) -> Node:
     (index,) = _folding(at).variables
     _count, result, body = at.operands
+    is_first = _is_neutral(at, result)
     for i in range(_turns(at) or 0):
         term = b.substituted(body, {index: build.constant(b.graph, INT, i)})
-        result = b.call(_folding(at).operator, at.type, result, term)
+        result = term if is_first else b.call(_folding(at).operator, at.type, result, term)
+        is_first = False
     return result
 
 

@@ -17,6 +17,7 @@ from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import Moved, close, substitute
 from ...ir.node import Folding, FoldOperator, Formal, Graph, Iterating, Node, reachable
+from ...ir.operations import LOOPS
 from ...ir.types import BOOL, INT, Scalar, Texture, Type, Vector, width
 from ...syntax import ast
 from ..declarations.fitting import fit
@@ -33,12 +34,13 @@ DEEPEST = 48
 and there may be branches as well. Besides, every loop closes and opens all that stands in it."""
 CROSSING_TURNS = 16
 """A fold whose terms cross from the vertices one by one is written out, up to so many."""
+LARGEST_WRITTEN_OUT = 4096
+"""Operations that such a fold becomes, at most. Folds in folds multiply, and there are far fewer
+varyings than that."""
 
 OPERATORS: Mapping[ast.FoldWord, FoldOperator] = {
     "sum": "add", "product": "mul", "min": "min", "max": "max", "all": "and", "any": "or",
 }  # fmt: skip
-_OF_NOTHING: Mapping[FoldOperator, float | bool] = {"add": 0, "mul": 1, "and": True, "or": False}
-"""What a fold without terms and without a value to begin with is."""
 _VARYING = frozenset({"cross", "attribute", "input", "resource"})
 
 
@@ -61,10 +63,7 @@ def folded(
 
 def _of_nothing(graph: Graph, operator: FoldOperator, type_: Type) -> Node:
     assert isinstance(type_, Scalar | Vector)
-    neutral = _OF_NOTHING[operator]
-    lane = build.constant(
-        graph, Scalar(type_.kind), float(neutral) if type_.kind == "float" else neutral
-    )
+    lane = build.constant(graph, Scalar(type_.kind), build.neutral(operator, type_.kind))
     return build.splat(graph, lane, width(type_))
 
 
@@ -169,7 +168,7 @@ def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
 
 def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``sum i in a..b from x : e`` and its like."""
-    if _too_deep(ctx, e, scope):
+    if _too_deep(ctx, e, scope.loops):
         return FAILURE
     outside = list(operands)
     initial = None if e.initial is None else outside.pop()
@@ -184,6 +183,8 @@ def _folded(
     ctx: Context, e: ast.Fold, turns: _Turns, initial: Node | None, values: Sequence[Node]
 ) -> Value:
     """The fold over a body whose value is known."""
+    if _too_deep(ctx, e, _loops_in(ctx, values)):
+        return FAILURE
     operator = OPERATORS[e.operator]
     body = _term(ctx, e, operator, values[0])
     if isinstance(body, Failure):
@@ -223,17 +224,13 @@ def _combined(
     body: Node,
     initial: Node | None,
 ) -> Node | Failure:
-    crosses = any(node.op == "cross" for node in changing((body,), {turns.formal}))
     if initial is None and operator in ("min", "max"):
         if not turns.known:
             ctx.report.add(rules.NO_INITIAL, e.span, word=e.operator)
             return FAILURE
         if turns.bound == 0:
             return _of_no_terms(ctx, e, operator, turns, body)
-        return _written_out(ctx, operator, turns, body, None) if crosses else _from_first(
-            ctx, operator, turns, body
-        )  # fmt: skip
-    if crosses:
+    if any(node.op == "cross" for node in changing((body,), {turns.formal})):
         return _written_out(ctx, operator, turns, body, initial)
     result = folded(
         ctx.tree, operator, turns.bound, body, turns.formal, ctx.follow, turns.count, initial
@@ -253,22 +250,12 @@ def _of_no_terms(
     return value
 
 
-def _from_first(ctx: Context, operator: FoldOperator, turns: _Turns, body: Node) -> Node:
-    """A fold that begins with its first term."""
-    first = _at(ctx, body, turns.formal, 0)
-    turn = ctx.tree.node("formal", INT, (), turns.formal)
-    one = build.constant(ctx.tree, INT, 1)
-    later = ctx.tree.node("call", INT, (turn, one), "add")
-    rest = substitute(ctx.tree, body, {turns.formal: later}, ctx.follow)
-    return folded(ctx.tree, operator, turns.bound - 1, rest, turns.formal, ctx.follow, start=first)
-
-
 def _written_out(
     ctx: Context, operator: FoldOperator, turns: _Turns, body: Node, initial: Node | None
 ) -> Node:
     """A fold without a loop: the terms of all turns, joined by the operator."""
     terms = [_at(ctx, body, turns.formal, turn) for turn in range(turns.bound)]
-    if operator not in ("min", "max") or initial is not None:
+    if initial is not None or not terms:
         terms.insert(0, initial or _of_nothing(ctx.tree, operator, body.type))
     total = terms[0]
     for term in terms[1:]:
@@ -301,7 +288,7 @@ class _States:
 
 def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope) -> Value | Inner:
     """``iterate x from e up to n while c : next``: a structure is several states."""
-    if _too_deep(ctx, e, scope):
+    if _too_deep(ctx, e, scope.loops):
         return FAILURE
     initial, *bounds = operands
     turns = _turns(ctx, e.turns, bounds, e.span)
@@ -341,6 +328,8 @@ def _iterated(
     ctx: Context, e: ast.Iterate, turns: _Turns, states: _States, values: Sequence[Node]
 ) -> Value:
     """The last state of a loop of which condition and body are known."""
+    if _too_deep(ctx, e, _loops_in(ctx, values)):
+        return FAILURE
     going: Node | Failure = build.constant(ctx.tree, BOOL, True)
     if e.condition is not None:
         going = fit(ctx, values[0], BOOL, "bool", e.condition.span)
@@ -401,12 +390,27 @@ def _looped(
 # --- what may stand in a loop --------------------------------------------------------------------
 
 
-def _too_deep(ctx: Context, e: ast.Fold | ast.Iterate, scope: Scope) -> bool:
-    """Whether a loop stands in as many others as there can be; reported."""
-    if scope.loops < DEEPEST:
+def _too_deep(ctx: Context, e: ast.Fold | ast.Iterate, around: int) -> bool:
+    """Whether a loop stands in as many others as there can be, or has as many in it; reported."""
+    if around < DEEPEST:
         return False
     ctx.report.add(rules.LOOPS_TOO_NESTED, e.span, most=DEEPEST)
     return True
+
+
+def _loops_in(ctx: Context, bodies: Sequence[Node]) -> int:
+    """How many loops are nested in a loop's bodies, those of called functions included."""
+    known = ctx.loop_depths
+    pending = list(bodies)
+    while pending:
+        node = pending[-1]
+        missing = [operand for operand in node.operands if operand not in known]
+        if missing:
+            pending += missing
+        else:
+            inside = max((known[operand] for operand in node.operands), default=0)
+            known[pending.pop()] = inside + (node.op in LOOPS)
+    return max(known[body] for body in bodies)
 
 
 def changing(
@@ -439,7 +443,12 @@ def _allowed(
     """Whether everything in a loop has a meaning there; ``waits``: pixels may stop apart."""
     inside = list(changing(bodies, formals))
     crossing = next((node for node in inside if node.op == "cross"), None)
-    if crossing is not None and (states or not turns.known or turns.bound > CROSSING_TURNS):
+    if crossing is not None and (
+        states
+        or not turns.known
+        or turns.bound > CROSSING_TURNS
+        or turns.bound * len(inside) > LARGEST_WRITTEN_OUT
+    ):
         ctx.report.add(rules.CROSSING_IN_LOOP, ctx.places.within(crossing, span))
         return False
     read = next((node for node in inside if compares_neighbours(node)), None)
