@@ -57,8 +57,8 @@ class _Journal:
 
     def store(self, contents: Mapping[str, bytes]) -> None:
         """Write the new files, and remember those that are there."""
-        os.mkdir(self._new)
-        os.mkdir(self._old)
+        _make_private_folder(self._new)
+        _make_private_folder(self._old)
         for name, content in contents.items():
             _write(join(self._new, name), content)
             _duplicate(join(self._folder, name), join(self._old, name))
@@ -147,7 +147,7 @@ def _make_own_folder(path: str) -> None:
     Somebody else could fill it with files to be put in place of ours.
     """
     try:
-        os.mkdir(path)
+        _make_private_folder(path)
     except FileExistsError:
         with suppress(FileNotFoundError):
             found = os.lstat(path)
@@ -155,6 +155,16 @@ def _make_own_folder(path: str) -> None:
             if not S_ISDIR(found.st_mode) or not owned:
                 reason = f"`{path}` is in the way, and is not a folder of this user"
                 raise PermissionError(errno.EACCES, reason) from None
+
+
+def _make_private_folder(path: str) -> None:
+    """Make a folder that this user alone can enter, whatever the umask says.
+
+    Where others could write there, they could add files; where the user cannot enter, no later
+    process could clear it away.
+    """
+    os.mkdir(path, 0o700)
+    os.chmod(path, 0o700)
 
 
 def _lock(file: int) -> bool:

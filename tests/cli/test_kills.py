@@ -9,6 +9,7 @@ import threading
 import time
 from functools import partial
 from pathlib import Path
+from stat import S_IMODE
 
 import pytest
 
@@ -18,7 +19,7 @@ from burnish.commands.replacing import replace_all
 from ..suite.processes import Background, at_once, run, started, until
 from .kit import PLAIN, shell, tree
 
-CALLS = ("mkdir", "open", "link", "replace", "unlink", "rmdir", "listdir")
+CALLS = ("mkdir", "chmod", "open", "link", "replace", "unlink", "rmdir", "listdir")
 """The system calls at which a process may be killed."""
 
 KILLED = f"""
@@ -237,3 +238,23 @@ def test_a_journal_that_is_not_ours(
     with pytest.raises(PermissionError, match="is in the way, and is not a folder of this user"):
         replace_all(str(folder), {"b": b"new"})
     assert contents(folder).keys() <= {journal.name}
+
+
+@pytest.mark.parametrize("mask", [0o000, 0o077, 0o777])
+def test_others_can_add_nothing_whatever_the_umask(
+    mask: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    modes: list[int] = []
+
+    def rename(source: str, target: str) -> None:
+        modes.extend(S_IMODE(each.lstat().st_mode) for each in Path(source).parents[:2])
+        Path(source).rename(target)
+
+    monkeypatch.setattr(os, "replace", rename)
+    before = os.umask(mask)
+    try:
+        replace_all(str(tmp_path), {"a": b"new"})
+    finally:
+        os.umask(before)
+    assert modes == [0o700, 0o700]
+    assert [each.name for each in tmp_path.iterdir()] == ["a"]

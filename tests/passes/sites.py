@@ -211,7 +211,10 @@ class Sites:
         if not isinstance(type_, Matrix):
             raise UnsuitableError
         column = Vector("float", type_.size)
-        return build.matrix(self.graph, tuple(self._leaf(column) for _ in range(type_.size)))
+        columns = [self._leaf(column) for _ in range(type_.size)]
+        if self._chance.random() < 0.3:
+            columns = [build.constant(self.graph, column, unit) for unit in units(type_.size)]
+        return build.matrix(self.graph, tuple(columns))
 
     def _elements(self, type_: Type) -> Node:
         if not isinstance(type_, Array):
@@ -438,3 +441,8 @@ def _free_types(words: Sequence[str]) -> Iterator[dict[str, Type]]:
         )
         choices = [{**chosen, letter: type_} for chosen in choices for type_ in types]
     yield from choices
+
+
+def units(size: int) -> list[tuple[float, ...]]:
+    """The columns of the identity."""
+    return [tuple(float(row == column) for row in range(size)) for column in range(size)]

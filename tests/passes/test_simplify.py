@@ -196,9 +196,11 @@ def test_folds_of_unequal_lanes_do_something(
     assert kit.simplified(kit.graph.node("fold", VEC3, operands, folding)) is not start
 
 
-def test_a_scalar_lane_stands_for_all_lanes_of_a_vector(kit: Kit) -> None:
-    v = kit.leaf("v", VEC3)
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_scalar_lane_stands_for_all_lanes_of_a_vector(kit: Kit, order: Literal[1, -1]) -> None:
+    v, constant = kit.leaf("v", VEC3), build.constant(kit.graph, VEC3, (1.0, 2.0, 3.0))
     lane = build.swizzle(kit.graph, v, (2,))
-    product = kit.graph.node("call", VEC3, (v, lane), "mul")
-    picked = build.swizzle(kit.graph, product, (2,))
-    assert kit.simplified(picked).op == "swizzle"
+    for vector in (v, constant):
+        product = kit.graph.node("call", VEC3, (vector, lane)[::order], "mul")
+        picked = build.swizzle(kit.graph, product, (2,))
+        assert kit.simplified(picked).op == "swizzle"

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from ...ir import build
 from ...ir.node import Node
 from ...ir.types import Matrix, Scalar, Vector, scalar_kind
 from .rule import (
     ANY,
+    CONSTANT,
     Builder,
     Rule,
     Site,
@@ -121,6 +124,42 @@ def _is_moved(_b: Builder, at: Site) -> bool:
     return isinstance(at.operands[0].type, Matrix) and isinstance(at.type, Vector)
 
 
+def _is_moved_by_identity(_b: Builder, at: Site) -> bool:
+    matrix, moved = at.operands
+    return moved.type == at.type and all(
+        column.op == "constant" and column.data == tuple(map(float, unit))
+        for column, unit in zip(matrix.operands, _units(len(matrix.operands)), strict=True)
+    )
+
+
+def _units(size: int) -> list[tuple[int, ...]]:
+    """The columns of the identity."""
+    return [tuple(int(row == column) for row in range(size)) for column in range(size)]
+
+
+# --- powers and mixtures -------------------------------------------------------------------------
+
+
+def _has_exponent(exponent: float) -> Callable[[Builder, Site], bool]:
+    return lambda _b, at: uniform_lane(at.operands[1]) == exponent
+
+
+def _squared(b: Builder, at: Site) -> Node:
+    base = b.call("max", at.type, at.operands[0], b.constant(at.type, 0))
+    return b.call("mul", at.type, base, base)
+
+
+def _ends_are_same(b: Builder, at: Site) -> bool:
+    """Whether both ends are one value, which no weight is so large as to lose by rounding."""
+    first, last, weight = at.operands
+    return first is last and b.ranges.of(weight).within(-1024.0, 1024.0)
+
+
+def _is_square(_b: Builder, at: Site) -> bool:
+    left, right = at.operands[0].operands
+    return left is right
+
+
 ARITHMETIC = (
     Rule("zero added", "Adding zero changes nothing.",
          ("add",), (lanes(0), ANY), operand(1), either=True),
@@ -142,6 +181,9 @@ ARITHMETIC = (
          ("mul",), (lanes(1), ANY), operand(1), is_numeric, either=True),
     Rule("times minus one", "A product with minus one is the other factor, negated.",
          ("mul",), (lanes(-1), ANY), _negated, is_numeric, either=True),
+    Rule("magnitude squared", "The square of a magnitude is the square of the value.",
+         ("mul",), (builtin("abs"), builtin("abs")),
+         lambda b, at: b.call("mul", at.type, *at.operands[0].operands * 2), are_same),
     Rule("divided by one", "Dividing by one changes nothing.",
          ("div",), (ANY, lanes(1)), operand(0), is_numeric),
     Rule("zero divided", "Zero divided by anything is zero: so is 0 / 0 by definition.",
@@ -157,16 +199,30 @@ ARITHMETIC = (
          lambda b, at: b.call("max", at.type, at.operands[0], b.constant(at.type, 0))),
     Rule("to the power of zero", "Everything to the power of zero is one, by definition.",
          ("pow",), (ANY, lanes(0)), constant(1)),
+    Rule("squared", "The power of two is a product, but zero for negative values.",
+         ("pow",), (ANY, CONSTANT), _squared, _has_exponent(2)),
+    Rule("root as a power", "The power of a half is the root, which is zero for negative values.",
+         ("pow",), (ANY, CONSTANT), lambda b, at: b.call("sqrt", at.type, at.operands[0]),
+         _has_exponent(0.5)),
+    Rule("root of a square", "The root of a value times itself is its magnitude.",
+         ("sqrt",), (builtin("mul"),),
+         lambda b, at: b.call("abs", at.type, at.operands[0].operands[0]), _is_square),
     Rule("one to a power", "One to any power is one.",
          ("pow",), (lanes(1), ANY), constant(1)),
     Rule("mixed with weight zero", "With weight zero, only the first value counts.",
          ("mix",), (ANY, ANY, lanes(0)), operand(0)),
     Rule("mixed with weight one", "With weight one, only the second value counts.",
          ("mix",), (ANY, ANY, lanes(1)), operand(1)),
+    Rule("mixed with itself", "A mixture of a value and itself is that value.",
+         ("mix",), (ANY, ANY, ANY), operand(0), _ends_are_same),
+    Rule("mixed from zero to one", "Between zero and one, the mixture is the weight.",
+         ("mix",), (lanes(0), lanes(1), ANY), operand(2)),
     Rule("product of zeros", "With a vector of zeros, every dot product and every cross is zero.",
          ("dot", "cross"), (lanes(0), ANY), constant(0), either=True),
     Rule("zero moved", "A matrix of finite numbers leaves zero where it is.",
          ("mul",), (ANY, lanes(0)), constant(0), _is_moved),
+    Rule("identity moves", "The identity matrix changes nothing.",
+         ("mul",), (made("matrix"), ANY), operand(1), _is_moved_by_identity, either=True),
     Rule("transposed twice", "The transpose of a transpose is the matrix.",
          ("transpose",), (builtin("transpose"),), inner),
     Rule("transposed around a factor", "Two transposes cancel, with a scalar factor between them.",

@@ -173,7 +173,8 @@ def _lane_of_call(node: Node, lane: int, depth: int) -> Number | None:
         return None
     operands: list[Lanes] = []
     for operand in node.operands:
-        value = _lane(operand, lane, depth - 1)
+        is_scalar = isinstance(operand.type, Scalar)  # It counts for every lane.
+        value = _lane(operand, 0 if is_scalar else lane, depth - 1)
         if value is None:
             return None
         operands.append((value,))
