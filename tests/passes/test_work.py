@@ -78,7 +78,8 @@ def folding_calls(count: int) -> str:
     """Calls that fold to constants, each with all those before it in its argument."""
     links = lines(count, lambda i: f"s{i} = over(s{i - 1} + uv.y, 0) + {i}.5 + s{i - 1}")
     over = "fn over(a : float, b : float) -> float = if b == 0 then 0 else a / b"
-    return f"{over}\n{material(f's0 = uv.x\n{links}', f's{count - 1}')}"
+    sums = material(f"s0 = uv.x\n{links}", f"s{count - 1}")
+    return f"{over}\n{sums}"
 
 
 def calls(count: int) -> str:

@@ -185,10 +185,6 @@ done
 struct the_fs_main_given
     position_ is num3 at 0
 ...
-work safe_normalize(v is num3) gives num3
-    give v * inversesqrt(max(dot(v, v), 1.1754944e-38))
-done
-...
 work lambert_phong(
 ...
     tint is num3, to_eye is num3
