@@ -146,8 +146,10 @@ def _variants(path: Path, request: Request) -> list[Variant]:
 
 def _label(path: Path, paths: Sequence[Path], material: CompiledMaterial, variant: Variant) -> str:
     """The label of a material: its file's name, or the whole path if two names are equal."""
+    from ..compiler.diagnostics.file_names import readable
+
     alike = sum(other.name == path.name for other in paths) > 1
-    file = path if alike else path.name
+    file = readable(str(path) if alike else path.name)
     return " × ".join([f"{file}: {material.name}", *filter(None, variant)])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 
 import click
@@ -45,4 +46,8 @@ def _folders(file: Path, search_path: Sequence[Path]) -> list[Path]:
 def _stamps(file: Path, folders: Sequence[Path]) -> Stamps:
     """When each source in the folders was last changed. Comparing these never misses a change."""
     sources = {file, *(path for folder in folders for path in folder.glob("*.burnish"))}
-    return {path: path.stat().st_mtime_ns for path in sources if path.is_file()}
+    stamps = {}
+    for path in sources:
+        with suppress(OSError, ValueError):  # It may be gone by now, or never have been there.
+            stamps[path] = path.stat().st_mtime_ns
+    return stamps

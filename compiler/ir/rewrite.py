@@ -18,6 +18,7 @@ def rewrite(
     moved: Moved | None = None,
     ops: Container[str] | None = None,
     nodes: Iterable[Node] | None = None,
+    new: dict[Node, Node] | None = None,
 ) -> Roots:
     """The roots, rebuilt with ``rule`` applied to every node they need, operands before users.
 
@@ -25,14 +26,16 @@ def rewrite(
     knows that all other nodes stay as they are, it names ``nodes``, operands before users. If
     nothing changes, these are the roots that were given.
 
+    ``new`` holds what nodes have become, if a caller remembers it from one call to the next, and
+    gets what changes in this call.
+
     Bodies of folds and applies are ordinary operands here. A replacement therefore stands under
     the same binders as what it replaces and may use the same ``bound`` variables, no others.
     """
     wanted = roots if isinstance(roots, Roots) else Roots(roots)
     if ops is not None and nodes is None and not any(op in ops for op in wanted.ops):
         return wanted
-    new: dict[Node, Node] = {}
-    """What became of the nodes that changed."""
+    new = {} if new is None else new
     changed = new.keys()
     for node in wanted.nodes if nodes is None else nodes:
         operands = node.operands

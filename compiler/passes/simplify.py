@@ -7,7 +7,7 @@ all operands.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping
 from operator import attrgetter
 
 from ..diagnostics.source import Span
@@ -38,6 +38,8 @@ class Simplifier(Builder):
         self.remarks: dict[Hashable, Remark] = {}
         self._simplest: set[Node] = set()
         """What was built here: it is in its simplest form, and so is all that it needs."""
+        self._arguments: dict[Node, Node] = {}
+        """The simplest forms of arguments, and of what they need: many share most of it."""
 
     def remark(
         self,
@@ -85,8 +87,8 @@ class Simplifier(Builder):
         used = [formal for formal in replacements if formal in body.variables]
         if not used:
             return body
-        values = self.simplified(Roots([replacements[formal] for formal in used]))
-        simplest = dict(zip(used, values, strict=True))
+        arguments = Roots([replacements[formal] for formal in used])
+        simplest = dict(zip(used, self._simplified_arguments(arguments), strict=True))
 
         def rule(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
             if node.op == "formal":
@@ -97,14 +99,25 @@ class Simplifier(Builder):
         (simplified,) = rewrite(self.graph, (body,), rule, self.notes.follow, nodes=nodes)
         return simplified
 
+    def _simplified_arguments(self, arguments: Roots) -> Roots:
+        """As ``simplified``, but looks at no node again that an earlier argument needed."""
+        known = self._arguments
+        nodes = self._affected(arguments, frozenset(), known)
+        return rewrite(self.graph, arguments, self.rule, self.notes.follow, nodes=nodes, new=known)
+
     def is_simplest(self, node: Node) -> bool:
         """Whether a node is known to be in its simplest form, with all that it needs."""
         return node in self._simplest or not node.operands
 
-    def _affected(self, roots: Iterable[Node], formals: frozenset[Formal]) -> list[Node]:
-        """What of ``roots`` is not in its simplest form, or depends on ``formals``."""
+    def _affected(
+        self, roots: Iterable[Node], formals: frozenset[Formal], known: Collection[Node] = ()
+    ) -> list[Node]:
+        """What of ``roots`` is not in its simplest form, or depends on ``formals``.
+
+        What is below a ``known`` node is left out, like the node itself.
+        """
         simplest = self._simplest
-        seen = set(roots)
+        seen = set(roots).difference(known)
         pending = list(seen)
         found: list[Node] = []
         for node in pending:  # It grows on the way.
@@ -112,7 +125,7 @@ class Simplifier(Builder):
                 continue
             found.append(node)
             for operand in node.operands:
-                if operand not in seen:
+                if operand not in seen and operand not in known:
                     seen.add(operand)
                     pending.append(operand)
         found.sort(key=AGE)

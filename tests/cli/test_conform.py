@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Iterable, Mapping
@@ -48,6 +49,19 @@ def test_agreement() -> None:
     assert re.fullmatch(r"drawn by llvmpipe: llvmpipe \(LLVM .*\), .* Mesa [\d.]+", llvmpipe)
     assert re.fullmatch(r"with glslang [\d.]+, lavapipe .*, moderngl .*, vulkan-val\S+ \S+", tools)
     assert count == "2 agree"
+
+
+def test_a_file_whose_name_is_no_text(folder: Path) -> None:
+    name = os.fsdecode(b"caf\xe9.burnish")
+    try:
+        (folder / name).write_text(UP)
+    except OSError:
+        pytest.skip("this file system has no such names")
+    result = invoke("conform", name, "--routes", "llvmpipe", "--report", "report")
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert r"caf\xe9.burnish: Up" in result.stdout
+    (row,) = json.loads((folder / "report" / "report.json").read_text("utf-8"))["rows"]
+    assert row["material"] == r"caf\xe9.burnish: Up"
 
 
 def test_without_hoisting() -> None:

@@ -74,6 +74,14 @@ def functions(count: int) -> str:
     return f"{bodies}\n{material(calls, total(count))}"
 
 
+def folding_calls(count: int) -> str:
+    """Calls that fold to constants, each with all those before it in its argument."""
+    links = lines(count, lambda i: f"s{i} = over(s{i - 1} + uv.y, 0) + {i}.5 + s{i - 1}")
+    over = "fn over(a : float, b : float) -> float = if b == 0 then 0 else a / b"
+    sums = material(f"s0 = uv.x\n{links}", f"s{count - 1}")
+    return f"{over}\n{sums}"
+
+
 def calls(count: int) -> str:
     """Functions that each call the one before: all bodies are written out, one in the other."""
     count += 64  # So many bodies are none that the passes see: semantics evaluates them.
@@ -121,7 +129,7 @@ ALL = {
         each.__name__: each
         for each in (
             chain, long_sum, nested, choices, guarded_choices, functions, calls, calls_twice,
-            varyings, elements, parameters, conditions,
+            varyings, elements, parameters, conditions, folding_calls,
         )
     },
 }  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 import struct
 import zlib
@@ -176,3 +177,10 @@ def test_damage_is_reported_and_nothing_else_happens(tmp_path: Path) -> None:
             assert str(path) in str(error)
             refused += 1
     assert refused > 100
+
+
+def test_a_pipe_is_no_picture(tmp_path: Path) -> None:
+    """Nobody waits for what may never come out of it."""
+    os.mkfifo(tmp_path / "pipe.png")
+    with pytest.raises(PictureError, match=r"pipe\.png: it is a pipe or a device$"):
+        Texture.load(tmp_path / "pipe.png")

@@ -127,13 +127,16 @@ def _choices(root: Node) -> Iterator[Node]:
 
 
 def _bare_number(written: ast.Expression | None) -> str:
-    """A number without a unit, as it is written; empty for anything else, and for zero."""
+    """A number without a unit, in decimal; empty for anything else, and for zero."""
     sign = ""
     while isinstance(written, ast.Unary) and written.operator == "-":
         written, sign = written.operand, "" if sign else "-"
-    if not isinstance(written, ast.Number) or written.unit or float(written.text) == 0:
+    if not isinstance(written, ast.Number) or written.unit or written.kind == "uint":
         return ""
-    return sign + written.text
+    text = written.text
+    if text[:2] in ("0x", "0X"):
+        text = str(int(text, 16))
+    return sign + text if float(text) else ""
 
 
 def _way_out(

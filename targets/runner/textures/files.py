@@ -38,6 +38,8 @@ def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> 
 def read_picture(path: Path, sample: Kind = "float") -> NDArray[Any]:
     """The array of the picture in a file, for ``texel_array``. Raises ``PictureError``."""
     try:
+        if path.exists() and not (path.is_file() or path.is_dir()):
+            raise PictureError(f"cannot read {path}: it is a pipe or a device")
         with warnings.catch_warnings():
             # The size is checked below, before anything is decoded, and more strictly.
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
