@@ -301,7 +301,8 @@ def test_there_may_be_nothing_to_draw() -> None:
 
 
 def test_what_is_not_finite_stays_where_it_is() -> None:
-    overflown = "if frag_coord.x < 1 then exp(800.0) - exp(800.0) else 1"
+    huge = "exp(frag_coord.x + 800.0)"  # A constant that is too large would be an error.
+    overflown = f"if frag_coord.x < 1 then {huge} - {huge} else 1"
     given = passing(f"attribute c : vec4\nvalue = c * ({overflown})")
     nan, inf = np.nan, np.inf
     bad = [(nan, 0, 0, 1), (inf, 0, 0, 1), (0, 0, 0, 0)]

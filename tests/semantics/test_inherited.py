@@ -108,6 +108,7 @@ def test_a_derived_value_is_never_called_as_a_parameter() -> None:
         for block in material.reflection["blocks"]
         if block["derived"]
         for member in block["members"]
+        if member["parameter"]
     ]
     assert "k" in names
     assert len(derived) == 1

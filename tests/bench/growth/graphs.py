@@ -225,7 +225,7 @@ def chain_of_calls(size: int) -> str:
 @shape(500, 8000)
 def calls_of_one_function(size: int) -> str:
     steps = lines(f"x{i + 1} = f(x{i}, {i}.5)" for i in range(size))
-    head = "fn f(x: float, y: float) -> float = sin(x * y) + cos(x - y) * exp(y) + sqrt(x)\n"
+    head = "fn f(x: float, y: float) -> float = sin(x * y) + cos(x - y) * exp(-y) + sqrt(x)\n"
     return head + material(f"x0 = uv.x\n{steps}\nalpha = x{size}")
 
 
