@@ -55,6 +55,8 @@ RIGHT = {
     "an element that is not taken": "if on then [1 / zero, 2.0][1] else 2",
     "a member that is not taken": "if on then first(Pair(uv.x, 1 / zero)) else 2",
     "in a loop": "sum i in 0..3 : over(float(i), 0)",
+    "by the index of a loop": "sum i in 0..3 : (if i > 5 then 1 / zero else 1)",
+    "by an index around": "sum i in 0..3 : (sum j in 0..3 : (if i < 5 then 1 else 1 / zero))",
     "by a range": "if few > 5 then 1 / zero else 1",
     "at the vertices": "@vertex over(position.x, 0)",
     "a term": "term_(0).x",
@@ -67,6 +69,10 @@ WRONG = {
     "a part that is not read": "1 where { q = a / b }\nover(uv.x, 0)",
     "an element that is not read": "0\n[1 / zero, 2.0][1]",
     "what is wrong with what is wrong": "0\n1 / (1 / zero)",
+    "a side that one loop takes": "0\n(sum i in 0..3 : (if i > 5 then 1 / zero else 1))"
+    " + (sum i in 0..9 : (if i > 5 then 1 / zero else 1))",
+    "a side that the first loop takes": "0\n(sum i in 0..9 : (if i > 5 then 1 / zero else 1))"
+    " + (sum i in 0..3 : (if i > 5 then 1 / zero else 1))",
     "a condition": "0\nif 1 / zero > 1 then 1 else 2",
 }
 

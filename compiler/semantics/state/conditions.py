@@ -23,6 +23,8 @@ class Conditions:
         self._constants = constants
         self._ranges = ranges
         self._known: dict[Node, bool | None] = {}
+        self._copies: dict[Node, bool | None] = {}
+        """What is known of all that a node is a copy of."""
 
     def value(self, condition: Node) -> bool | None:
         """Whether a scalar condition always or never holds; ``None`` where that is not known."""
@@ -37,6 +39,25 @@ class Conditions:
                 known[node] = self._value(node)
             pending.pop()
         return known[condition]
+
+    def follow(self, old: Node, new: Node) -> bool:
+        """What is known of ``old`` for all values of its variables holds for the copy ``new`` too.
+
+        In the copy, the index of a loop may be bound: nobody could tell from it how far it runs.
+        Bodies of several loops may have the same copy. Then what holds in only some of them is not
+        known. The result says whether less is known than before.
+        """
+        if new.type != BOOL:
+            return False
+        holds = self.value(old)
+        before = self._copies.setdefault(new, holds)
+        if holds is before and holds is not None:
+            self._known[new] = holds
+        if holds is before or before is None:
+            return False
+        self._copies[new] = None
+        self._known.pop(new, None)
+        return True
 
     def decisive(self, node: Node) -> list[Node]:
         """The operands of ``and`` or ``or`` each of which decides it, whatever the other is."""

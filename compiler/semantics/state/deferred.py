@@ -65,6 +65,8 @@ class Deferred:
         """``new`` is a copy of ``old``, as of a function's body for other arguments."""
         if not self._found:
             return
+        if self._conditions.follow(old, new):
+            self._reached.clear()
         self._passed.add(old)
         if old in self._found:
             self._found.setdefault(new, self._found[old])
