@@ -12,7 +12,7 @@ import os
 import sys
 
 from .commands.results import answer, ask
-from .commands.terminal import FAILED, INTERRUPTED, show_everything, written_out
+from .commands.terminal import FAILED, INTERRUPTED, flushed, show_everything
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 def main() -> None:
     """Run the command line that the process was started with."""
-    code = written_out(_exit_code(sys.argv[1:]))
+    code = flushed(_exit_code(sys.argv[1:]))
     if code:
         sys.exit(code)
 

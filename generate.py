@@ -1,9 +1,9 @@
 """Computes what is the same for every compile, and writes it as modules of the package.
 
-``setup.py`` calls ``generate`` when a wheel is built or a checkout is installed, and ``make`` runs
-``python -m burnish.generate`` after a change. ``compiler/precomputed.py`` loads the modules. They
-are like any other code of the package, and nothing is ever written to them while Burnish runs. This
-module is not in the wheel.
+``setup.py`` calls ``generate`` when a wheel is built or a checkout is installed. ``make demo`` and
+pytest run ``python -m burnish.generate``, which does so if something has changed.
+``compiler/precomputed.py`` loads the modules. They are like any other code of the package, and
+nothing is ever written to them while Burnish runs. This module is not in the wheel.
 """
 
 from __future__ import annotations

@@ -148,7 +148,10 @@ def print_output(text: str) -> None:
 
 
 def _is_asked_for(output: Output, question: Question) -> bool:
-    """Whether an answer writes nowhere but where the command line says."""
+    """Whether an answer writes nowhere but where the command line says.
+
+    The folder is a word of it, or ends one, as in ``-obuild`` and ``--output=build``.
+    """
     named = any(word.endswith(output.folder) for word in question.arguments)
     return named and all(os.path.basename(name) == name for name in output.texts)  # noqa: PTH119
 

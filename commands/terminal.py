@@ -35,7 +35,7 @@ def show_everything() -> None:
             stream.reconfigure(errors="backslashreplace")
 
 
-def written_out(code: int) -> int:
+def flushed(code: int) -> int:
     """Write out what the streams still hold, before Python would: it would show a traceback.
 
     Returns the exit code, which is ``code`` if there was nothing to complain about.

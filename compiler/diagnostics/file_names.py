@@ -1,7 +1,7 @@
 """Names of files as text that can be shown and written, and why files cannot be read.
 
-File names are bytes. Where they are not UTF-8, Python stands surrogates for them, which no encoding
-takes: neither a terminal nor JSON can show them.
+File names are bytes. Where they are not UTF-8, Python puts surrogates in place of them. These
+cannot be encoded: neither a terminal nor JSON can show them.
 """
 
 from __future__ import annotations

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from ...stdlib.builtins.facts import LARGEST_FLOAT
 from .node import Applying, FoldOperator, Formals, Graph, Iterating, Node, Op
 from .stages import Crossing
 from .types import (
@@ -36,7 +37,10 @@ def floating(graph: Graph, value: float) -> Node:
 
 
 def neutral(operator: FoldOperator, kind: ScalarKind) -> Number:
-    """What a fold without terms is: no term of this kind is changed by being joined with it."""
+    """The identity element of an operator: joined with any number of this kind, it changes nothing.
+
+    A fold without terms has this value.
+    """
     if operator in ("min", "max"):
         least, greatest = _ENDS[kind]
         return greatest if operator == "min" else least
@@ -45,7 +49,6 @@ def neutral(operator: FoldOperator, kind: ScalarKind) -> Number:
 
 
 _NEUTRAL: Mapping[FoldOperator, int | bool] = {"add": 0, "mul": 1, "and": True, "or": False}
-LARGEST_FLOAT = float.fromhex("0x1.fffffep127")
 _ENDS: Mapping[ScalarKind, tuple[Number, Number]] = {
     "float": (-LARGEST_FLOAT, LARGEST_FLOAT), "int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1),
 }  # fmt: skip

@@ -12,7 +12,7 @@ from typing import Protocol
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
-from ...stdlib.builtins.facts import UNIT, UNKNOWN, Fact
+from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, UNKNOWN, Fact
 from ...stdlib.builtins.intervals import outward
 from . import rulebook
 from .leaves import Parameter
@@ -62,7 +62,7 @@ def _constant(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
     data = CONSTANT.data(node)
     lanes = data if isinstance(data, tuple) else (data,)
     numbers = [float(lane) for lane in lanes if not isinstance(lane, tuple)]
-    return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= 2.0**-126 for n in numbers))
+    return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= SMALLEST_NORMAL for n in numbers))
 
 
 def _parameter(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:

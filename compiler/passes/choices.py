@@ -72,13 +72,13 @@ class Choices:
         """
         limit = UNIFORM_BRANCH_COST if uniform else BRANCH_COST
         kept = frozenset[int]() if uniform else self._together
-        return any(self._costs(side, limit, kept) for side in choice.operands[1:])
+        return any(self._costs_at_least(side, limit, kept) for side in choice.operands[1:])
 
     @cached_property
     def _uses(self) -> Counter[Node]:
         return Counter(operand for node in self._order for operand in operands_of(node))
 
-    def _costs(self, side: Node, limit: int, kept: frozenset[int]) -> bool:
+    def _costs_at_least(self, side: Node, limit: int, kept: frozenset[int]) -> bool:
         """Whether what only one side of a choice needs costs ``limit`` or more.
 
         A value is needed there only if each of its uses is: they are counted off on the way down.

@@ -96,13 +96,20 @@ class Guarding(Expanding):
         if node.id in self._branches:
             return self.make("select", node.type, operands, BRANCH)
         if node.op == "call" and BUILTINS[CALL.data(node)].expansion and self._is_safe(node):
-            simplest = Simplifier.make(self, "call", node.type, operands, node.data)
-            is_left = simplest.data == node.data and simplest.operands == operands
-            if simplest.op == "call" and is_left:
-                return self._native(node.type, operands, node.data)
-            return simplest
+            return self._unguarded(node, operands)
         self._asked = node
         return super().rule(graph, node, operands)
+
+    def _unguarded(self, node: Node, operands: tuple[Node, ...]) -> Node:
+        """A call that needs no guard, simplified, as its operands may be constants by now.
+
+        ``make`` would simplify it as well, but then expand it.
+        """
+        simplest = Simplifier.make(self, "call", node.type, operands, node.data)
+        unchanged = simplest.data == node.data and simplest.operands == operands
+        if simplest.op == "call" and unchanged:
+            return self._native(node.type, operands, node.data)
+        return simplest
 
     def _is_safe(self, node: Node) -> bool:
         """Whether ranges or conditions around ``node`` prove it harmless.

@@ -7,11 +7,10 @@ float32, or to 16 bits: to the nearest number, and to an even one in the middle 
 
 from __future__ import annotations
 
-from ...stdlib.builtins.facts import SMALLEST_NORMAL
+from ...stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
 from .namespace import Lane, Lanes, Namespace
 
 _MASK = 0xFFFFFFFF
-_LARGEST = 2.0**128 - 2.0**104
 _LARGEST_HALF = 65504.0
 _LEAST_EXPONENT, _MOST_EXPONENT = -252, 254
 
@@ -97,7 +96,7 @@ def insert_bits(xp: Namespace, x: Lane, y: Lane, offset: Lane, count: Lane) -> L
 
 
 def bits_of(xp: Namespace, x: Lane) -> Lane:
-    magnitude = xp.minimum(abs(x), _LARGEST)
+    magnitude = xp.minimum(abs(x), LARGEST_FLOAT)
     part, exponent = _taken_apart(xp, magnitude)
     # A fraction that is rounded up to 2 carries into the exponent, which is correct.
     bits = ((exponent + 126) << 23) + xp.int64(xp.rint(part * 2.0**24)) - (1 << 23)

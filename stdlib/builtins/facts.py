@@ -11,7 +11,7 @@ from typing import Literal
 
 from ...frozen import frozen
 
-LARGEST_FLOAT = 3.4028234663852886e38
+LARGEST_FLOAT = 2.0**128 - 2.0**104
 """The largest number that a float32 holds."""
 SMALLEST_NORMAL = 2.0**-126
 """A device may flush smaller magnitudes to zero, so Burnish defines them to count as zero."""

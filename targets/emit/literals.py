@@ -7,11 +7,10 @@ import struct
 from functools import lru_cache
 
 from ...compiler.ir.types import ScalarKind
+from ...stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
 from ..description.spellings import Literals
 
 _LOWEST = -(2**31)
-_SMALLEST_NORMAL = 2.0**-126
-_LARGEST = 2.0**128 - 2.0**104
 _LARGEST_TEXT = "3.4028234e38"
 """Rounded down: Tint refuses a decimal above the largest float32, though it rounds to this."""
 
@@ -41,9 +40,9 @@ def decimal(value: float) -> str:
 @lru_cache(maxsize=8192)
 def _shortest(value: float, _sign: float) -> str:
     single = _rounded(value)
-    if abs(single) < _SMALLEST_NORMAL:
+    if abs(single) < SMALLEST_NORMAL:
         return "-0.0" if math.copysign(1.0, single) < 0 else "0.0"
-    if abs(single) == _LARGEST:
+    if abs(single) == LARGEST_FLOAT:
         return f"-{_LARGEST_TEXT}" if single < 0 else _LARGEST_TEXT
     # What has six digits or fewer survives being a float32: it is found as the one with six.
     digits = next(

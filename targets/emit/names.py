@@ -64,9 +64,9 @@ _INDEX = re.compile(r"[0-9]*$")
 
 
 def _semantics(language: Language, attributes: Iterable[Field]) -> dict[str, str]:
-    """What marks each attribute, the later of two that would be the same with its location.
+    """The semantic of each attribute; the later of two that would be equal names its location.
 
-    Direct3D tells them apart neither by case nor by a missing index: ``A0`` is ``A``.
+    Direct3D ignores case, and takes a missing index as 0: ``a`` and ``A0`` are the same for it.
     """
     found: dict[str, str] = {}
     taken: set[tuple[str, int]] = set()

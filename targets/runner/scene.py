@@ -131,7 +131,11 @@ def light_roles(
 
 
 def _light_role(row: Mapping[str, Any]) -> str | None:
-    """Nothing is assumed of the name: a light's place is a library's, or what a type says."""
+    """What a scene calls the value of a light's parameter, if it has one for it.
+
+    A declaration of the library says this, or else the type of a parameter without a default. Names
+    say nothing: a parameter of one's own may have any.
+    """
     names = scene_names()
     known = names["parameters"].get(row["library"])
     by_type = names["light_types"].get(row["type"]) if row["default"] is None else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from ...ir.comparisons import HOLDS
 from ...ir.node import Node
 from ...ir.operations import CALL
 from ...ir.refinements import OPPOSITES
@@ -22,31 +23,11 @@ from .rule import (
     operand,
 )
 
-Decision = Callable[[Builder, Node, Node], bool]
 
-
-def _never_above(b: Builder, left: Node, right: Node) -> bool:
-    return b.ranges.of(left).hi <= b.ranges.of(right).lo
-
-
-def _never_below(b: Builder, left: Node, right: Node) -> bool:
-    return b.ranges.of(left).lo >= b.ranges.of(right).hi
-
-
-def _always_below(b: Builder, left: Node, right: Node) -> bool:
-    return b.ranges.of(left).hi < b.ranges.of(right).lo
-
-
-def _always_above(b: Builder, left: Node, right: Node) -> bool:
-    return b.ranges.of(left).lo > b.ranges.of(right).hi
-
-
-def _apart(b: Builder, left: Node, right: Node) -> bool:
-    return _always_below(b, left, right) or _always_above(b, left, right)
-
-
-def _decided(decision: Decision) -> Callable[[Builder, Site], bool]:
-    return lambda b, at: decision(b, *at.operands)
+def _holds(comparison: str) -> Callable[[Builder, Site], bool]:
+    """Whether ranges show that a comparison of the two operands always holds."""
+    decision = HOLDS[comparison]
+    return lambda b, at: decision(*map(b.ranges.of, at.operands))
 
 
 def _within_limits(b: Builder, at: Site) -> bool:
@@ -58,12 +39,12 @@ def _is_whole_float(b: Builder, at: Site) -> bool:
     return is_float(b, at) and at.operands[0].type == at.type
 
 
-def _comparison(name: str, holds: Decision, fails: Decision, words: str) -> tuple[Rule, Rule]:
+def _comparison(name: str, words: str) -> tuple[Rule, Rule]:
     return (
         Rule(f"{name} holds", f"Ranges show that the left value is always {words} the right one.",
-             (name,), (ANY, ANY), constant(True), _decided(holds), drops=True),
+             (name,), (ANY, ANY), constant(True), _holds(name), drops=True),
         Rule(f"{name} fails", f"Ranges show that the left value is never {words} the right one.",
-             (name,), (ANY, ANY), constant(False), _decided(fails), drops=True),
+             (name,), (ANY, ANY), constant(False), _holds(OPPOSITES[name]), drops=True),
     )  # fmt: skip
 
 
@@ -79,7 +60,7 @@ def _equality(name: str, equal: bool) -> tuple[Rule, ...]:
         Rule(f"{name} itself", "A value equals itself.",
              (name,), (ANY, ANY), constant(equal), are_same, drops=True),
         Rule(f"{name} apart", "Ranges without a common value show that two values differ.",
-             (name,), (ANY, ANY), constant(not equal), _decided(_apart), drops=True),
+             (name,), (ANY, ANY), constant(not equal), _holds("ne"), drops=True),
     )  # fmt: skip
 
 
@@ -90,13 +71,13 @@ def _opposite(b: Builder, at: Site) -> Node:
 
 BOUNDS = (
     Rule("least is left", "Ranges show which value is the least.",
-         ("min",), (ANY, ANY), operand(0), _decided(_never_above), drops=True),
+         ("min",), (ANY, ANY), operand(0), _holds("le"), drops=True),
     Rule("least is right", "Ranges show which value is the least.",
-         ("min",), (ANY, ANY), operand(1), _decided(_never_below), drops=True),
+         ("min",), (ANY, ANY), operand(1), _holds("ge"), drops=True),
     Rule("greatest is left", "Ranges show which value is the greatest.",
-         ("max",), (ANY, ANY), operand(0), _decided(_never_below), drops=True),
+         ("max",), (ANY, ANY), operand(0), _holds("ge"), drops=True),
     Rule("greatest is right", "Ranges show which value is the greatest.",
-         ("max",), (ANY, ANY), operand(1), _decided(_never_above), drops=True),
+         ("max",), (ANY, ANY), operand(1), _holds("le"), drops=True),
     Rule("within limits", "A value that stays between the limits is not changed by `clamp`.",
          ("clamp",), (ANY, ANY, ANY), operand(0), _within_limits, drops=True),
     Rule("limits of zero and one", "To clamp between zero and one is to saturate.",
@@ -111,10 +92,10 @@ BOUNDS = (
     Rule("of length one", "A vector of length one is normalized already.",
          ("normalize",), (ANY,), operand(0),
          lambda b, at: b.ranges.of(at.operands[0]).unit, drops=True),
-    *_comparison("lt", _always_below, _never_below, "below"),
-    *_comparison("ge", _never_below, _always_below, "at least"),
-    *_comparison("le", _never_above, _always_above, "at most"),
-    *_comparison("gt", _always_above, _never_above, "above"),
+    *_comparison("lt", "below"),
+    *_comparison("ge", "at least"),
+    *_comparison("le", "at most"),
+    *_comparison("gt", "above"),
     *_equality("eq", True),
     *_equality("ne", False),
     Rule("not twice", "The opposite of the opposite is the bool itself.",

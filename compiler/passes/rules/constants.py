@@ -19,7 +19,17 @@ from ...ir.operations import CALL, SWIZZLE
 from ...ir.types import Matrix, Scalar, Type, Vector, scalar_kind, width
 from ...reference.namespace import Lanes
 from ...reference.operations import apply, constant_lanes
-from .rule import ANY, CONSTANT, Builder, Rule, Site, builtin, made, uniform_lane
+from .rule import (
+    ANY,
+    CONSTANT,
+    Builder,
+    Rule,
+    Site,
+    builtin,
+    made,
+    swizzled_lanes,
+    uniform_lane,
+)
 
 DEEPEST = 4
 """So many operations are looked through for the value of a single lane."""
@@ -84,12 +94,7 @@ def _contained(value: Number) -> Number:
 def _picked_constant(b: Builder, at: Site) -> Node:
     (source,) = at.operands
     values = constant_lanes(source.type, source.data)
-    return constant_of(b, at.type, tuple(values[lane] for lane in _lanes(at)))
-
-
-def _lanes(at: Site) -> tuple[int, ...]:
-    assert isinstance(at.data, tuple)
-    return at.data
+    return constant_of(b, at.type, tuple(values[lane] for lane in swizzled_lanes(at)))
 
 
 def _joined_constants(b: Builder, at: Site) -> Node:
@@ -132,7 +137,7 @@ def _computed_lanes(b: Builder, at: Site) -> Node | None:
     """Lanes of an operation whose operands are constant in these lanes."""
     (source,) = at.operands
     values: list[Number] = []
-    for lane in _lanes(at):
+    for lane in swizzled_lanes(at):
         value = _lane(source, lane, DEEPEST)
         if value is None:
             return None

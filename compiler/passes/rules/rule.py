@@ -195,6 +195,12 @@ def uniform_lane(node: Node) -> Number | None:
     return first if values.count(first) == len(values) else None
 
 
+def swizzled_lanes(at: Site) -> tuple[int, ...]:
+    """The lanes that a swizzle takes of its operand."""
+    assert isinstance(at.data, tuple)
+    return at.data
+
+
 def operand(position: int) -> Callable[[Builder, Site], Node]:
     """One of the operands as the result."""
     return lambda b, at: b.fitted(at.operands[position], at.type)

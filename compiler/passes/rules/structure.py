@@ -20,29 +20,27 @@ from .rule import (
     lanes,
     made,
     operand,
+    swizzled_lanes,
 )
 
 # --- lanes ---------------------------------------------------------------------------------------
 
 
-def _lanes(at: Site) -> tuple[int, ...]:
-    assert isinstance(at.data, tuple)
-    return at.data
-
-
 def _picked_twice(b: Builder, at: Site) -> Node:
     (source,) = at.operands
     first = SWIZZLE.data(source)
-    return b.make("swizzle", at.type, source.operands, tuple(first[lane] for lane in _lanes(at)))
+    return b.make(
+        "swizzle", at.type, source.operands, tuple(first[lane] for lane in swizzled_lanes(at))
+    )
 
 
 def _picked_of_splat(b: Builder, at: Site) -> Node:
-    return build.splat(b.graph, inner(b, at), len(_lanes(at)))
+    return build.splat(b.graph, inner(b, at), len(swizzled_lanes(at)))
 
 
 def _picked_of_part(b: Builder, at: Site) -> Node | None:
     """Lanes of a joined vector, where they all come from one of its parts."""
-    wanted, first = _lanes(at), 0
+    wanted, first = swizzled_lanes(at), 0
     for part in at.operands[0].operands:
         last = first + width(part.type)
         if all(first <= lane < last for lane in wanted):
@@ -54,7 +52,7 @@ def _picked_of_part(b: Builder, at: Site) -> Node | None:
 
 
 def _is_whole(_b: Builder, at: Site) -> bool:
-    return _lanes(at) == tuple(range(width(at.operands[0].type)))
+    return swizzled_lanes(at) == tuple(range(width(at.operands[0].type)))
 
 
 def _are_one_scalar(b: Builder, at: Site) -> bool:

@@ -1,7 +1,6 @@
 """Bounded loops: folds over a range of numbers, and states taken from turn to turn.
 
-How often a loop turns may be known at run time only; how often it turns at most is known when
-compiling, from the ranges of what its bounds are computed from, or because it is written there.
+``turns`` says how often a loop turns.
 """
 
 from __future__ import annotations
@@ -24,9 +23,8 @@ from ..declarations.fitting import fit
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Inner, Scope, Value
 from ..types.coercion import coerce
+from .turns import Turns, bounds_of, turns_of
 
-LONGEST = 4096
-"""Turns of a loop, at most."""
 LARGEST_STATE = 64
 """Numbers, vectors and matrices in the state of a loop."""
 DEEPEST = 48
@@ -67,103 +65,12 @@ def _of_nothing(graph: Graph, operator: FoldOperator, type_: Type) -> Node:
     return build.splat(graph, lane, width(type_))
 
 
-# --- turns ---------------------------------------------------------------------------------------
-
-
-@frozen
-class _Turns:
-    """How often a loop turns."""
-
-    count: Node
-    bound: int
-    formal: Formal
-    index: Node
-    """The value of the loop's variable: the start of its range and the turn's number together."""
-
-    @property
-    def known(self) -> bool:
-        """Whether it turns ``bound`` times, no less."""
-        return self.count.op == "constant"
-
-
-def _bounds(turns: ast.Turns) -> tuple[ast.Expression, ...]:
-    """What is written about how often a loop turns, in the order in which it is evaluated."""
-    ends = (turns.start, turns.end)
-    return ends if turns.most is None else (*ends, turns.most)
-
-
-def _turns(
-    ctx: Context, written: ast.Turns, values: Sequence[Node], span: Span
-) -> _Turns | Failure:
-    """How often a loop turns, by the values of its ``_bounds``."""
-    bounds = [
-        fit(ctx, value, INT, "int", bound.span)
-        for value, bound in zip(values, _bounds(written), strict=True)
-    ]
-    first, end = bounds[:2]
-    most: int | None = LONGEST
-    if written.most is not None:
-        limit = bounds[2]
-        if isinstance(limit, Node) and ctx.is_left_to_a_use(limit):
-            most = 1
-        else:
-            most = ctx.constants.integer(limit, written.most.span)
-    if isinstance(first, Failure) or isinstance(end, Failure) or most is None:
-        return FAILURE
-    found = _count(ctx, first, end, most, written, span)
-    if found is None:
-        return FAILURE
-    count, bound = found
-    formal = Formal(written.variable.text or "turn")
-    ctx.ranges.note_index(formal, bound)
-    turn = ctx.tree.node("formal", INT, (), formal)
-    index = turn
-    if ctx.constants.known_integer(first) != 0:
-        index = ctx.tree.node("call", INT, (turn, first), "add")
-    return _Turns(count, bound, formal, index)
-
-
-def _count(
-    ctx: Context, first: Node, end: Node, most: int, written: ast.Turns, span: Span
-) -> tuple[Node, int] | None:
-    """How often a loop turns, and at most; reported where nothing says that."""
-    ctx.progress.unproven += bool(first.variables or end.variables)
-    known = [ctx.constants.known_integer(node) for node in (first, end)]
-    if known[0] is not None and known[1] is not None:
-        turns = max(known[1] - known[0], 0)
-        turns = turns if written.most is None else max(min(turns, most), 0)
-        found = min(turns, LONGEST)
-        count = build.constant(ctx.tree, INT, found)
-        if turns > LONGEST:
-            error = ctx.report.finding(rules.FOLD_TOO_LONG, span, count=turns, most=LONGEST)
-            ctx.deferred.add(count, error, first, end)
-        return count, found
-    if written.most is not None and most > LONGEST:
-        ctx.report.add(rules.FOLD_TOO_LONG, written.most.span, count=most, most=LONGEST)
-        return None
-    facts = ctx.ranges.of(first), ctx.ranges.of(end)
-    bound = min(facts[1].hi - facts[0].lo, most if written.most is not None else float("inf"))
-    if bound > LONGEST and (ctx.is_left_to_a_use(first) or ctx.is_left_to_a_use(end)):
-        bound = 1
-    if bound > LONGEST:
-        way = "write `up to 16` behind the bounds"
-        if not written.variable.text:
-            way = "write `for i in 0..n up to 16`"
-        hint = f"give the parameter a range, `in 0..16`, or {way}"
-        ctx.report.add(rules.UNBOUNDED_LOOP, written.end.span, hint=hint)
-        return None
-    count = end
-    if known[0] != 0:
-        count = ctx.tree.node("call", INT, (end, first), "sub")
-    return count, max(int(bound), 0)
-
-
 # --- folds ---------------------------------------------------------------------------------------
 
 
 def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
     """What is evaluated outside of the loop."""
-    return _bounds(e.turns) if e.initial is None else (*_bounds(e.turns), e.initial)
+    return bounds_of(e.turns) if e.initial is None else (*bounds_of(e.turns), e.initial)
 
 
 def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | Inner:
@@ -172,7 +79,7 @@ def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> V
         return FAILURE
     outside = list(operands)
     initial = None if e.initial is None else outside.pop()
-    turns = _turns(ctx, e.turns, outside, e.span)
+    turns = turns_of(ctx, e.turns, outside, e.span)
     if isinstance(turns, Failure):
         return FAILURE
     inner = scope.inside_loop({e.turns.variable.text: turns.index})
@@ -180,7 +87,7 @@ def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> V
 
 
 def _folded(
-    ctx: Context, e: ast.Fold, turns: _Turns, initial: Node | None, values: Sequence[Node]
+    ctx: Context, e: ast.Fold, turns: Turns, initial: Node | None, values: Sequence[Node]
 ) -> Value:
     """The fold over a body whose value is known."""
     if _too_deep(ctx, e, _loops_in(ctx, values)):
@@ -220,7 +127,7 @@ def _combined(
     ctx: Context,
     e: ast.Fold,
     operator: FoldOperator,
-    turns: _Turns,
+    turns: Turns,
     body: Node,
     initial: Node | None,
 ) -> Node | Failure:
@@ -240,9 +147,12 @@ def _combined(
 
 
 def _of_no_terms(
-    ctx: Context, e: ast.Fold, operator: FoldOperator, turns: _Turns, body: Node
+    ctx: Context, e: ast.Fold, operator: FoldOperator, turns: Turns, body: Node
 ) -> Node:
-    """The least of nothing: an error, if the program comes to it, and as good as one term if not"""
+    """``min`` or ``max`` of no terms and no initial value: an error, if a program comes to it.
+
+    A term stands in for the value, so that what needs it can be checked.
+    """
     term = _at(ctx, body, turns.formal, 0)
     value = ctx.tree.node("call", body.type, (term, term), operator)
     found = ctx.report.finding(rules.NO_INITIAL, e.span, word=e.operator)
@@ -251,7 +161,7 @@ def _of_no_terms(
 
 
 def _written_out(
-    ctx: Context, operator: FoldOperator, turns: _Turns, body: Node, initial: Node | None
+    ctx: Context, operator: FoldOperator, turns: Turns, body: Node, initial: Node | None
 ) -> Node:
     """A fold without a loop: the terms of all turns, joined by the operator."""
     terms = [_at(ctx, body, turns.formal, turn) for turn in range(turns.bound)]
@@ -273,7 +183,7 @@ def _at(ctx: Context, body: Node, formal: Formal, turn: int) -> Node:
 
 def bounds_of_iterate(e: ast.Iterate, _scope: Scope) -> tuple[ast.Expression, ...]:
     """What is evaluated outside of the loop."""
-    return (e.initial, *_bounds(e.turns))
+    return (e.initial, *bounds_of(e.turns))
 
 
 @frozen
@@ -291,7 +201,7 @@ def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope
     if _too_deep(ctx, e, scope.loops):
         return FAILURE
     initial, *bounds = operands
-    turns = _turns(ctx, e.turns, bounds, e.span)
+    turns = turns_of(ctx, e.turns, bounds, e.span)
     if isinstance(turns, Failure):
         return FAILURE
     states = _states(ctx, e, initial)
@@ -325,7 +235,7 @@ def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:
 
 
 def _iterated(
-    ctx: Context, e: ast.Iterate, turns: _Turns, states: _States, values: Sequence[Node]
+    ctx: Context, e: ast.Iterate, turns: Turns, states: _States, values: Sequence[Node]
 ) -> Value:
     """The last state of a loop of which condition and body are known."""
     if _too_deep(ctx, e, _loops_in(ctx, values)):
@@ -359,7 +269,7 @@ def _following(ctx: Context, e: ast.Iterate, body: Node, initial: Node) -> Node 
 
 def _looped(
     ctx: Context,
-    turns: _Turns,
+    turns: Turns,
     states: list[tuple[Formal, Node, Node, Node]],
     going: Node,
 ) -> list[Node]:
@@ -432,7 +342,7 @@ def changing(
 
 def _allowed(
     ctx: Context,
-    turns: _Turns,
+    turns: Turns,
     bodies: tuple[Node, ...],
     formals: set[Formal],
     span: Span,

@@ -78,7 +78,10 @@ def _apart(name: str, what: str, span: Span) -> Named:
 
 
 def _of_lights(rig: Symbol, entries: Iterable[Entry], taken: Container[str]) -> Iterator[Named]:
-    """By the names that lights have beside these parts, which may share them with others."""
+    """The lights, by the names that they have in this shader.
+
+    ``entries`` may have been made for another material, beside which they have other names.
+    """
     for entry, infos, resources in entries:
         if infos or resources:
             yield light_name(rig, entry.short_name, taken), "a light", entry.span

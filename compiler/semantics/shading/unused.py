@@ -164,7 +164,7 @@ class UnusedDeclarations:
 
     @cached_property
     def _chained(self) -> frozenset[Symbol]:
-        """What the file's records have in their chains, and which has been checked with them."""
+        """The mixins and bases of the file's records, which have been checked with these."""
         records = (s for s in self._declared if isinstance(s.declaration, ast.Record))
         return frozenset(chain.from_iterable(self._records.of(s).chain for s in records))
 

@@ -5,24 +5,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-
-from ....stdlib.builtins.facts import Fact
+from ...ir.comparisons import HOLDS
 from ...ir.node import Node, bare
 from ...ir.operations import CALL
 from ...ir.ranges import Ranges
+from ...ir.refinements import OPPOSITES
 from ...ir.types import BOOL, Scalar
 from .constants import ConstantValues
 
 _ABSORBING = {"and": False, "or": True}
-_NEVER: Mapping[str, Callable[[Fact, Fact], bool]] = {
-    "lt": lambda left, right: left.lo >= right.hi,
-    "le": lambda left, right: left.lo > right.hi,
-    "gt": lambda left, right: left.hi <= right.lo,
-    "ge": lambda left, right: left.hi < right.lo,
-    "eq": lambda left, right: left.hi < right.lo or left.lo > right.hi,
-}
-_OPPOSITE = {"lt": "ge", "le": "gt", "gt": "le", "ge": "lt", "ne": "eq"}
 
 
 class Conditions:
@@ -79,11 +70,10 @@ class Conditions:
         if not all(isinstance(operand.type, Scalar) for operand in node.operands):
             return None
         facts = tuple(map(self._ranges.of, node.operands))
-        if name in _NEVER and _NEVER[name](*facts):
-            return False
-        if name in _OPPOSITE and _NEVER[_OPPOSITE[name]](*facts):
+        if name in HOLDS and HOLDS[name](*facts):
             return True
-        return None
+        opposite = OPPOSITES.get(name, "")
+        return False if opposite in HOLDS and HOLDS[opposite](*facts) else None
 
 
 def _parts(node: Node) -> tuple[Node, ...]:
