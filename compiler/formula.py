@@ -106,10 +106,8 @@ class Formulas:
                 return f"{name}({', '.join(map(part, operands[1:]))})"
             case "vector" | "splat" | "matrix":
                 return f"{node.type}({', '.join(map(part, operands))})"
-            case "bound":
-                return _INDEX
             case _:
-                return _leaf_name(node) or str(node.data or node.op)
+                return _INDEX if node.op == "bound" else _leaf_text(node)
 
     def _call(
         self, name: str, operands: Sequence[Node], depth: int, named: Callable[[Node], str | None]
@@ -136,6 +134,11 @@ def _leaf_name(node: Node) -> str | None:
         case Formal(name=name) if node.op == "formal":
             return name
     return None
+
+
+def _leaf_text(node: Node) -> str:
+    """A leaf, or an operation that has no notation."""
+    return _leaf_name(node) or str(node.data or node.op)
 
 
 _BOOLS: Mapping[bool, str] = {True: "true", False: "false"}
