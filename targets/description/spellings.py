@@ -86,6 +86,9 @@ class Literals:
     false: str = "false"
     float_suffix: str = ""
     uint_suffix: str = "u"
+    chosen: Mapping[ScalarKind, str] = EMPTY
+    """By kind, how the sides of a choice between two literals are written, in a language whose
+    literals have no type of their own: the choice would get one that is too wide."""
 
 
 @frozen

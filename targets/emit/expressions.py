@@ -196,11 +196,18 @@ class Expressions:
         assert isinstance(node.operands[0].type, Scalar), "conditions are scalars"
         assert isinstance(node.type, Scalar | Vector), "matrices are chosen by a branch"
         condition, then, otherwise = self.operands(node.operands)
+        if all(side.op == "constant" and side not in self.bound for side in node.operands[1:]):
+            then, otherwise = (self._chosen(side, node.type) for side in (then, otherwise))
         form = self._forms.select
         if not form:
             return choice(condition, then, otherwise)
         text = form.format(condition=condition[0], then=then[0], otherwise=otherwise[0])
         return text, POSTFIX
+
+    def _chosen(self, literal_: Printed, type_: Type) -> Printed:
+        """A literal as a side of a choice whose other side is a literal, too."""
+        form = self._literals.chosen.get(type_.kind) if isinstance(type_, Scalar) else None
+        return (form.format(literal_[0]), POSTFIX) if form else literal_
 
     def _call(self, node: Node) -> Printed:
         return self._functions[node.operands[0]].call(self.operands(node.operands[1:]))

@@ -16,6 +16,7 @@ from ..description.profile import Limits, Profile
 from ..description.reserved import read_reserved
 from ..description.shading_language import STAGE_STRUCTS, FieldRole, Language
 from ..description.spellings import (
+    Literals,
     PipelineInput,
     Read,
     Spelling,
@@ -33,6 +34,9 @@ TYPES = TypeNames(
     tall_matrix="float4x{n}",
     stored_matrix="column_major {type}",
 )
+
+# DXC takes a choice between two plain literals for a double, or an integer of 64 bits.
+LITERALS = Literals(chosen={"float": "{0}f", "int": "int({0})"})
 
 # A constructor takes rows and an index yields a row; Burnish's matrices are made of columns.
 FORMS = Forms(
@@ -202,6 +206,7 @@ LANGUAGE = Language(
     types=TYPES,
     textures=TEXTURES,
     helpers=HELPERS,
+    literals=LITERALS,
     forms=FORMS,
     natives=NATIVES,
     inputs=INPUTS,

@@ -111,7 +111,7 @@ def test_all_of_them_together_come_to_one_shader() -> None:
     assert shader(program(everything)).results
 
 
-def test_the_message_is_that_of_an_operation_written_in_place() -> None:
+def test_the_message_says_where_the_constant_comes_from() -> None:
     source = "fn over(a: float, b: float) -> float = a / b\nmaterial M { alpha = over(uv.x, 0) }\n"
     with pytest.raises(CompileError) as raised:
         shader(source)
@@ -124,7 +124,23 @@ error[B0401]: this divisor is always zero
   |
 1 | fn over(a: float, b: float) -> float = a / b
   |                                            ^
+2 | material M { alpha = over(uv.x, 0) }
+  |                      ------------- in `over`, called here
   = help: The quotient would be undefined on some backends and infinite on others."""
+
+
+def test_a_vector_is_as_good_a_constant_and_calls_in_calls_are_all_named() -> None:
+    source = """\
+fn over(a: vec2, b: vec2) -> vec2 = a / b
+fn node(a: vec2, b: vec2) -> vec2 = over(a + 1, b)
+material M { alpha = node(uv, vec2(1, 0)).x }
+"""
+    with pytest.raises(CompileError) as raised:
+        shader(source)
+    (found,) = raised.value.diagnostics
+    assert [label.text for label in found.labels] == [
+        "in `over`, called here", "in `node`, called here",
+    ]  # fmt: skip
 
 
 def test_a_default_is_not_computed_of_a_side_that_is_not_taken() -> None:

@@ -18,12 +18,12 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import FAILURE, Application, Failure, Instance, Scope, Value
 from ..types.coercion import coerce
-from ..types.generics import of_unknown_family, shown, uninferable
+from ..types.generics import of_unknown_family, uninferable
 from . import lights
 from .bodies import settle_body
 from .call_marks import Callee, marked
 from .candidates import best
-from .functions import bound, fit_result, may_enter, scope_of_body, usage
+from .functions import bound, fit_result, may_enter, scope_of_body, usage, used
 from .operands import listed
 from .signatures import SharedCall, applied, failed, shared_call, stand_ins
 
@@ -110,7 +110,8 @@ def apply_body(
 ) -> Node | Failure:
     """A function's value for fitted arguments; the same call is checked once.
 
-    ``use`` is what messages about a generic body say of ``span``.
+    ``use`` is what messages say of ``span``, if what is wrong with the body may be due to the types
+    or the constants that it was called with.
     """
     key: Application = (symbol, tuple(argument.id for argument in arguments), surface)
     if key not in ctx.applied:
@@ -123,7 +124,7 @@ def apply_body(
             ctx.applied[key] = _marked(ctx, key, arguments, value) if repeated else value
             return ctx.applied[key]
         scope = scope_of_body(ctx, symbol, arguments, surface)
-        in_use = Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
+        in_use = used(symbol, scope, span, use)
         before = ctx.report.count, len(ctx.deferred)
         finish = partial(_finish, ctx, key, call, arguments, scope, before, in_use)
         settle_body(ctx, symbol, span, scope, finish)
@@ -147,6 +148,7 @@ def _finish(
         failed(ctx, call.signature, before[0])
     if scope.variables:
         ctx.report.explain(before[0], in_use)
+    if scope.variables or any(map(ctx.constants.is_known, arguments)):
         ctx.deferred.explain(before[1], in_use)
     ctx.applied[key] = _marked(ctx, key, arguments, result)
 

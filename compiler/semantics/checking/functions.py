@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from ....frozen import EMPTY
 from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
@@ -15,7 +16,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Instance, Scope, Value
 from ..types import overloads
-from ..types.generics import Use, bind
+from ..types.generics import Use, bind, shown
 from ..types.typenames import Variables, described
 
 
@@ -74,6 +75,11 @@ def usage(function: ast.Function) -> str:
     parameters = ", ".join(f"{p.name.text}: {p.family.text}" for p in function.type_parameters)
     arguments = ", ".join(f"{a.name.text}: {described(a.type)}" for a in function.arguments)
     return f"{function.name.text}{parameters and f'<{parameters}>'}({arguments})"
+
+
+def used(symbol: Symbol, scope: Scope, span: Span, use: str = "called here") -> Label:
+    """Where a function is used, for a message about its body."""
+    return Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
 
 
 def bound(ctx: Context, function: ast.Function, arguments: tuple[Node, ...]) -> Variables | None:

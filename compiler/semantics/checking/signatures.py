@@ -23,6 +23,7 @@ from functools import partial
 from ....frozen import frozen
 from ....stdlib.builtins.facts import UNIT
 from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import close
@@ -37,7 +38,7 @@ from ..types.coercion import is_constant
 from .bodies import settle_body
 from .call_marks import kinds_of
 from .call_sizes import bodies_of
-from .functions import fit_result, scope_of_body
+from .functions import fit_result, scope_of_body, used
 from .loops import changing, compares_neighbours
 from .surfaces import shaded, slots_given
 
@@ -148,7 +149,9 @@ def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
     scope = scope_of_body(ctx, signature.symbol, arguments, surface)
     around = ctx.report.count, len(ctx.deferred), ctx.progress.unproven
     ctx.progress.unproven = 0
-    finish = partial(_finish, ctx, signature, stand_in, arguments, first, around)
+    is_fixed = any(literal is not None for literal in signature.constants)
+    in_use = used(signature.symbol, scope, span) if is_fixed else None
+    finish = partial(_finish, ctx, signature, stand_in, arguments, first, around, in_use)
     settle_body(ctx, signature.symbol, span, scope, finish)
 
 
@@ -205,9 +208,13 @@ def _finish(
     arguments: tuple[Node, ...],
     first: int,
     around: tuple[int, int, int],
+    in_use: Label | None,
     result: Node | Failure,
 ) -> None:
-    """Keep a body that serves all calls of its signature, if this one does."""
+    """Keep a body that serves all calls of its signature, if this one does.
+
+    ``in_use`` tells where the constants come from that it was checked with.
+    """
     symbol = signature.symbol
     before, deferred, ctx.progress.unproven, unproven = *around, ctx.progress.unproven
     value = fit_result(ctx, symbol, result, arguments)
@@ -221,6 +228,8 @@ def _finish(
         ctx.withheld[signature] = tuple(d for d in found if d.rule is not rules.RECURSIVE_FUNCTION)
         ctx.bodies[signature] = None
         return
+    if in_use is not None:
+        ctx.deferred.explain(deferred, in_use)
     ctx.notes.roles.setdefault(value.id, symbol.name)
     if signature.repeated:
         own = () if unproven else tuple(n for n in reachable((value,)) if n.id >= first)

@@ -10,7 +10,7 @@ deferred.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ....frozen import changed
 from ...diagnostics.diagnostic import Diagnostic, Label, Report
@@ -98,25 +98,29 @@ class Deferred:
         first, self._first = self._first, len(self._tree)
         if self._found:
             outermost = list(self._outermost(self._tree.nodes[first:]))
-            self._report.extend(self._errors(outermost, self._reached))
+            self._tell(self._errors(outermost, self._reached))
 
     def is_wrong(self, node: Node) -> bool:
         """Whether a value that is needed now has errors, which are reported."""
         if not self._touches(node):
             return False
-        found = list(self._errors([node], set()))
-        self._report.extend(found)
-        return bool(found)
+        return self._tell(self._errors([node], set()))
 
-    def _errors(self, pending: list[Node], reached: set[Node]) -> Iterator[Diagnostic]:
-        """The errors that a program comes to on the way to values, but for what is ``reached``."""
+    def _tell(self, wrong: Iterable[Node]) -> bool:
+        """Report the errors of nodes in the order found, so that the first of equal ones stays."""
+        told = set(wrong)
+        self._report.extend([found for node, found in self._found.items() if node in told])
+        return bool(told)
+
+    def _errors(self, pending: list[Node], reached: set[Node]) -> Iterator[Node]:
+        """The wrong nodes that a program comes to on the way to values, but for the ``reached``."""
         while pending:
             node = pending.pop()
             if node in reached:
                 continue
             reached.add(node)
             if node in self._found:
-                yield self._found[node]
+                yield node
             pending += self._taken(node)
 
     def _outermost(self, nodes: list[Node]) -> Iterator[Node]:
