@@ -99,8 +99,19 @@ class _Bodies:
                 continue
             seen.add(body)
             for binder in self._binders[body]:
-                found += binder.operands[1:] if binder.op == "apply" else binder.operands
+                found += _sources(binder)
                 pending.append(self._body[binder])
         leaves = (leaf.data for leaf in reachable(found))
         names = (leaf.name for leaf in leaves if isinstance(leaf, Parameter))
         return tuple(dict.fromkeys(names))
+
+
+def _sources(binder: Node) -> tuple[Node, ...]:
+    """What the variables of a call or a loop are computed from. A fold's is a number."""
+    match binder.op:
+        case "apply":
+            return binder.operands[1:]
+        case "iterate":
+            return binder.operands
+        case _:
+            return ()

@@ -57,7 +57,7 @@ def test_a_promise_in_a_function_that_is_called_repeatedly_is_about_its_argument
             param a : vec3
             param b : vec3
             param n : vec3
-            far = sum i in 0..9 : nonzero(float(i) * n + vec3(uv, 1)).x
+            far = sum i in 0..9 : nonzero(float(i) * n + vec3(uv, 1)).x * b.x
             color = twice(a) + twice(b) + vec3(far)
         }
     """
