@@ -48,12 +48,7 @@ class Formulas:
 
     def name(self, node: Node) -> str | None:
         """The name of a value in the user's text, or ``None``."""
-        match node.data:
-            case Parameter(name=name) | Attribute(name=name) | Resource(name=name):
-                return name
-            case Formal(name=name) if node.op == "formal":
-                return name
-        return self._notes.names.get(node.id)
+        return _leaf_name(node) or self._notes.names.get(node.id)
 
     def computed(self, node: Node, inner: Callable[[Node], str | None] | None = None) -> str:
         """The way a value is computed; ``inner`` may supply texts for the values inside."""
@@ -112,7 +107,7 @@ class Formulas:
             case "vector" | "splat" | "matrix":
                 return f"{node.type}({', '.join(map(part, operands))})"
             case _:
-                return _INDEX if node.op == "bound" else str(node.data or node.op)
+                return _INDEX if node.op == "bound" else _leaf_text(node)
 
     def _call(
         self, name: str, operands: Sequence[Node], depth: int, named: Callable[[Node], str | None]
@@ -129,6 +124,21 @@ class Formulas:
         if name == "sample":
             return f"{texts[0]}({', '.join(texts[1:])})"
         return f"{name.removeprefix(_CONVERSION)}({', '.join(texts)})"
+
+
+def _leaf_name(node: Node) -> str | None:
+    """What is declared with a name, or ``None`` for any other node."""
+    match node.data:
+        case Parameter(name=name) | Attribute(name=name) | Resource(name=name):
+            return name
+        case Formal(name=name) if node.op == "formal":
+            return name
+    return None
+
+
+def _leaf_text(node: Node) -> str:
+    """A leaf, or an operation that has no notation."""
+    return _leaf_name(node) or str(node.data or node.op)
 
 
 _BOOLS: Mapping[bool, str] = {True: "true", False: "false"}

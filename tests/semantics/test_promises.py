@@ -24,6 +24,11 @@ def promised(source: str) -> list[dict[str, Any]]:
     return rows
 
 
+def rows(source: str) -> list[tuple[str, list[str]]]:
+    """The values that are promised, and the parameters that they depend on."""
+    return [(row["value"], row["parameters"]) for row in promised(source)]
+
+
 def test_the_reflection_tells_what_is_promised_of_which_parameters() -> None:
     assert promised(LIT + "rig R { lamp : Point }") == [
         {
@@ -32,6 +37,34 @@ def test_the_reflection_tells_what_is_promised_of_which_parameters() -> None:
             "parameters": ["object_to_world", "lamp.place"],
         }
     ]
+
+
+def test_a_promise_about_what_is_declared_has_its_name() -> None:
+    source = "material M { param v : vec3  map m : texture2d = white  color = nonzero(v) }"
+    assert rows(source) == [("v", ["v"])]
+    assert rows(source.replace("nonzero(v)", "nonzero(m(uv).rgb)")) == [("m(uv).xyz", [])]
+
+
+def test_a_promise_in_a_function_that_is_called_repeatedly_is_about_its_arguments() -> None:
+    functions = """
+        fn unit(v: vec3, by: float) -> vec3 = sin(normalize(nonzero(by * v)) * v.x) + cos(v)
+        fn twice(w: vec3) -> vec3 = exp(unit(w, 2) + unit(w.zxy, 3)) + sin(w)
+    """
+    source = (
+        functions
+        + """
+        material M {
+            param a : vec3
+            param b : vec3
+            param n : vec3
+            far = sum i in 0..9 : nonzero(float(i) * n + vec3(uv, 1)).x * b.x
+            color = twice(a) + twice(b) + vec3(far)
+        }
+    """
+    )
+    assert sorted(rows(source)) == [
+        ("by * v", ["a", "b"]), ("float(i) * n + vec3(uv, 1)", ["n"]),
+    ]  # fmt: skip
 
 
 def test_what_no_result_needs_is_not_promised() -> None:
