@@ -62,7 +62,8 @@ class Formulas:
     def _inner(
         self, node: Node, depth: int, named: Callable[[Node], str | None], tightness: int = 0
     ) -> str:
-        name = named(node)
+        # Equal constants are one node: its name may be that of an unrelated one.
+        name = None if node.op == "constant" else named(node)
         if name is not None:
             return name
         if depth <= 0 and node.operands:

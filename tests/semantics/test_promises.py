@@ -99,6 +99,14 @@ def test_a_number_declares_a_range_instead() -> None:
     assert "nonzero" in found.message
 
 
+def test_a_constant_is_not_called_as_another_that_is_equal(tmp_path: Path) -> None:
+    source = tmp_path / "m.burnish"
+    equations = "none = uv.x * 0  color = normalize(nonzero(vec3(0) * uv.x)) + none"
+    source.write_text(f"material M {{ {equations} }}")
+    drawn = invoke("render", source, "-o", tmp_path / "m.png", "--size", "16")
+    assert "`vec3(0) * uv.x` is promised not to be zero" in drawn.stderr
+
+
 def test_a_broken_promise_is_told_by_render(tmp_path: Path) -> None:
     source = tmp_path / "m.burnish"
     source.write_text(AT_VERTICES + "rig R { lamp : Point }")
