@@ -25,9 +25,9 @@ def test_all_that_is_missing_is_named(instance: Instance) -> None:
         "  `layer.cone.width` : float\n"
         "  `layer.cone.soft` : bool\n"
         "  `layer.weights` : float[3]\n"
-        "  `torch.place` : point<world>\n"
-        "  `pair[0].place` : point<world>\n"
-        "  `pair[1].place` : point<world>"
+        "  `torch.place` : point<world>   On no surface that is drawn\n"
+        "  `pair[0].place` : point<world>   On no surface that is drawn\n"
+        "  `pair[1].place` : point<world>   On no surface that is drawn"
     )
     assert caught.value.names == instance.missing
     with pytest.raises(MissingValuesError):

@@ -167,3 +167,11 @@ def test_loops_of_called_functions_nest_in_those_around_the_call() -> None:
         shader(nested(49))
     (error,) = caught.value.diagnostics
     assert error.message == "loops are nested too deeply: more than 48"
+
+
+@pytest.mark.parametrize("first", ["uv.x", "sum i in 0..3 : chain(uv.x + float(i))"])
+def test_loops_that_read_others_are_not_nested(first: str) -> None:
+    """Neither by themselves nor in a loop around all of them."""
+    links = "\n".join(f"s{k} = sum j in 0..9 : sin(s{k - 1} * float(j))" for k in range(1, 60))
+    chain = f"fn chain(s0: float) -> float = s59 where {{\n{links}\n}}"
+    assert shader(f"{chain}\nmaterial M {{ alpha = chain({first}) }}")

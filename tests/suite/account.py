@@ -6,8 +6,10 @@ the workers send the main process what they needed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Generator, Iterator
-from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
+from pathlib import Path
+from resource import RUSAGE_SELF, getrusage
 from typing import TypeVar
 
 import pytest
@@ -33,16 +35,14 @@ class Account:
 
     def __init__(self) -> None:
         self._workers: list[int] = []
-        self._programs: list[int] = []
 
-    def add(self, needed: tuple[int, int]) -> None:
-        """Add what one process needed, itself and the largest of the programs that it started."""
-        self._workers.append(needed[0])
-        self._programs.append(needed[1])
+    def add(self, needed: int) -> None:
+        """Add the megabytes that one process needed."""
+        self._workers.append(needed)
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         """Called in every process when it has run its last test, before the summary."""
-        needed = _megabytes(RUSAGE_SELF), _megabytes(RUSAGE_CHILDREN)
+        needed = _megabytes()
         output = getattr(session.config, OUTPUT, None)
         if output is not None:
             output["memory"] = needed
@@ -62,16 +62,24 @@ class Account:
 
     def lines(self, skipped: int) -> Iterator[str]:
         """What is told, after so many tests were skipped."""
-        worker, program = max(self._workers), max(self._programs)
-        yield f"memory: at most {worker} MB in a process of the tests, {program} MB in a program"
+        worker = max(self._workers)
+        yield f"memory: at most {worker} MB in a process of the tests"
         if worker > MEMORY_AIM:
             yield f"        that is too much: a process should need {MEMORY_AIM} MB at most"
         yield f"skipped: {skipped}, each for a reason that tests may have"
 
 
-def _megabytes(who: int) -> int:
-    """The most memory that this process had at once, or a program that it has waited for."""
-    return round(getrusage(who).ru_maxrss * 1024 / 1e6)
+def _megabytes() -> int:
+    """The most memory that this process had at once.
+
+    On Linux, what ``getrusage`` says of a process includes the memory of the one that started it.
+    """
+    try:
+        found = re.search(r"VmHWM:\s*(\d+) kB", Path("/proc/self/status").read_text("ascii"))
+    except FileNotFoundError:
+        found = None
+    kibibytes = int(found[1]) if found else getrusage(RUSAGE_SELF).ru_maxrss
+    return round(kibibytes * 1024 / 1e6)
 
 
 def pytest_configure(config: pytest.Config) -> None:

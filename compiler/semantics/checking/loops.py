@@ -15,7 +15,17 @@ from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import Moved, close, substitute
-from ...ir.node import Folding, FoldOperator, Formal, Graph, Iterating, Node, reachable
+from ...ir.node import (
+    Folding,
+    FoldOperator,
+    Formal,
+    Graph,
+    Iterating,
+    Node,
+    binders,
+    bodies_of,
+    reachable,
+)
 from ...ir.operations import LOOPS
 from ...ir.types import BOOL, INT, Scalar, Texture, Type, Vector, width
 from ...syntax import ast
@@ -90,7 +100,7 @@ def _folded(
     ctx: Context, e: ast.Fold, turns: Turns, initial: Node | None, values: Sequence[Node]
 ) -> Value:
     """The fold over a body whose value is known."""
-    if _too_deep(ctx, e, _loops_in(ctx, values)):
+    if _too_deep(ctx, e, _loops_within(values, {turns.formal})):
         return FAILURE
     operator = OPERATORS[e.operator]
     body = _term(ctx, e, operator, values[0])
@@ -238,7 +248,8 @@ def _iterated(
     ctx: Context, e: ast.Iterate, turns: Turns, states: _States, values: Sequence[Node]
 ) -> Value:
     """The last state of a loop of which condition and body are known."""
-    if _too_deep(ctx, e, _loops_in(ctx, values)):
+    formals = {turns.formal, *states.formals}
+    if _too_deep(ctx, e, _loops_within(values, formals)):
         return FAILURE
     going: Node | Failure = build.constant(ctx.tree, BOOL, True)
     if e.condition is not None:
@@ -248,7 +259,6 @@ def _iterated(
         return FAILURE
     nexts = tuple(build.flattened(ctx.tree, body))
     waits = e.condition is not None
-    formals = {turns.formal, *states.formals}
     if not _allowed(ctx, turns, (going, *nexts), formals, e.span, waits=waits, states=True):
         return FAILURE
     rows = list(zip(states.formals, states.variables, states.starts, nexts, strict=True))
@@ -308,19 +318,42 @@ def _too_deep(ctx: Context, e: ast.Fold | ast.Iterate, around: int) -> bool:
     return True
 
 
-def _loops_in(ctx: Context, bodies: Sequence[Node]) -> int:
-    """How many loops are nested in a loop's bodies, those of called functions included."""
-    known = ctx.loop_depths
-    pending = list(bodies)
+def _loops_within(bodies: Iterable[Node], formals: set[Formal]) -> int:
+    """How many loops are nested in one another in a loop over ``formals``, which is not counted.
+
+    Those of called functions are included. A loop stands in the innermost one on whose variables it
+    depends: what does not change in a loop is computed before it.
+    """
+    deepest = 0
+    seen: set[tuple[Node, tuple[int, ...]]] = set()
+    pending: list[tuple[Node, tuple[int, ...]]] = [(body, ()) for body in bodies]
     while pending:
-        node = pending[-1]
-        missing = [operand for operand in node.operands if operand not in known]
-        if missing:
-            pending += missing
-        else:
-            inside = max((known[operand] for operand in node.operands), default=0)
-            known[pending.pop()] = inside + (node.op in LOOPS)
-    return max(known[body] for body in bodies)
+        place = node, around = pending.pop()
+        outer = _loops_around(node, around, formals)
+        if outer is None or place in seen:
+            continue
+        seen.add(place)
+        depth = outer + (node.op in LOOPS)
+        deepest = max(deepest, depth)
+        inside = bodies_of(node)
+        bound = (depth,) * binders(node) + around
+        pending += (
+            (operand, bound if position in inside else around)
+            for position, operand in enumerate(node.operands)
+        )
+    return deepest
+
+
+def _loops_around(node: Node, around: tuple[int, ...], formals: set[Formal]) -> int | None:
+    """In how many inner loops a node stands; ``None`` if it does not change in the outer one.
+
+    ``around`` has the number for each variable that is bound further out, the innermost first.
+    """
+    variables = node.free & ((1 << len(around)) - 1)
+    if variables:
+        innermost = (variables & -variables).bit_length() - 1
+        return around[innermost]
+    return None if node.variables.isdisjoint(formals) else 0
 
 
 def changing(

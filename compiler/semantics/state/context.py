@@ -127,8 +127,6 @@ class Context:
         """Bodies of terms that are summed over the lights."""
         self.call_sizes: dict[Symbol, int] = {}
         """How many bodies one call of a function comes to (``call_sizes``)."""
-        self.loop_depths: dict[Node, int] = {}
-        """How many loops are nested in a value, for what stands in a loop (``loops``)."""
         self.entered: set[Symbol] = set()
         """Functions and terms whose bodies were evaluated."""
         self.twins: dict[Instance, Callable[[], Twin]] = {}
