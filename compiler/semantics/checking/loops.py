@@ -309,7 +309,10 @@ def _too_deep(ctx: Context, e: ast.Fold | ast.Iterate, around: int) -> bool:
 
 
 def _loops_in(ctx: Context, bodies: Sequence[Node]) -> int:
-    """How many loops are nested in a loop's bodies, those of called functions included."""
+    """How many loops are nested in a loop's bodies, those of called functions included.
+
+    What depends on no variable is not computed in a loop, even if it is read there.
+    """
     known = ctx.loop_depths
     pending = list(bodies)
     while pending:
@@ -318,7 +321,8 @@ def _loops_in(ctx: Context, bodies: Sequence[Node]) -> int:
         if missing:
             pending += missing
         else:
-            inside = max((known[operand] for operand in node.operands), default=0)
+            turning = (known[o] for o in node.operands if o.variables or o.free)
+            inside = max(turning, default=0)
             known[pending.pop()] = inside + (node.op in LOOPS)
     return max(known[body] for body in bodies)
 
