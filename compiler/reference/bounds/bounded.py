@@ -130,7 +130,7 @@ class Bounded:
 
     def __truediv__(self, divisor: float) -> Bounded:
         """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, "Accuracy of
-        Concrete Floating Point Expressions"); ``Bounds.divide`` divides by other lanes."""
+        concrete floating point expressions"); ``Bounds.divide`` divides by other lanes."""
         quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 
@@ -252,7 +252,7 @@ def as_bounded(lane: Any) -> Bounded:
 
 
 def between(value: Array, low: Array, high: Array) -> Bounded:
-    """A lane whose device's value lies from ``low`` to ``high``; they need not contain ``value``."""
+    """A lane whose device's value lies between these ends, which need not contain ``value``."""
     return Bounded(value, np.minimum(value, low), np.maximum(value, high))
 
 
