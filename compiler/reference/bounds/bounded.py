@@ -252,7 +252,7 @@ def as_bounded(lane: Any) -> Bounded:
 
 
 def between(value: Array, low: Array, high: Array) -> Bounded:
-    """A lane whose device's value lies from ``low`` to ``high``; they need not contain ``value``."""
+    """A lane with a device's value from ``low`` to ``high``, which need not contain ``value``."""
     return Bounded(value, np.minimum(value, low), np.maximum(value, high))
 
 
