@@ -51,7 +51,7 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_factors", "_sum", "form", "high", "low", "value")
+    __slots__ = ("_factors", "_radius", "_sum", "form", "high", "low", "value")
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
@@ -63,6 +63,7 @@ class Bounded:
             radius = form.radius
             self.low = np.fmax(low, value - radius)
             self.high = np.fmin(high, value + radius)
+        self._radius: Array | None = None
         self._sum: _Sum | None = None
         self._factors = 0
         """How many multiplications made it, whose order a compiler may change."""
@@ -95,7 +96,9 @@ class Bounded:
     @property
     def radius(self) -> Array:
         """By how much a device's value may differ from the exact one, to the farther side."""
-        return np.maximum(self.high - self.value, self.value - self.low)
+        if self._radius is None:
+            self._radius = np.maximum(self.high - self.value, self.value - self.low)
+        return self._radius
 
     @property
     def any_form(self) -> Form:

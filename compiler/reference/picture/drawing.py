@@ -17,7 +17,7 @@ from .faces import Faces, assemble
 from .quads import Barycentric, Quads, depth_of, quads_of
 from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
-from .stage_evaluation import Shaded, StageEvaluator, Vertices
+from .stage_evaluation import StageEvaluator, Vertices
 
 _LANES = 1 << 11
 """How many pixels are shaded at once: few enough for their values to stay in the CPU's cache, and
@@ -90,30 +90,8 @@ class _Drawing:
         return self._expected()
 
     def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:
-        """The fragments' colours.
-
-        Where bounds are wide, they are computed again, with errors that cancel out.
-        """
+        """The fragments' colours, computed for a limited number of quads at a time."""
         quads, lane = quads_of(fragments, self._rules.width, self._stages.side)
-        shades = self._in_parts(quads, lane, progress, shares_errors=False)
-        if self._stages.has_bounds and (wide := shades.are_wide()).any():
-            area = quads.side**2
-            again, number = np.unique(lane[wide] // area, return_inverse=True)
-            tighter = self._in_parts(
-                quads.only(again), number * area + lane[wide] % area, None, shares_errors=True
-            )
-            shades.tighten(np.flatnonzero(wide), tighter)
-        return shades
-
-    def _in_parts(
-        self,
-        quads: Quads,
-        lane: Ints,
-        progress: Callable[[float], None] | None,
-        *,
-        shares_errors: bool,
-    ) -> Shades:
-        """The colours of some lanes of quads, computed for a limited number at a time."""
         count = len(lane)
         colours = [np.empty((3, count, 4)) for _ in self._lanes]
         shades = Shades(colours, np.empty(count, dtype=np.bool_), np.empty(count, dtype=np.bool_))
@@ -123,8 +101,7 @@ class _Drawing:
             limits = np.array([begin, begin + step]) * quads.side**2
             first, last = np.searchsorted(lane, limits, sorter=order)
             members, part = order[first:last], quads.part(begin, begin + step)
-            shaded = self._evaluated(part, shares_errors=shares_errors)
-            self._store(shaded, part, lane[members] - limits[0], members, shades)
+            self._shade(part, lane[members] - limits[0], members, shades)
             if progress is not None:
                 progress(last / count)
         return shades
@@ -148,11 +125,6 @@ class _Drawing:
                 bounded = as_bounded(values)
                 ends = (bounded.value, bounded.low, bounded.high)
                 colours[:, members, i] = np.stack([chosen(end) for end in ends])
-
-    def _evaluated(self, quads: Quads, *, shares_errors: bool) -> Shaded:
-        place = Barycentric(self._faces, quads, self._rules)
-        front = self._faces.front[quads.face]
-        return self._stages.fragments(place, front, self._vertices, shares_errors=shares_errors)
 
     def _expected(self) -> Expected:
         canvas, shape = self._canvas, (self._rules.height, self._rules.width)

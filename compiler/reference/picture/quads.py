@@ -30,10 +30,6 @@ class Quads:
     def __len__(self) -> int:
         return len(self.face)
 
-    def only(self, numbers: Ints) -> Quads:
-        """The quads with these numbers."""
-        return Quads(self.face[numbers], self.x[numbers], self.y[numbers], self.side)
-
     def part(self, begin: int, end: int) -> Quads:
         """The quads from ``begin`` to ``end``."""
         return Quads(self.face[begin:end], self.x[begin:end], self.y[begin:end], self.side)

@@ -23,9 +23,6 @@ _MISSING = (0.0, 0.0, 0.0, 1.0)
 """The values of lanes that a format lacks."""
 
 
-_WIDE = 2.0**-10
-"""Bounds that are wider than this part of a value, or of 1, are worth a closer look."""
-
 Ends = Floats
 """Colours (3, …, 4): their values, and between which numbers those of a device are."""
 
@@ -38,21 +35,6 @@ class Shades:
     """For each target, (3, fragments, 4)."""
     discarded: Bools
     undecided: Bools
-
-    def are_wide(self) -> Bools:
-        """Which fragments have bounds that are worth a closer look."""
-        wide = self.undecided.copy()
-        for value, low, high in self.colours:
-            near = (high - low) <= _WIDE * np.maximum(1.0, np.abs(value))
-            wide |= ~near.all(axis=-1)
-        return wide
-
-    def tighten(self, members: Ints, again: Shades) -> None:
-        """Keep what both evaluations of some fragments say."""
-        self.undecided[members] &= again.undecided
-        for ends, others in zip(self.colours, again.colours, strict=True):
-            ends[1, members] = np.fmax(ends[1, members], others[1])
-            ends[2, members] = np.fmin(ends[2, members], others[2])
 
 
 class Canvas:

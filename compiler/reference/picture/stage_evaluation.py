@@ -125,14 +125,8 @@ class StageEvaluator:
         off = np.stack([_radius(lane) for lane in lanes], axis=-1)
         return Vertices(positions.astype(np.float64), off, crossings, watch.undecided)
 
-    def fragments(
-        self, place: Barycentric, front: Bools, vertices: Vertices, *, shares_errors: bool = False
-    ) -> Shaded:
-        """Evaluate the fragment stage in quads; ``front`` says which of them face the eye.
-
-        ``shares_errors`` remembers which lanes share the errors of interpolated values and of
-        loops' states. That takes longer, and bounds are tighter where errors cancel out.
-        """
+    def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
+        """Evaluate the fragment stage in quads; ``front`` says which of them face the eye."""
         readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = {
             "frag_coord": self._given((place.x, place.y, place.depth, place.per_w)),
@@ -146,14 +140,13 @@ class StageEvaluator:
                 lanes = place.flat(values) if flat else place.perspective(values)
                 if flat:
                     return lanes
-                return _remembered(lanes) if shares_errors else self._given(lanes)
+                return _remembered(self._given(lanes))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return inputs[INPUT.data(node).name] if node.op == "input" else self._parameter(node)
 
         watch = _Watch(self, (len(front), self.side, self.side))
-        stored = _remembered if shares_errors else None
-        evaluator = Evaluator(leaves, self._xp, watch, stored=stored)
+        evaluator = Evaluator(leaves, self._xp, watch, stored=_remembered)
         discarded: Any = evaluator.value(self._discard)[0] if self._discard else False
         targets = tuple(evaluator.value(target) for target in self._targets)
         return Shaded(targets, discarded, watch.undecided)
