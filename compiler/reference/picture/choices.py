@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bounds import Bounded, exact
+from ..bounds import Bounded, exact, hull
 from .scene import Floats, Ints
 
 MOST = 64
@@ -105,11 +105,13 @@ def hull_of_choices(choices: Sequence[Choice], compute: Compute, anything: Anyth
     return found
 
 
-def with_hull(found: Bounded, owner: Ints, more: Bounded) -> Bounded:
+def with_hull(found: Bounded, owner: Part, more: Bounded) -> Bounded:
     """The lanes (lanes, pixels), with what a device may also have in some of the pixels.
 
     ``owner`` says which pixel each of ``more`` belongs to, in ascending order.
     """
+    if isinstance(owner, slice):
+        return hull(found, more)
     if not len(owner):
         return found
     begins = np.flatnonzero(np.diff(owner, prepend=-1))

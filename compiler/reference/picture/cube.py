@@ -14,9 +14,8 @@ import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from ..bounds import Bounded, exact
-from ..bounds.bounded import widened
 from .choices import ALL, Part, lane_at
-from .intervals import difference, increasing, largest, product, quotient
+from .intervals import difference, increasing, largest, product, quotient, widened
 from .scene import Bools, Floats, Ints
 
 _ACROSS = np.array([[0, 0, -1], [0, 0, 1], [1, 0, 0], [1, 0, 0], [1, 0, 0], [-1, 0, 0]])
@@ -148,7 +147,9 @@ def _turned_lanes(face: Ints, lanes: Sequence[Bounded]) -> list[Bounded]:
     turned = _turned(face, [lane.value for lane in lanes])
     if all(lane.is_exact for lane in lanes):
         return [exact(value) for value in turned]
-    lows, highs = (_turned(face, ends) for ends in zip(*((x.low, x.high) for x in lanes)))
+    lows, highs = (
+        _turned(face, ends) for ends in zip(*((x.low, x.high) for x in lanes), strict=True)
+    )
     return [
         Bounded(value, np.minimum(low, high), np.maximum(low, high))
         for value, low, high in zip(turned, lows, highs, strict=True)

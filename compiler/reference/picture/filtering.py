@@ -11,10 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..bounds import Bounded, exact
-from ..bounds.bounded import widened
 from .blending import blended
 from .choices import Choice, Part, at, hull_of_choices, lane_at, replaced, sure
-from .intervals import increasing
+from .intervals import increasing, widened
 from .scene import Floats, Ints
 from .texels import EVERY_LANE, Image
 

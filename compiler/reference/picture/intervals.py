@@ -69,3 +69,8 @@ def quotient(x: Bounded, y: Bounded) -> Bounded:
 def largest(lanes: Sequence[Bounded]) -> Bounded:
     """The largest of several lanes."""
     return increasing(lambda *arrays: np.max(np.broadcast_arrays(*arrays), axis=0), *lanes)
+
+
+def widened(x: Bounded, by: float | Floats) -> Bounded:
+    """A number that may be off by so much."""
+    return Bounded(x.value, x.low - by, x.high + by)

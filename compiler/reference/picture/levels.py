@@ -13,10 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..bounds import Bounded, between, exact
-from ..bounds.bounded import widened
 from .choices import Part, lane_at
-from .intervals import difference, increasing, largest, quotient
-from .scene import Floats
+from .intervals import difference, increasing, largest, quotient, widened
+from .scene import Floats, Ints
 from .texels import Image
 
 _TINY = 2.0**-60
@@ -121,7 +120,7 @@ def scaled(direction: Sequence[Bounded], steps: Steps, bottom_up: bool) -> Steps
     return steps.mapped(lambda lane: quotient(lane, out))
 
 
-def _length(lanes: Sequence[Bounded], sizes: Sequence[int], image: Image) -> Bounded:
+def _length(lanes: Sequence[Bounded], sizes: Sequence[Ints], image: Image) -> Bounded:
     """The length of a step in texels."""
     texels = [
         increasing(lambda x, size=size: x * size, abs(lane))

@@ -80,10 +80,11 @@ class TextureReader:
         layer = rest[0][0] if image.type.layered else 0
         given = [as_bounded(lane) for lane in (*place, layer, rest[-1][0])]
         shape = np.broadcast_shapes(*(lane.shape for lane in given))
-        counts = [*image.sizes(np.zeros((), dtype=np.int64)), image.layers, image.levels]
+        counts = (*image.sizes(np.zeros((), dtype=np.int64)), image.layers, image.levels)
+        last = np.array(counts) - 1
         choices = [
-            Choice.of(_flat(lane, shape)).limited(0, count - 1)
-            for lane, count in zip(given, counts, strict=True)
+            Choice.of(_flat(lane, shape)).limited(0, most)
+            for lane, most in zip(given, last, strict=True)
         ]
 
         def compute(_part: Part, numbers: list[Ints]) -> Bounded:
@@ -158,11 +159,10 @@ class TextureReader:
         if self._image.type.dimension != "cube":
             return _lanes(filter_.of(place), shape)
         flat_steps = level.mapped(flat) if isinstance(level, Steps) else None
-        found: Bounded | None = None
-        for part, in_face in self._in_faces(place, flat_steps):
-            now = filter_.of(in_face)
-            found = now if found is None else with_hull(found, part, now)
-        assert found is not None
+        (_, nominal), *others = self._in_faces(place, flat_steps)
+        found = filter_.of(nominal)
+        for pixels, in_face in others:
+            found = with_hull(found, pixels, filter_.of(in_face))
         return _lanes(found, shape)
 
     def _in_faces(self, place: Place, steps: Steps | None) -> Iterator[tuple[Part, Place]]:

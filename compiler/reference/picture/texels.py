@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import product
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...ir.leaves import Resource
 from ...ir.types import Texture
@@ -128,9 +130,7 @@ class Image:
         least = np.minimum.reduceat(self._table - off, self._starts, axis=1)
         return least, np.maximum.reduceat(self._table + off, self._starts, axis=1)
 
-    def _around_cube(
-        self, place: Sequence[Ints], face: Ints, level: Ints, lanes: slice
-    ) -> Bounded:
+    def _around_cube(self, place: Sequence[Ints], face: Ints, level: Ints, lanes: slice) -> Bounded:
         """Texels of a face or, beyond one of its edges, of its neighbours.
 
         Beyond a corner there is none. Vulkan recommends the mean of the three texels around it; a
@@ -177,7 +177,7 @@ class Image:
         return Bounded(found, found - off, found + off)
 
 
-def _errors_of(table: Floats | Ints) -> Floats | None:
+def _errors_of(table: NDArray[Any]) -> Floats | None:
     """By how much devices may be off when they decode texels; ``None`` if all are float32."""
     if table.dtype.kind != "f":
         return None
