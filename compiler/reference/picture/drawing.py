@@ -20,7 +20,7 @@ from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
 
 _LANES = 1 << 13
-"""How many pixels are shaded at once, so that large pictures need no more memory than small ones."""
+"""How many pixels are shaded at once, so that a large picture needs no more memory than others."""
 
 
 def draw(
