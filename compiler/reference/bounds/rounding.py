@@ -6,17 +6,16 @@ from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins.facts import SMALLEST_NORMAL
+from ....stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
 
 Array = Any
 """A NumPy array, or one of NumPy's numbers."""
 
 _BELOW, _ABOVE = np.float32(-np.inf), np.float32(np.inf)
 
-HALF_STEP = 2.0**-24
-"""The largest error of one rounding to the nearest float32, relative to the result."""
 ULP = 2.0**-23
-"""The largest unit in the last place of a float32, relative to the number."""
+"""The largest unit in the last place of a float32, relative to the number; so far the two float32
+numbers around a result may be from it."""
 
 
 def outward(low: Array, high: Array) -> tuple[Array, Array]:
@@ -29,10 +28,21 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
     return _flushed(_down(low), low > 0), _flushed(_up(high), high < 0)
 
 
+def of_device(low: Array, high: Array) -> tuple[Array, Array]:
+    """Between which numbers a device's float32 is, if it is within an error from these.
+
+    A result beyond the largest float32 is infinite, and a subnormal one may be flushed to zero.
+    """
+    low = np.where(low > LARGEST_FLOAT, LARGEST_FLOAT, np.where(low < -LARGEST_FLOAT, -np.inf, low))
+    high = np.where(high < -LARGEST_FLOAT, -LARGEST_FLOAT,
+                    np.where(high > LARGEST_FLOAT, np.inf, high))  # fmt: skip
+    return _flushed(low, low > 0), _flushed(high, high < 0)
+
+
 def constant_ends(value: Array) -> tuple[Array, Array]:
     """Between which numbers the nearest float32 of a constant is, and the constant itself."""
     nearest = np.asarray(value, np.float32).astype(np.float64)
-    return np.minimum(value, nearest), np.maximum(value, nearest)
+    return of_device(np.minimum(value, nearest), np.maximum(value, nearest))
 
 
 def is_float32(value: Array) -> bool:

@@ -100,16 +100,14 @@ class _Drawing:
         for begin in range(0, len(quads), step):
             limits = np.array([begin, begin + step]) * quads.side**2
             first, last = np.searchsorted(lane, limits, sorter=order)
-            members = order[first:last]
-            self._shade(quads.part(begin, begin + step), lane[members] - limits[0], members, shades)
+            members, part = order[first:last], quads.part(begin, begin + step)
+            self._shade(part, lane[members] - limits[0], members, shades)
             if progress is not None:
                 progress(last / count)
         return shades
 
-    def _shade(self, quads: Quads, lane: Ints, members: Ints, into: Shades) -> None:
-        """Shade quads, and store some of their lanes as these members of all fragments."""
-        place = Barycentric(self._faces, quads, self._rules)
-        shaded = self._stages.fragments(place, self._faces.front[quads.face], self._vertices)
+    def _store(self, shaded: Shaded, quads: Quads, lane: Ints, members: Ints, into: Shades) -> None:
+        """Store some lanes of quads as these members of all fragments."""
         shape = (len(quads), quads.side, quads.side)
 
         def chosen(array: Any) -> Any:

@@ -19,16 +19,15 @@ from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
-from ..bounds import Bounded, Bounds, Errors, exact
+from ..bounds import Bounded, Bounds, Errors, exact, given, remembered
 from ..bounds.bounded import constant, hull
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes, Namespace
 from ..vectors import inner
 from .quads import Barycentric
-from .sampler import QuadReader
+from .sampler import TextureReader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
 from .texels import Image
-from .vertex_reads import VertexReader
 
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
@@ -108,10 +107,7 @@ class StageEvaluator:
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
         count = geometry.vertex_count
-        readers: dict[Resource, _Reader] = {
-            resource: self._reader(VertexReader(image, self._bounds, count))
-            for resource, image in self._images.items()
-        }
+        readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = geometry.inputs()
 
         def leaves(node: Node) -> Lanes | None:
@@ -131,10 +127,7 @@ class StageEvaluator:
 
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
         """Evaluate the fragment stage in quads; ``front`` says which of them face the eye."""
-        readers: dict[Resource, _Reader] = {
-            resource: self._reader(QuadReader(image, self._bounds))
-            for resource, image in self._images.items()
-        }
+        readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = {
             "frag_coord": self._given((place.x, place.y, place.depth, place.per_w)),
             "front_facing": (front[:, None, None],),
@@ -145,13 +138,15 @@ class StageEvaluator:
                 values = vertices.crossings[node.id]
                 flat = CROSS.data(node).mode == "flat"
                 lanes = place.flat(values) if flat else place.perspective(values)
-                return lanes if flat else self._given(lanes)
+                if flat:
+                    return lanes
+                return _remembered(self._given(lanes))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return inputs[INPUT.data(node).name] if node.op == "input" else self._parameter(node)
 
         watch = _Watch(self, (len(front), self.side, self.side))
-        evaluator = Evaluator(leaves, self._xp, watch)
+        evaluator = Evaluator(leaves, self._xp, watch, stored=_remembered)
         discarded: Any = evaluator.value(self._discard)[0] if self._discard else False
         targets = tuple(evaluator.value(target) for target in self._targets)
         return Shaded(targets, discarded, watch.undecided)
@@ -171,7 +166,7 @@ class StageEvaluator:
         """Floats from outside, which are exact unless they have bounds already."""
         if not self.has_bounds:
             return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
-        return tuple(lane if isinstance(lane, Bounded) else exact(lane) for lane in lanes)
+        return tuple(lane if isinstance(lane, Bounded) else given(lane) for lane in lanes)
 
     def _parameter(self, node: Node) -> Lanes | None:
         if not isinstance(node.data, Parameter):
@@ -237,6 +232,11 @@ def as_rounded(value: Any) -> Any:
 
 def _no_error(_name: str, _operand: Any, _result: Any) -> float:
     return 0.0
+
+
+def _remembered(value: Any) -> Any:
+    """A value whose lanes' errors are shared by all that is computed from them."""
+    return tuple(map(_remembered, value)) if isinstance(value, tuple) else remembered(value)
 
 
 def _any_difference(lane: Lane, axis: int) -> Lane:
