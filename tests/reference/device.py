@@ -188,6 +188,12 @@ class Device:
             return Chosen(self, value if self._does(self._habits.folds) else _nearest(value))
         return Chosen(self, value)
 
+    def given(self, value: Array, error: float) -> Chosen:
+        """A leaf, with any error within the relative one."""
+        if not error:
+            return self.lane(value)
+        return Chosen(self, value * (1.0 + error * self._chance.uniform(-1.0, 1.0, np.shape(value))))
+
     # --- choices of the device --------------------------------------------------------------------
 
     def _does(self, probability: float) -> bool:

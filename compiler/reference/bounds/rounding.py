@@ -17,6 +17,9 @@ ULP = 2.0**-23
 """The largest unit in the last place of a float32, relative to the number; so far the two float32
 numbers around a result may be from it."""
 
+SUBNORMAL_STEP = 2.0**-149
+"""The distance of subnormal float32 numbers."""
+
 
 def outward(low: Array, high: Array) -> tuple[Array, Array]:
     """The least interval of float32 numbers that contains ``low`` and ``high``.
