@@ -106,8 +106,10 @@ class _Drawing:
                 progress(last / count)
         return shades
 
-    def _store(self, shaded: Shaded, quads: Quads, lane: Ints, members: Ints, into: Shades) -> None:
-        """Store some lanes of quads as these members of all fragments."""
+    def _shade(self, quads: Quads, lane: Ints, members: Ints, into: Shades) -> None:
+        """Shade quads, and store some of their lanes as these members of all fragments."""
+        place = Barycentric(self._faces, quads, self._rules)
+        shaded = self._stages.fragments(place, self._faces.front[quads.face], self._vertices)
         shape = (len(quads), quads.side, quads.side)
 
         def chosen(array: Any) -> Any:
