@@ -76,6 +76,9 @@ class Chosen:
         """The number of axes."""
         return self.value.ndim
 
+    def __bool__(self) -> bool:
+        return bool(self.value)
+
     def any(self) -> bool:
         """Whether a condition holds anywhere."""
         return bool(self.value.any())

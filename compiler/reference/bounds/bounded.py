@@ -134,6 +134,10 @@ class Bounded:
         """Its form, or one that shares no error."""
         return alone(self.radius) if self.form is None else self.form
 
+    def __bool__(self) -> bool:
+        """Whether a condition that is the same for all elements certainly holds."""
+        return bool(np.all(self.low))
+
     def any(self) -> bool:
         """Whether a condition may hold anywhere."""
         return bool(np.any(self.high))
