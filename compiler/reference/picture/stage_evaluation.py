@@ -18,11 +18,12 @@ from ...ir.node import Node, reachable
 from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
-from ...ir.types import scalar_kind, width
+from ...ir.types import Type, scalar_kind, width
 from ..bounds import Bounded, Bounds, Errors, exact, given, remembered
 from ..bounds.bounded import constant, hull
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes, Namespace
+from ..stored import stored
 from ..vectors import inner
 from .quads import Barycentric
 from .sampler import TextureReader
@@ -100,7 +101,7 @@ class StageEvaluator:
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
         self._promised = _promised((*self._targets, self._position))
-        self._parameters: dict[Parameter, Lanes] = {}
+        self._parameters: dict[tuple[Parameter, Type], Lanes] = {}
         self.broken: set[int] = set()
         """The ids of promises that were broken at some vertex or pixel so far."""
 
@@ -173,10 +174,12 @@ class StageEvaluator:
             return None
         if node.data.name not in self._values:
             raise ValueError(f"The parameter `{node.data.name}` has no value.")
-        if node.data not in self._parameters:
+        key = node.data, node.type
+        if key not in self._parameters:
             value = self._values[node.data.name]
-            self._parameters[node.data] = as_rounded(value) if self.has_bounds else value
-        return self._parameters[node.data]
+            value = value if node.type == node.data.type else stored(node.data.type, value)
+            self._parameters[key] = as_rounded(value) if self.has_bounds else value
+        return self._parameters[key]
 
 
 class _Watch:
