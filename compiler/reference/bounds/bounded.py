@@ -177,7 +177,7 @@ class Bounded:
 
     def __truediv__(self, divisor: float) -> Bounded:
         """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, "Accuracy of
-        concrete floating point expressions"); ``Bounds.divide`` divides by other lanes."""
+        Concrete Floating Point Expressions"); ``Bounds.divide`` divides by other lanes."""
         quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 

@@ -74,7 +74,7 @@ class _Drawing:
         blends = [target.blend != "none" for target, _ in written]
         self._opaque = not shader.results_of(DISCARD) and not any(blends)
         pixels = rules.width * rules.height
-        self._canvas = Canvas(pixels, clear, written)
+        self._canvas = Canvas(pixels, clear, written, rounds=self._stages.has_bounds)
 
     def drawn(self, progress: Callable[[float], None] | None) -> Expected:
         canvas = self._canvas
