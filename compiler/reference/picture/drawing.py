@@ -19,9 +19,8 @@ from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
 
-_LANES = 1 << 11
-"""How many pixels are shaded at once: few enough for their values to stay in the CPU's cache, and
-for those of a large shader to need little memory."""
+_LANES = 1 << 13
+"""How many pixels are shaded at once, so that a large picture needs no more memory than others."""
 
 
 def draw(
