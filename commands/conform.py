@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from ..targets.runner.routes import Route
 
 COLORS = {
-    "agrees": "green", "differs": "red", "overflows": "red", "undecided": "red", "failed": "red",
-    "not run": "yellow",
+    "agrees": "green", "differs": "red", "proves little": "yellow", "overflows": "red",
+    "failed": "red", "not run": "yellow",
 }  # fmt: skip
-DISAGREEMENT = {"differs", "overflows", "undecided", "failed"}
+DISAGREEMENT = {"differs", "overflows", "failed"}
 
 
 class Request(NamedTuple):

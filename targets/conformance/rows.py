@@ -16,11 +16,12 @@ from .compare import Comparison
 
 Floats = NDArray[np.float64]
 
-Status = Literal["agrees", "differs", "overflows", "undecided", "failed", "not run"]
+Status = Literal["agrees", "differs", "proves little", "overflows", "failed", "not run"]
 STATUSES: tuple[Status, ...] = (
-    "agrees", "differs", "overflows", "undecided", "failed", "not run"
+    "agrees", "differs", "proves little", "overflows", "failed", "not run"
 )  # fmt: skip
-"""``undecided``: so many pixels depend on rounding that agreement of the others proves too little.
+"""``proves little``: the bounds of so many pixels say nothing that agreement of the others proves
+little.
 ``overflows``: a value is too large for float32, where Burnish promises nothing. ``failed``: a
 compiler or driver of the route refused. ``not run``: the route lacks its tools, or its profile
 lacks what the material needs."""

@@ -92,10 +92,12 @@ def details(row: Row) -> Iterator[str]:
                 "value leaves what float32 holds, where nothing is promised; at "
                 f"({overflow.x}, {overflow.y}) it is {_lanes(overflow.expected)}"
             )
-        elif comparison.too_undecided:
+        elif comparison.changed and comparison.change:
+            change = comparison.change
             yield (
-                f"{result.case}: {comparison.undecided} of {comparison.pixels} pixels hang on "
-                "rounding, which is too many to prove anything"
+                f"{result.case}: the compiler has changed the meaning of {comparison.changed} of "
+                f"{comparison.covered} pixels; at ({change.x}, {change.y}) the material means "
+                f"{_lanes(change.got)}, and the text {_lanes(change.expected)}"
             )
 
 
