@@ -17,7 +17,6 @@ from burnish.compiler.ir.node import Node, Roots, reachable
 from burnish.compiler.ir.operations import builtin_of
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.ir.shader import Shader
-from burnish.compiler.ir.storage import elements_in_row, place, stored_type
 from burnish.compiler.ir.types import (
     Array,
     Matrix,
@@ -36,6 +35,7 @@ from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
+from burnish.compiler.reference.stored import stored
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
 from burnish.stdlib.builtins.row import anything
@@ -219,38 +219,6 @@ class Smooth:
         if scalar_kind(texel) == "float":
             return lanes
         return tuple(self.xp.int64(100.0 * lane) for lane in lanes)
-
-
-def stored(type_: Type, value: Lanes) -> Lanes:
-    """A value in the form in which a block stores it, without loss of precision."""
-    match type_:
-        case Scalar("bool") | Vector("bool"):
-            return tuple(int(lane) for lane in value)
-        case Matrix(size) if size < 4:
-            return tuple((*column, *[0.0] * (4 - size)) for column in value)
-        case Array(Scalar() | Vector() as element, _):
-            lanes = [lane for part in value for lane in _row_part(element, stored(element, part))]
-            return tuple(tuple(lanes[at : at + 4]) for at in range(0, -(-len(lanes) // 4) * 4, 4))
-        case Array(Matrix() as element, _):
-            return tuple(column for part in value for column in stored(element, part))
-        case Array(element, _):
-            return tuple(stored(element, part) for part in value)
-        case Struct(members=members):
-            return _with_paddings(members, value)
-        case _:
-            return value
-
-
-def _row_part(element: Scalar | Vector, value: Lanes) -> Lanes:
-    """An element, followed by the unused lanes."""
-    room = 4 // elements_in_row(element)
-    return (*value, *[0] * (room - len(value)))
-
-
-def _with_paddings(members: tuple[tuple[str, Type], ...], value: Lanes) -> Lanes:
-    parts = {name: stored(type_, v) for (name, type_), v in zip(members, value, strict=True)}
-    rows = place((name, stored_type(type_)) for name, type_ in members)
-    return tuple((0.0,) if row.padding else parts[row.name] for row in rows)
 
 
 # --- looking at graphs ---------------------------------------------------------------------------

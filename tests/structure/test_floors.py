@@ -77,7 +77,8 @@ FLOORS: dict[str, str] = {
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.
     "compiled": (
-        "frozen garbage inputs diagnostics ir passes reflection description emit selection runner"
+        "frozen garbage inputs diagnostics ir passes reflection description legalise emit "
+        "selection runner"
     ),
     "api": (
         "arguments garbage diagnostics ir passes source_map names frontend description emit "

@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from . import whole
-from .rounding import HALF_STEP, ULP, Array, constant_ends, is_float32, outward
+from .affine import Form, alone, chosen, shared
+from .rounding import ULP, Array, constant_ends, is_float32, of_device, outward
 
 _EXACT_SUM = 2.0**12
 """Sums of multiples of its reciprocal are exact in any order while they stay below it."""
@@ -50,13 +51,22 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_sum", "high", "low", "value")
+    __slots__ = ("_factors", "_radius", "_sum", "form", "high", "low", "value")
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, value: Array, low: Array, high: Array, sum_: _Sum | None = None) -> None:
-        self.value, self.low, self.high, self._sum = value, low, high, sum_
+    def __init__(self, value: Array, low: Array, high: Array, form: Form | None = None) -> None:
+        """``form`` limits the interval further, if it is known how errors are shared."""
+        self.value, self.low, self.high, self.form = value, low, high, form
+        if form is not None:
+            radius = form.radius
+            self.low = np.fmax(low, value - radius)
+            self.high = np.fmin(high, value + radius)
+        self._radius: Array | None = None
+        self._sum: _Sum | None = None
+        self._factors = 0
+        """How many multiplications made it, whose order a compiler may change."""
 
     @property
     def is_exact(self) -> bool:
@@ -82,6 +92,18 @@ class Bounded:
     def magnitude(self) -> Array:
         """The largest magnitude that a device may have."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
+
+    @property
+    def radius(self) -> Array:
+        """By how much a device's value may differ from the exact one, to the farther side."""
+        if self._radius is None:
+            self._radius = np.maximum(self.high - self.value, self.value - self.low)
+        return self._radius
+
+    @property
+    def any_form(self) -> Form:
+        """Its form, or one that shares no error."""
+        return alone(self.radius) if self.form is None else self.form
 
     def any(self) -> bool:
         """Whether a condition may hold anywhere."""
@@ -118,15 +140,7 @@ class Bounded:
         return self + -as_bounded(other)
 
     def __mul__(self, other: Any) -> Bounded:
-        other = as_bounded(other)
-        value = self.value * other.value
-        if self.is_exact and other.is_exact:
-            return _rounded(value, value, value)
-        if self is other:
-            near = np.where((self.low <= 0) & (self.high >= 0), 0.0, np.minimum(
-                np.abs(self.low), np.abs(self.high)))  # fmt: skip
-            return _rounded(value, near * near, self.magnitude**2)
-        return _rounded(value, *products(self, other))
+        return _multiplied(self, as_bounded(other))
 
     def __truediv__(self, divisor: float) -> Bounded:
         """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, "Accuracy of
@@ -137,14 +151,21 @@ class Bounded:
     def __neg__(self) -> Bounded:
         if self.is_exact:
             return exact(-self.value)
-        return Bounded(-self.value, -self.high, -self.low, self._sum)
+        form = None if self.form is None else self.form.scaled(-1.0)
+        made = Bounded(-self.value, -self.high, -self.low, form)
+        made._sum, made._factors = self._sum, self._factors
+        return made
 
     def __abs__(self) -> Bounded:
         if self.is_exact:
             return exact(np.abs(self.value))
         inside = (self.low <= 0) & (self.high >= 0)
         low = np.minimum(np.abs(self.low), np.abs(self.high))
-        return Bounded(np.abs(self.value), np.where(inside, 0, low), self.magnitude)
+        form = None
+        if self.form is not None:
+            form = chosen(self.low >= 0, self.high <= 0, self.form, self.form.scaled(-1.0),
+                          self.radius)  # fmt: skip
+        return Bounded(np.abs(self.value), np.where(inside, 0, low), self.magnitude, form)
 
     def __radd__(self, other: Any) -> Bounded:
         return as_bounded(other) + self
@@ -233,9 +254,24 @@ class Bounded:
 
 
 def exact(value: Any) -> Bounded:
-    """A lane that every device has exactly, such as a uniform, a texel or an integer."""
+    """A lane that every device has exactly, such as an integer."""
     array = np.asarray(value)[()]
     return Bounded(array, array, array)
+
+
+def given(value: Any) -> Bounded:
+    """A lane from outside, such as a vertex input; devices may flush what is subnormal."""
+    array = np.asarray(value)[()]
+    if array.dtype.kind != "f" or is_float32(array):
+        return exact(array)
+    return Bounded(array, *constant_ends(array))
+
+
+def remembered(lane: Any) -> Any:
+    """A lane whose error is shared by all that is computed from it."""
+    if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
+        return lane
+    return Bounded(lane.value, lane.low, lane.high, shared(lane.radius))
 
 
 def constant(value: float) -> Bounded:
@@ -252,7 +288,7 @@ def as_bounded(lane: Any) -> Bounded:
 
 
 def between(value: Array, low: Array, high: Array) -> Bounded:
-    """A lane whose device's value lies from ``low`` to ``high``; they need not contain ``value``."""
+    """A lane with a device's value from ``low`` to ``high``, which need not contain ``value``."""
     return Bounded(value, np.minimum(value, low), np.maximum(value, high))
 
 
@@ -262,8 +298,9 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 
 
 def widened(x: Bounded, by: Array) -> Bounded:
-    """The lane with an interval that is larger by an absolute error on both sides."""
-    return Bounded(x.value, x.low - by, x.high + by)
+    """The lane of a device whose function has an absolute error of its own."""
+    form = None if x.form is None else x.form.widened(by)
+    return Bounded(x.value, *of_device(x.low - by, x.high + by), form)
 
 
 # --- operations -----------------------------------------------------------------------------------
@@ -289,13 +326,16 @@ def _condition(x: Bounded, y: Bounded, compare: Any, holds: Array, fails: Array)
     return Bounded(value, holds, np.logical_not(fails))
 
 
-def _rounded(value: Array, low: Array, high: Array) -> Bounded:
+def _rounded(value: Array, low: Array, high: Array, form: Form | None = None) -> Bounded:
     """The result of a correctly rounded operation, from the ends of its exact results."""
     if np.asarray(value).dtype.kind != "f":
         return exact(value) if low is high else Bounded(value, low, high)
     if low is high and is_float32(value):
         return exact(value)
-    return Bounded(value, *outward(low, high))
+    low, high = outward(low, high)
+    if form is not None:
+        form = form.widened(ULP * np.maximum(np.abs(low), np.abs(high)))
+    return Bounded(value, low, high, form)
 
 
 def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
@@ -308,17 +348,56 @@ def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
     value = x.value + y.value
     if x.is_exact and y.is_exact:
         low = high = value
-    made = _rounded(value, low, high)
+    form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
+    made = _rounded(value, low, high, form)
     if made.kind != "f":
         return made
     before = [lane._sum for lane in (x, y) if lane._sum is not None]
     sum_ = _Sum(1 + sum(each.additions for each in before), x, y, _in_any_order(x, y, made))
     if before and not sum_.is_exact:
-        sum_.widened = sum_.additions * HALF_STEP * sum_.magnitude
+        sum_.widened = sum_.additions * ULP * sum_.magnitude
         more = sum_.widened - sum([each.widened for each in before])
-        made = Bounded(value, np.minimum(made.low, low - more), np.maximum(made.high, high + more))
+        form = None if form is None else form.widened(more)
+        made = Bounded(
+            value, np.minimum(made.low, low - more), np.maximum(made.high, high + more), form
+        )
     made._sum = sum_
     return made
+
+
+def _multiplied(x: Bounded, y: Bounded) -> Bounded:
+    """A product, with the error that any order of its factors may have.
+
+    In another order each of n multiplications has a rounding, though it has none in this one.
+    """
+    value = x.value * y.value
+    if x.is_exact and y.is_exact:
+        made = _rounded(value, value, value)
+    else:
+        made = _rounded(value, *(_square(x) if x is y else products(x, y)), _product_form(x, y))
+    if made.kind != "f":
+        return made
+    made._factors = x._factors + y._factors + 1
+    for lane in (x, y):
+        if lane._factors and (hidden := lane.low == lane.high).any():
+            more = np.where(hidden, made._factors * ULP * made.magnitude, 0.0)
+            again = widened(made, more)
+            again._factors = made._factors
+            return again
+    return made
+
+
+def _square(x: Bounded) -> tuple[Array, Array]:
+    nearest = np.minimum(np.abs(x.low), np.abs(x.high))
+    near = np.where((x.low <= 0) & (x.high >= 0), 0.0, nearest)
+    return near * near, x.magnitude**2
+
+
+def _product_form(x: Bounded, y: Bounded) -> Form | None:
+    if x.form is None and y.form is None:
+        return None
+    form = x.any_form.scaled(y.value).plus(y.any_form.scaled(x.value))
+    return form.widened(x.radius * y.radius)
 
 
 def _in_any_order(x: Bounded, y: Bounded, made: Bounded) -> bool:
