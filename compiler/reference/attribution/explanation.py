@@ -115,8 +115,8 @@ def explain(
     is drawn there.
     """
     with np.errstate(all="ignore"):
-        pixel = PixelShader(shader, values, textures, geometry, rules, x, y)
-        found = influences(pixel, LocalErrors(errors, rules))
+        pixel = PixelShader(shader, values, textures, geometry, rules, errors, x, y)
+        found = influences(pixel, LocalErrors(errors, pixel.place))
         return _Explaining(shader, pixel, found).explanation(x, y)
 
 

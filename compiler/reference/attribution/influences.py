@@ -168,7 +168,7 @@ class _Measuring:
             return [[one] for one in tried]
         groups: dict[tuple[str, int, int], list[Tried]] = {}
         for where, lane in tried:
-            groups.setdefault((where.stage, where.node, lane), []).append((where, lane))
+            groups.setdefault((where.domain, where.node, lane), []).append((where, lane))
         return list(groups.values())
 
     def _try(self, ways: list[list[Tried]]) -> None:

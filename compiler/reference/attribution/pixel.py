@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from itertools import count
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,17 +17,17 @@ from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
 from ...ir.operations import CROSS, INPUT
 from ...ir.shader import Shader
-from ...ir.stages import CLIP_POSITION, DISCARD, TARGET
+from ...ir.stages import DISCARD, FRAGMENTS, TARGET, VERTICES, Domain
+from ..bounds import Bounded, Errors, exact
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
 from ..picture.coverage import Fragments, fragments_of
 from ..picture.faces import Faces, assemble
-from ..picture.margins import Margins
-from ..picture.quads import depth_of
-from ..picture.sampler import QuadReader
-from ..picture.scene import Floats, Geometry, Ints, RasterRules, Texels
+from ..picture.quads import Barycentric, Quads, depth_of
+from ..picture.sampler import TextureReader
+from ..picture.scene import Floats, Geometry, RasterRules, Texels
+from ..picture.stage_evaluation import StageEvaluator
 from ..picture.texels import Image
-from ..picture.variants import EXACT
 
 SIDE = 2
 """A pixel is evaluated with its neighbours in the quad, because derivatives compare them."""
@@ -42,11 +41,12 @@ class UncoveredError(ValueError):
 class Occurrence:
     """One evaluation of one node: a node in a loop is evaluated several times."""
 
-    stage: str
+    domain: Domain
+    """Where it varies: over vertices or fragments."""
     node: int
     """The id of the node."""
     number: int
-    """How many evaluations of the same node in the same stage came before."""
+    """How many evaluations of the same node in this domain came before."""
 
 
 Change = Callable[[Occurrence, Node, list[Lanes], Lanes], Lanes]
@@ -74,53 +74,51 @@ class PixelShader:
         textures: Mapping[str, Texels],
         geometry: Geometry,
         rules: RasterRules,
+        errors: Errors,
         x: int,
         y: int,
     ) -> None:
         """Raises ``UncoveredError`` if nothing is drawn at (x, y)."""
-        self.shader = shader
-        self.geometry = geometry
-        self.images = {
-            node.data: Image(textures[node.data.name], node.data, rules)
-            for node in reachable(shader.roots)
-            if isinstance(node.data, Resource)
-        }
         self._values = values
+        self._geometry = geometry
         self._row, self._column = y % SIDE, x % SIDE
-        self.targets = tuple(result.value for result in shader.results_of(TARGET))
+        self._targets = tuple(result.value for result in shader.results_of(TARGET))
         self._discard = next((result.value for result in shader.results_of(DISCARD)), None)
-        faces = assemble(self._positions(), geometry.triangles, rules)
+        read = (node.data for node in reachable(shader.roots) if isinstance(node.data, Resource))
+        self._readers = {r: Reader(textures[r.name], r, rules) for r in read}
+        vertices = StageEvaluator(shader, values, textures, rules, errors).vertices(geometry)
+        faces = assemble(vertices.positions, geometry.triangles, rules, vertices.off)
         for face in _faces_at(faces, rules, x, y):
-            self._enter(faces, face, x, y)
+            self._enter(faces, face, rules, x, y)
             if not self.evaluated(1, _unchanged).discarded[0]:
                 return
         raise UncoveredError
 
     def evaluated(self, ways: int, change: Change) -> Outcome:
         """Evaluate everything that the pixel needs."""
-        numbers: Counter[tuple[str, int]] = Counter()
+        numbers: Counter[tuple[Domain, int]] = Counter()
 
-        def changed(stage: str, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
-            number = numbers[stage, node.id]
-            numbers[stage, node.id] += 1
-            return change(Occurrence(stage, node.id, number), node, operands, value)
+        def changed(domain: Domain, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+            number = numbers[domain, node.id]
+            numbers[domain, node.id] += 1
+            return change(Occurrence(domain, node.id, number), node, operands, value)
 
-        vertex = self._vertex_stage(self._corners[None, :], changed)
+        vertex = self._vertex_stage(changed)
 
         def leaves(node: Node) -> Lanes | None:
             if node.op == "cross":
                 corners = vertex.value(node.operands[0])
-                return changed("fragment", node, [corners], self._interpolated(node, corners))
+                return changed(FRAGMENTS, node, [corners], self._interpolated(node, corners))
             if isinstance(node.data, Resource):
-                return (Reader(self.images[node.data], (SIDE, SIDE)),)
+                return (self._readers[node.data],)
             if node.op != "input":
                 return self._parameter(node)
             value = self._inputs[INPUT.data(node).name]
-            return changed("fragment", node, [], value)
+            return changed(FRAGMENTS, node, [], value)
 
-        evaluator = Evaluator(leaves, np, lambda *seen: changed("fragment", *seen))
+        evaluator = Evaluator(leaves, np, lambda *seen: changed(FRAGMENTS, *seen))
         discarded: Lane = False if self._discard is None else evaluator.value(self._discard)[0]
-        lanes = [lane for target in self.targets for lane in evaluator.value(target)]
+        lanes = [lane for target in self._targets for lane in evaluator.value(target)]
         whole = [np.broadcast_to(self.seen(lane), (ways,)) for lane in lanes]
         return Outcome(
             np.stack(whole, axis=-1).astype(np.float64),
@@ -143,58 +141,49 @@ class PixelShader:
         Devices round every pixel of a quad separately. The signs differ between neighbours, so that
         derivatives see the errors of two pixels.
         """
-        if where.stage == "vertex":
+        if where.domain == VERTICES:
             return (3,), np.ones(3)
         row, column = np.indices((SIDE, SIDE))
         signs = np.where((row + column + self._row + self._column) % 2, -1.0, 1.0)
         return signs.shape, signs
 
-    # --- the vertex stage -------------------------------------------------------------------------
+    # --- inside -----------------------------------------------------------------------------------
 
-    def _positions(self) -> Floats:
-        """(vertices, 4): where all vertices are, in clip space."""
-        every = np.arange(self.geometry.vertex_count)[None, :]
-        evaluator = self._vertex_stage(every, lambda _stage, _node, _operands, value: value)
-        ((position,),) = ((r.value for r in self.shader.results_of(CLIP_POSITION)),)
-        lanes = evaluator.value(position)
-        return np.stack([np.broadcast_to(lane, every.shape)[0] for lane in lanes], axis=-1)
+    def _enter(self, faces: Faces, face: int, rules: RasterRules, x: int, y: int) -> None:
+        """Take the fragment of one face as the one that is evaluated."""
+        self._corners = faces.corners[face][None, :]
+        alone = faces.only(np.arange(len(faces.corners)) == face)
+        alone = replace(alone, corners=np.arange(3)[None, :])
+        quad = Quads(np.array([0]), np.array([x - x % SIDE]), np.array([y - y % SIDE]), SIDE)
+        self.place = Barycentric(alone, quad, rules)
+        """Where the quad is in the face, whose corners are the vertices 0 to 2."""
+        ends = self.place.perspective(tuple(np.eye(3)))
+        self._weights = np.stack([end.value[0] for end in ends])
+        self._inputs: Mapping[str, Lanes] = {
+            "frag_coord": (
+                *(np.broadcast_to(lane, (1, SIDE, SIDE)) for lane in (self.place.x, self.place.y)),
+                self.place.depth.value, self.place.per_w.value,
+            ),
+            "front_facing": (bool(faces.front[face]),),
+        }  # fmt: skip
 
     def _vertex_stage(
-        self, vertices: Ints, changed: Callable[[str, Node, list[Lanes], Lanes], Lanes]
+        self, changed: Callable[[Domain, Node, list[Lanes], Lanes], Lanes]
     ) -> Evaluator:
-        """Evaluates values of vertices, whose indices are (1, vertices)."""
-        inputs = self.geometry.inputs()
+        """Evaluates values of the three vertices: lanes are (ways, 3)."""
+        inputs = self._geometry.inputs()
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
-                return tuple(np.moveaxis(self.geometry.attributes[node.data.name][vertices], -1, 0))
+                lanes = self._geometry.attributes[node.data.name][self._corners]
+                return tuple(np.moveaxis(lanes, -1, 0))
             if isinstance(node.data, Resource):
-                return (Reader(self.images[node.data], ()),)
+                return (self._readers[node.data],)
             if node.op == "input":
-                return (inputs[INPUT.data(node).name][vertices],)
+                return (inputs[INPUT.data(node).name][self._corners],)
             return self._parameter(node)
 
-        return Evaluator(leaves, np, lambda *seen: changed("vertex", *seen))
-
-    # --- between the stages -----------------------------------------------------------------------
-
-    def _enter(self, faces: Faces, face: int, x: int, y: int) -> None:
-        """Take the fragment of one face as the one that is evaluated."""
-        centres = np.arange(SIDE) + 0.5
-        across, down = np.meshgrid(x - self._column + centres, y - self._row + centres)
-        ones = np.ones_like(across)
-        corners = np.stack([faces.plane_x[face], faces.plane_y[face], np.ones(3)])
-        places = np.stack([across, down, ones]).reshape(3, -1)
-        linear = np.linalg.solve(corners, places).reshape(3, SIDE, SIDE)
-        depth = np.clip(np.tensordot(faces.z[face], linear, 1), 0.0, 1.0)
-        per_w = np.tensordot(faces.per_w[face], linear, 1)
-        perspective = linear * faces.per_w[face][:, None, None] / per_w
-        self._corners = faces.corners[face]
-        self._weights = np.tensordot(faces.weights[face].T, perspective, 1)
-        self._inputs: Mapping[str, Lanes] = {
-            "frag_coord": tuple(lane[None] for lane in (across, down, depth, per_w)),
-            "front_facing": (bool(faces.front[face]),),
-        }
+        return Evaluator(leaves, np, lambda *seen: changed(VERTICES, *seen))
 
     def _interpolated(self, cross: Node, corners: Lanes) -> Lanes:
         """The values of a quad, from those at the three corners, (ways, 3)."""
@@ -213,35 +202,19 @@ class PixelShader:
 
 
 class Reader:
-    """Reads an image with an axis of ways in the place of that of quads."""
+    """Reads a texture without rounding; or, at coordinates with bounds, as a device may."""
 
-    def __init__(self, image: Image, quad: tuple[int, ...]) -> None:
-        """``quad`` is (side, side), or empty for vertices, which have no neighbours."""
-        self.image = image
-        self._quad = quad
+    def __init__(self, texels: Texels, resource: Resource, rules: RasterRules) -> None:
+        exactly = replace(rules, subtexel_bits=None, mip_bits=None, mixing_bits=None)
+        self._exact = TextureReader(Image(texels, resource, exactly))
+        self._rounding = TextureReader(Image(texels, resource, rules))
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
         """The value of the builtin ``name``; ``operands`` are those after the texture."""
-        quad = self._quad or (1, 1)
-        reader = QuadReader(self.image, EXACT, Margins((1, *quad)), count())
-        shapes = [np.shape(lane) for lanes in operands for lane in lanes]
-        shape = np.broadcast_shapes(*shapes) if self._quad else np.broadcast_shapes((1, 1), *shapes)
-
-        def whole(lane: Lane) -> Lane:
-            if self._quad or np.ndim(lane) == 0:
-                return lane
-            return np.broadcast_to(lane, shape).reshape(-1, 1, 1)
-
-        lanes = reader.read(name, tuple(tuple(map(whole, lanes)) for lanes in operands))
-        return tuple(self._without_quads(lane, shape) for lane in lanes)
-
-    def _without_quads(self, lane: Any, shape: tuple[int, ...]) -> Lane:
-        if np.ndim(lane) == 0:
-            return lane
-        found = lane[0] if np.ndim(lane) == 4 else lane
-        if self._quad:
-            return found
-        return np.broadcast_to(found.reshape(-1), (shape[0] * shape[1],)).reshape(shape)
+        if any(isinstance(lane, Bounded) for lanes in operands for lane in lanes):
+            return self._rounding.read(name, operands)
+        lanes = self._exact.read(name, tuple(tuple(map(exact, lanes)) for lanes in operands))
+        return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
 
 
 def _faces_at(faces: Faces, rules: RasterRules, x: int, y: int) -> list[int]:
