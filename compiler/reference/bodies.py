@@ -175,11 +175,13 @@ class _Iteration(Opened):
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:
-    """Whether all conditions hold; a plain ``bool`` unless one of them is an array."""
+    """Whether all conditions hold; a plain ``bool`` unless one of them is an array or unsure."""
     found: Lane = True
     for condition in conditions:
         found = xp.logical_and(found, condition)
-    return found if getattr(found, "ndim", 0) else bool(found)
+    if getattr(found, "ndim", 0) or not getattr(found, "is_exact", True):
+        return found
+    return bool(found)
 
 
 def _anywhere(condition: Lane) -> bool:

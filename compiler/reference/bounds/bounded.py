@@ -14,9 +14,18 @@ from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen, shared
-from .rounding import ULP, Array, constant_ends, is_float32, of_device, outward
+from .rounding import (
+    SUBNORMAL_STEP,
+    ULP,
+    Array,
+    constant_ends,
+    is_float32,
+    of_device,
+    outward,
+)
 
 _EXACT_SUM = 2.0**12
 """Sums of multiples of its reciprocal are exact in any order while they stay below it."""
@@ -43,6 +52,27 @@ class _Sum:
         return self._magnitude
 
 
+@dataclass(slots=True, eq=False)
+class _Product:
+    """That a lane is a product, whose factors a compiler may multiply in another order."""
+
+    multiplications: int
+    low: Array
+    high: Array
+    """The ends of the product, if no multiplication of its factors rounded."""
+
+    def rounded(self) -> tuple[Array, Array]:
+        """The ends of the product, rounded after each multiplication in any order."""
+        error = self.error
+        return of_device(self.low - error, self.high + error)
+
+    @property
+    def error(self) -> Array:
+        """How much all roundings together may change."""
+        largest = np.maximum(np.abs(self.low), np.abs(self.high))
+        return self.multiplications * (ULP * largest + SUBNORMAL_STEP)
+
+
 class Bounded:
     """One lane: arrays of the same kind (float64, int64 or bool) that broadcast together.
 
@@ -51,7 +81,7 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_factors", "_radius", "_sum", "form", "high", "low", "value")
+    __slots__ = ("_product", "_radius", "_sum", "form", "high", "low", "value")
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
@@ -61,12 +91,11 @@ class Bounded:
         self.value, self.low, self.high, self.form = value, low, high, form
         if form is not None:
             radius = form.radius
-            self.low = np.fmax(low, value - radius)
-            self.high = np.fmin(high, value + radius)
+            self.low = _tighter(np.fmax, low, value - radius)
+            self.high = _tighter(np.fmin, high, value + radius)
         self._radius: Array | None = None
         self._sum: _Sum | None = None
-        self._factors = 0
-        """How many multiplications made it, whose order a compiler may change."""
+        self._product: _Product | None = None
 
     @property
     def is_exact(self) -> bool:
@@ -104,6 +133,10 @@ class Bounded:
     def any_form(self) -> Form:
         """Its form, or one that shares no error."""
         return alone(self.radius) if self.form is None else self.form
+
+    def __bool__(self) -> bool:
+        """Whether a condition that is the same for all elements certainly holds."""
+        return bool(np.all(self.low))
 
     def any(self) -> bool:
         """Whether a condition may hold anywhere."""
@@ -149,11 +182,13 @@ class Bounded:
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 
     def __neg__(self) -> Bounded:
-        if self.is_exact:
-            return exact(-self.value)
-        form = None if self.form is None else self.form.scaled(-1.0)
-        made = Bounded(-self.value, -self.high, -self.low, form)
-        made._sum, made._factors = self._sum, self._factors
+        made = exact(-self.value)
+        if not self.is_exact:
+            form = None if self.form is None else self.form.scaled(-1.0)
+            made = Bounded(made.value, -self.high, -self.low, form)
+        made._sum = self._sum
+        if (product := self._product) is not None:
+            made._product = _Product(product.multiplications, -product.high, -product.low)
         return made
 
     def __abs__(self) -> Bounded:
@@ -271,7 +306,9 @@ def remembered(lane: Any) -> Any:
     """A lane whose error is shared by all that is computed from it."""
     if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
         return lane
-    return Bounded(lane.value, lane.low, lane.high, shared(lane.radius))
+    made = Bounded(lane.value, lane.low, lane.high, shared(lane.radius))
+    made._sum, made._product = lane._sum, lane._product
+    return made
 
 
 def constant(value: float) -> Bounded:
@@ -299,17 +336,49 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 
 def widened(x: Bounded, by: Array) -> Bounded:
     """The lane of a device whose function has an absolute error of its own."""
-    form = None if x.form is None else x.form.widened(by)
-    return Bounded(x.value, *of_device(x.low - by, x.high + by), form)
+    low, high = of_device(x.low - by, x.high + by)
+    form = None if x.form is None else x.form.widened(by + _lost(low, high))
+    return Bounded(x.value, low, high, form)
+
+
+def _tighter(choose: Callable[[Array, Array], Array], end: Array, limit: Array) -> Array:
+    """An end of an interval, limited further unless one of the two numbers says nothing."""
+    found = choose(end, limit)
+    unknown = np.isnan(end)
+    return np.where(unknown, end, found) if unknown.any() else found
+
+
+def _lost(low: Array, high: Array) -> Array:
+    """What a form has to allow for besides rounding: subnormal numbers, and those too large."""
+    if np.isfinite(low).all() and np.isfinite(high).all():
+        return SMALLEST_NORMAL
+    return np.where(np.isfinite(low) & np.isfinite(high), SMALLEST_NORMAL, np.inf)
 
 
 # --- operations -----------------------------------------------------------------------------------
 
 
 def products(x: Bounded, y: Bounded) -> tuple[Array, Array]:
-    """The ends of all products; zero times an infinite end is zero, as that is never reached."""
-    a, b, c, d = x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high
-    return np.fmin(np.fmin(a, b), np.fmin(c, d)), np.fmax(np.fmax(a, b), np.fmax(c, d))
+    """The ends of all products; NaN where one may be infinite and the other one zero."""
+    return _products((x.low, x.high), (y.low, y.high))
+
+
+def _products(x: whole.Ends, y: whole.Ends) -> tuple[Array, Array]:
+    a, b, c, d = (one * other for one in x for other in y)
+    low = np.minimum(np.minimum(a, b), np.minimum(c, d))
+    high = np.maximum(np.maximum(a, b), np.maximum(c, d))
+    if np.isfinite(low).all() and np.isfinite(high).all():
+        return low, high
+    nothing = (_is_infinite(*x) & _has_zero(*y)) | (_has_zero(*x) & _is_infinite(*y))
+    return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
+
+
+def _is_infinite(low: Array, high: Array) -> Array:
+    return ~(np.isfinite(low) & np.isfinite(high))
+
+
+def _has_zero(low: Array, high: Array) -> Array:
+    return (low <= 0) & (high >= 0)
 
 
 def negated(condition: Bounded) -> Bounded:
@@ -334,7 +403,7 @@ def _rounded(value: Array, low: Array, high: Array, form: Form | None = None) ->
         return exact(value)
     low, high = outward(low, high)
     if form is not None:
-        form = form.widened(ULP * np.maximum(np.abs(low), np.abs(high)))
+        form = form.widened(ULP * np.maximum(np.abs(low), np.abs(high)) + _lost(low, high))
     return Bounded(value, low, high, form)
 
 
@@ -355,7 +424,7 @@ def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
     before = [lane._sum for lane in (x, y) if lane._sum is not None]
     sum_ = _Sum(1 + sum(each.additions for each in before), x, y, _in_any_order(x, y, made))
     if before and not sum_.is_exact:
-        sum_.widened = sum_.additions * ULP * sum_.magnitude
+        sum_.widened = sum_.additions * (ULP * sum_.magnitude + SMALLEST_NORMAL)
         more = sum_.widened - sum([each.widened for each in before])
         form = None if form is None else form.widened(more)
         made = Bounded(
@@ -368,23 +437,35 @@ def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
 def _multiplied(x: Bounded, y: Bounded) -> Bounded:
     """A product, with the error that any order of its factors may have.
 
-    In another order each of n multiplications has a rounding, though it has none in this one.
+    In another order other products round, on either side. Orders with partial products that are
+    no normal numbers, where those of the written order are, are not allowed for.
     """
     value = x.value * y.value
     if x.is_exact and y.is_exact:
+        ends = value, value
         made = _rounded(value, value, value)
     else:
-        made = _rounded(value, *(_square(x) if x is y else products(x, y)), _product_form(x, y))
+        ends = _square(x) if x is y else products(x, y)
+        made = _rounded(value, *ends, _product_form(x, y))
     if made.kind != "f":
         return made
-    made._factors = x._factors + y._factors + 1
-    for lane in (x, y):
-        if lane._factors and (hidden := lane.low == lane.high).any():
-            more = np.where(hidden, made._factors * ULP * made.magnitude, 0.0)
-            again = widened(made, more)
-            again._factors = made._factors
-            return again
-    return made
+    before = [lane._product for lane in (x, y) if lane._product is not None]
+    if not before:
+        made._product = _Product(1, *ends)
+        return made
+    total = 1 + sum(each.multiplications for each in before)
+    product = _Product(total, *_products(_unrounded(x), _unrounded(y)))
+    low, high = product.rounded()
+    form = None if made.form is None else made.form.widened(product.error)
+    again = Bounded(value, np.minimum(made.low, low), np.maximum(made.high, high), form)
+    again._product = product
+    return again
+
+
+def _unrounded(lane: Bounded) -> tuple[Array, Array]:
+    """The ends of a lane; of a product, before its multiplications rounded."""
+    product = lane._product
+    return (lane.low, lane.high) if product is None else (product.low, product.high)
 
 
 def _square(x: Bounded) -> tuple[Array, Array]:

@@ -151,6 +151,10 @@ class Bounds:
         nothing = (x.low == 0) & (x.high == 0)
         low = np.where(crosses, np.where(nothing, 0.0, -np.inf), low)
         high = np.where(crosses, np.where(nothing, 0.0, np.inf), high)
+        if not (np.isfinite(low).all() and np.isfinite(high).all()):
+            unknown = np.isnan(x.magnitude) | np.isnan(y.magnitude)
+            unknown |= np.isinf(x.magnitude) & np.isinf(y.magnitude)
+            low, high = np.where(unknown, np.nan, low), np.where(unknown, np.nan, high)
         return self._with_error("div", y, Bounded(value, low, high, form))
 
     def remainder(self, x: Any, y: Any, /) -> Bounded:

@@ -17,6 +17,9 @@ ULP = 2.0**-23
 """The largest unit in the last place of a float32, relative to the number; so far the two float32
 numbers around a result may be from it."""
 
+SUBNORMAL_STEP = 2.0**-149
+"""The distance of subnormal float32 numbers."""
+
 
 def outward(low: Array, high: Array) -> tuple[Array, Array]:
     """An interval that contains the float32 numbers on both sides of ``low`` and of ``high``.
@@ -56,14 +59,19 @@ def is_float32(value: Array) -> bool:
 def _below(x: Array) -> Array:
     """The nearest float32 that is not above, or one less than two steps below."""
     nearest = np.array(np.minimum(np.asarray(x, np.float32), _LARGEST), np.float64)
-    np.subtract(nearest, np.abs(nearest) * ULP, out=nearest, where=nearest > x)
+    np.subtract(nearest, _step(nearest), out=nearest, where=nearest > x)
     return nearest
 
 
 def _above(x: Array) -> Array:
     nearest = np.array(np.maximum(np.asarray(x, np.float32), -_LARGEST), np.float64)
-    np.add(nearest, np.abs(nearest) * ULP, out=nearest, where=nearest < x)
+    np.add(nearest, _step(nearest), out=nearest, where=nearest < x)
     return nearest
+
+
+def _step(x: Array) -> Array:
+    """At least the distance to the next float32, also of a subnormal one."""
+    return np.abs(x) * ULP + SUBNORMAL_STEP
 
 
 def _flushed_up(low: Array) -> Array:

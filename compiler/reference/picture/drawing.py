@@ -19,9 +19,8 @@ from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
 
-_LANES = 1 << 11
-"""How many pixels are shaded at once: few enough for their values to stay in the CPU's cache, and
-for those of a large shader to need little memory."""
+_LANES = 1 << 13
+"""How many pixels are shaded at once, so that a large picture needs no more memory than others."""
 
 
 def draw(
@@ -75,7 +74,7 @@ class _Drawing:
         blends = [target.blend != "none" for target, _ in written]
         self._opaque = not shader.results_of(DISCARD) and not any(blends)
         pixels = rules.width * rules.height
-        self._canvas = Canvas(pixels, clear, written)
+        self._canvas = Canvas(pixels, clear, written, rounds=self._stages.has_bounds)
 
     def drawn(self, progress: Callable[[float], None] | None) -> Expected:
         canvas = self._canvas

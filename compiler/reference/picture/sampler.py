@@ -159,9 +159,9 @@ class TextureReader:
         if self._image.type.dimension != "cube":
             return _lanes(filter_.of(place), shape)
         flat_steps = level.mapped(flat) if isinstance(level, Steps) else None
-        (_, nominal), *others = self._in_faces(place, flat_steps)
+        (_, nominal), *further = self._in_faces(place, flat_steps)
         found = filter_.of(nominal)
-        for pixels, in_face in others:
+        for pixels, in_face in further:
             found = with_hull(found, pixels, filter_.of(in_face))
         return _lanes(found, shape)
 
