@@ -51,11 +51,18 @@ class Row:
     versions: Mapping[str, str] = field(default_factory=dict)
     """The versions of the route's tools."""
     results: tuple[CaseResult, ...] = ()
+    reasons: tuple[str, ...] = ()
+    """Where in the source precision is lost, if it proves little."""
 
     @property
     def max_difference(self) -> float:
         """The largest difference of a decided pixel from the reference, over all cases."""
         return max((result.comparison.max_difference for result in self.results), default=0.0)
+
+    @property
+    def bite(self) -> float:
+        """The largest of the cases' medians of how many steps their bounds leave open."""
+        return max((result.comparison.bite for result in self.results), default=0.0)
 
     @property
     def undecided(self) -> int:
