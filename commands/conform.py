@@ -20,10 +20,9 @@ if TYPE_CHECKING:
     from ..targets.runner.routes import Route
 
 COLORS = {
-    "agrees": "green", "differs": "red", "overflows": "red", "undecided": "red", "failed": "red",
-    "not run": "yellow",
+    "agrees": "green", "differs": "red", "proves little": "yellow", "overflows": "red",
+    "failed": "red", "not run": "yellow",
 }  # fmt: skip
-DISAGREEMENT = {"differs", "overflows", "undecided", "failed"}
 
 
 class Request(NamedTuple):
@@ -32,11 +31,26 @@ class Request(NamedTuple):
     files: tuple[Path, ...]
     routes: str
     report: Path | None
+    strict: bool
+    explain: tuple[int, int] | None
+    case: str | None
     seed: int
     rig: str | None
     pass_: str | None
     search_path: tuple[Path, ...]
     hoist: bool
+
+
+def _pixel(
+    _context: click.Context, _option: click.Parameter, given: str | None
+) -> tuple[int, int] | None:
+    """Two numbers such as ``36,28``."""
+    if given is None:
+        return None
+    found = re.fullmatch(r"\s*([0-9]+)\s*,\s*([0-9]+)\s*", given)
+    if not found:
+        raise click.BadParameter(f"'{given}' is no pixel, which would be like 36,28")
+    return int(found[1]), int(found[2])
 
 
 @click.command()
@@ -47,7 +61,18 @@ class Request(NamedTuple):
 )  # fmt: skip
 @click.option(
     "--report", metavar="FOLDER", type=click.Path(path_type=Path),
-    help="Where to put report.json and index.html, with pictures of the differences.",
+    help="Where to put index.html, a page with pictures, report.json, and junit.xml.",
+)  # fmt: skip
+@click.option(
+    "--strict", is_flag=True, help="Also exit with 1 where a row proves little.",
+)  # fmt: skip
+@click.option(
+    "--explain", metavar="X,Y", callback=_pixel,
+    help="Instead of the table, say how inexact this pixel is, and where in the source that arises.",
+)  # fmt: skip
+@click.option(
+    "--case", metavar="NAME",
+    help="The scene of the pixel to explain; by default the one where it is the least certain.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,
@@ -64,24 +89,37 @@ def conform(**chosen: Any) -> None:
     drawn in several scenes, with default and random values, with every rig and every pass that its
     file declares, unless --rig and --pass name one.
 
-    The exit code is 1 if any route differs from the reference or fails, if a value overflows, or if
-    so much depends on rounding that agreement would prove nothing. A route that lacks its tools, or
-    a feature that the material needs, is `not run`. The exit code is also 1 if such a route was
-    named on the command line, or if no route was run.
+    The exit code is 1 if any route differs from the reference or fails, or if a value overflows.
+    `proves little` is a warning: the material magnifies rounding so much that most of its pixels
+    may have nearly any value; with --strict it counts as well. A route that lacks its tools, or a
+    feature that the material needs, is `not run`. The exit code is also 1 if such a route was named
+    on the command line, or if no route was run.
+
+    --explain shows the way of the error at one pixel: its value and its bounds, what each route has
+    drawn, which operations contribute how much, and where precision is lost. Pixels are counted
+    from 0,0 in the upper left corner.
 
     \b
     Example:
         burnish conform plastic.burnish
         burnish conform materials/*.burnish --routes lavapipe,chromium --report build/conformance
+        burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
     request = Request(**chosen)
+    if request.case is not None and request.explain is None:
+        raise click.UsageError("--case names the scene of a pixel: it goes with --explain")
     with told():
         _check_report(request.report)
-        rows = _rows(request)
-        _tell(rows)
+        routes = _routes(request)
+        subjects, rows = _run(request, routes)
+        if request.explain is not None:
+            _explain(subjects, rows, request)
+            return
+        reasons = _reasons(subjects, rows, request.seed)
+        _tell(rows, reasons, strict=request.strict)
         if request.report is not None:
-            _write(request.report, rows)
-        if not _passed(rows, asked=request.routes != "all"):
+            _write(request.report, rows, reasons, strict=request.strict)
+        if not _passed(rows, asked=request.routes != "all", strict=request.strict):
             click.get_current_context().exit(FAILED)
 
 
@@ -93,21 +131,65 @@ def _check_report(folder: Path | None) -> None:
         raise unwritable(folder, reason)
 
 
-def _rows(request: Request) -> list[Row]:
-    from ..targets.conformance.conform import conform as run
+Subjects = list[tuple[str, "CompiledMaterial"]]
+"""Materials, each with the label that the table shows."""
+
+
+def _routes(request: Request) -> list[Route]:
+    from ..targets.conformance.explaining import check_pixel
     from ..targets.runner.routes import select
+
+    if request.explain is not None:
+        check_pixel(request.explain)
+    routes = select([request.routes])
+    if not routes:
+        raise click.UsageError("--routes names no route")
+    return routes
+
+
+def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]]:
+    """Compile and draw everything; the rows of a material follow each other."""
+    from ..targets.conformance.conform import conform as run
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
     from .progress import Progress
 
-    routes = select([request.routes])
-    if not routes:
-        raise click.UsageError("--routes names no route")
     with Runner(routes) as runner, Toolchain() as toolchain, Progress("comparing") as progress:
-        return run(
-            _subjects(request, routes), routes, runner, toolchain,
+        subjects = _subjects(request, routes)
+        rows = run(
+            subjects, routes, runner, toolchain,
             seed=request.seed, done=lambda done, total: progress.tell(done / total),
         )  # fmt: skip
+    return subjects, rows
+
+
+def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
+    """Print the way of the error at one pixel of every material."""
+    from ..targets.conformance.explaining import explanation_lines
+    from ..targets.conformance.summary import by_material
+
+    assert request.explain is not None
+    own = by_material(rows)
+    for label, material in subjects:
+        click.echo(click.style(label, bold=True), color=wants_color(sys.stdout))
+        found = explanation_lines(
+            material, own[label], request.seed, request.explain, request.case
+        )
+        for line in found:
+            click.echo(f"  {line}".rstrip())
+        click.echo()
+
+
+def _reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> Mapping[int, Sequence[str]]:
+    """For the rows that prove little, where in the source their precision is lost."""
+    from ..targets.conformance.explaining import reasons
+
+    materials = dict(subjects)
+    return {
+        number: reasons(materials[row.material], row, seed)
+        for number, row in enumerate(rows)
+        if row.status == "proves little"
+    }
 
 
 def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, CompiledMaterial]]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runner.binding import FORMATS
-from ..runner.textures.srgb import encode_srgb
+from ...compiler.reference.transfer import encode_srgb
 
 Floats = NDArray[np.float64]
 

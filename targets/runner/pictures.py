@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from .textures.kinds import PictureError
-from .textures.srgb import encode_srgb
+from ...compiler.reference.transfer import encode_srgb
 
 Floats = NDArray[np.float64]
 

@@ -41,8 +41,8 @@ def expected(
     return draw(
         shader,
         values_for(shader, state.instance),
-        {n: Texels(tuple(texture.linear())) for n, texture in state.instance.textures().items()},
-        _whole(state.geometry(), shader),
+        texels_of(state.instance),
+        geometry_for(shader, state.geometry()),
         rules,
         state.clear,
         progress,
@@ -75,7 +75,12 @@ def _derived(parameter: Parameter, found: Mapping[str, Any]) -> Any:
     return tuple(zip(*columns, strict=True))
 
 
-def _whole(geometry: Geometry, shader: Shader) -> Geometry:
+def texels_of(instance: Instance) -> dict[str, Texels]:
+    """The texels of all textures, by name."""
+    return {n: Texels(tuple(texture.linear())) for n, texture in instance.textures().items()}
+
+
+def geometry_for(shader: Shader, geometry: Geometry) -> Geometry:
     """The geometry with arbitrary numbers for inputs that the compiler has proven unnecessary.
 
     Nothing binds these inputs. If the compiler were wrong, the picture would show it.

@@ -49,7 +49,7 @@ def range_rules() -> tuple[str, ...]:
     return (*RULES, *(name for name, row in BUILTINS.items() if row.range is not anything))
 
 
-def shaders(source: str | Path, rig: str | None = None) -> list[Shader]:
+def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None) -> list[Shader]:
     """The shaders of a text or a file, as semantics makes them."""
     report = Report()
     frontend = Frontend(report)
@@ -58,7 +58,7 @@ def shaders(source: str | Path, rig: str | None = None) -> list[Shader]:
     else:
         module = frontend.open_text(source, "<test>")
     assert module is not None
-    found = frontend.shaders(module, None, rig, None)
+    found = frontend.shaders(module, None, rig, pass_)
     if report.failed:
         raise CompileError(report.diagnostics)
     return found

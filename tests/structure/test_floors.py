@@ -72,7 +72,7 @@ FLOORS: dict[str, str] = {
     "targets.registry": "description",
     "targets.selection": "diagnostics description registry",
     "targets.runner": (
-        "frozen arguments cache diagnostics srgb ir promises reference closing toolchain"
+        "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
     ),
     "targets.conformance": "frozen ir reference runner toolchain",
     # The door.

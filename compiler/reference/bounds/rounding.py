@@ -26,7 +26,7 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
 
     A correctly rounded operation returns one of the two float32 numbers around its exact result, so
     this is where it may lie. A number that float32 has stays as it is. A device may flush a
-    subnormal result to zero (Vulkan, "Denormalized values"; WGSL, "Floating Point Evaluation").
+    subnormal result to zero (Vulkan, "Denormalized values"; WGSL, "floating point evaluation").
     """
     return _flushed_up(_below(low)), _flushed_down(_above(high))
 

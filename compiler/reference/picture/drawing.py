@@ -20,7 +20,7 @@ from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
 
 _LANES = 1 << 13
-"""How many pixels are shaded at once, so that large pictures need no more memory than small ones."""
+"""How many pixels are shaded at once, so that a large picture needs no more memory than others."""
 
 
 def draw(
@@ -74,7 +74,7 @@ class _Drawing:
         blends = [target.blend != "none" for target, _ in written]
         self._opaque = not shader.results_of(DISCARD) and not any(blends)
         pixels = rules.width * rules.height
-        self._canvas = Canvas(pixels, clear, written)
+        self._canvas = Canvas(pixels, clear, written, rounds=self._stages.has_bounds)
 
     def drawn(self, progress: Callable[[float], None] | None) -> Expected:
         canvas = self._canvas

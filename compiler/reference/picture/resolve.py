@@ -15,6 +15,7 @@ from ...ir.types import Type, width
 from ..bounds import Bounded
 from ..namespace import Lanes
 from .coverage import Fragments
+from .formats import clamped, rounded
 from .scene import Bools, Floats, Ints
 
 DEPTH_MARGIN = 1e-6
@@ -45,15 +46,20 @@ class Canvas:
         pixels: int,
         clear: Sequence[Sequence[float]],
         written: Sequence[tuple[RenderTarget, Type]],
+        *,
+        rounds: bool,
     ) -> None:
         """``written`` are the render targets with the types of the values that are written to
-        them."""
+        them. If the device ``rounds``, its values lie between those of their formats."""
+        self._rounds = rounds
         self._lanes = [width(type_) for _, type_ in written]
         self._states = [target for target, _ in written]
         self.targets = [
             np.tile(np.asarray(with_missing(colour, count), dtype=np.float64), (3, pixels, 1))
             for colour, count in zip(clear, self._lanes, strict=True)
         ]
+        for target, state in zip(self.targets, self._states, strict=True):
+            target[:] = self._stored(state, target)
         self.depth = np.ones(pixels)
         self.layers = np.zeros(pixels, dtype=np.int64)
         """How many fragments were drawn."""
@@ -86,19 +92,27 @@ class Canvas:
         self.layers[place] += 1
         rows = zip(self.targets, shades.colours, self._states, self._lanes, strict=True)
         for target, colours, state, lanes in rows:
-            blended = _blended(state, colours[:, drawn], target[:, place])
-            target[:, place, :lanes] = blended[..., :lanes]
+            # A device may blend as precisely as the target's format is, so that it rounds the
+            # colour before. If the target is in fixed point, the colour is clamped, too.
+            colour = self._stored(state, colours[:, drawn])
+            if state.blend != "none":
+                colour = self._stored(state, _blended(state.blend, colour, target[:, place]))
+            target[:, place, :lanes] = colour[..., :lanes]
+
+    def _stored(self, state: RenderTarget, colours: Ends) -> Ends:
+        """Colours in the range of a target's format, with ends that this format has."""
+        if not self._rounds and state.blend == "none":
+            return colours
+        value = clamped(state.format, colours[0])
+        if not self._rounds:
+            return np.stack([value, value, value])
+        low, high = rounded(state.format, colours[1], colours[2])
+        return np.stack([value, np.minimum(low, value), np.maximum(high, value)])
 
 
-def _blended(state: RenderTarget, source: Ends, behind: Ends) -> Ends:
-    """The contents of a target after a colour is drawn over another.
-
-    If the target is in fixed point, colours are clamped first (Vulkan, 29.1 "Blending").
-    """
-    if state.blend == "none":
-        return source
-    clamped = np.clip(source, 0.0, 1.0) if state.fixed_point else source
-    lanes = BLENDING[state.blend](_lanes(clamped), _lanes(behind))
+def _blended(blend: str, source: Ends, behind: Ends) -> Ends:
+    """The contents of a target after a colour is drawn over another (Vulkan, "Blending")."""
+    lanes = BLENDING[blend](_lanes(source), _lanes(behind))
     return np.stack([np.stack([x.value, x.low, x.high]) for x in lanes], axis=-1)
 
 
