@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from statistics import median
 from typing import Literal
 
 import numpy as np
@@ -16,12 +17,12 @@ from .compare import Comparison
 
 Floats = NDArray[np.float64]
 
-Status = Literal["agrees", "differs", "overflows", "undecided", "failed", "not run"]
+Status = Literal["agrees", "differs", "proves little", "overflows", "failed", "not run"]
 STATUSES: tuple[Status, ...] = (
-    "agrees", "differs", "overflows", "undecided", "failed", "not run"
+    "agrees", "differs", "proves little", "overflows", "failed", "not run"
 )  # fmt: skip
-"""``undecided``: so many pixels depend on rounding that agreement of the others proves too little.
-``overflows``: a value is too large for float32, where Burnish promises nothing. ``failed``: a
+"""``differs``: a device has a value that no conforming one may have. ``proves little``: nothing
+contradicts it, but the bounds of so many pixels are so wide that this says little. ``overflows``: a value is too large for float32, where Burnish promises nothing. ``failed``: a
 compiler or driver of the route refused. ``not run``: the route lacks its tools, or its profile
 lacks what the material needs."""
 
@@ -50,6 +51,9 @@ class Row:
     versions: Mapping[str, str] = field(default_factory=dict)
     """The versions of the route's tools."""
     results: tuple[CaseResult, ...] = ()
+    reasons: tuple[str, ...] = ()
+    """Where in the source precision is lost, if that is why it proves little; or which operation is
+    to blame for most of what a pixel that differs may be off."""
 
     @property
     def max_difference(self) -> float:
@@ -65,3 +69,13 @@ class Row:
     def covered(self) -> int:
         """Pixels that the reference covers."""
         return sum(result.comparison.covered for result in self.results)
+
+    @property
+    def wide(self) -> int:
+        """Pixels whose bounds say nothing."""
+        return sum(result.comparison.wide for result in self.results)
+
+    @property
+    def bite(self) -> float:
+        """The median, over the cases, of how wide the bounds are, in steps of the format."""
+        return median([result.comparison.bite for result in self.results] or [0.0])
