@@ -172,9 +172,7 @@ def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
     own = by_material(rows)
     for label, material in subjects:
         click.echo(click.style(label, bold=True), color=wants_color(sys.stdout))
-        found = explanation_lines(
-            material, own[label], request.seed, request.explain, request.case
-        )
+        found = explanation_lines(material, own[label], request.seed, request.explain, request.case)
         for line in found:
             click.echo(f"  {line}".rstrip())
         click.echo()

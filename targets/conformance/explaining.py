@@ -13,15 +13,13 @@ import numpy as np
 
 from ...compiler.diagnostics.nearest import suggestion
 from ...compiler.reference.attribution import Explanation, UncoveredError
-from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected
 from ..runner.explanation import explained
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
 from .error_words import causes, lines
-from .plan import rules_of
+from .plan import bounds_of
 from .rows import CaseResult, Row
-from .tolerances import DRIVERS
 
 Pixel = tuple[int, int]
 """Its column and its row, from the upper left corner of the picture."""
@@ -122,11 +120,13 @@ def _chosen(seen: Sequence[Seen], pixel: Pixel, name: str | None) -> Seen:
 
 
 def _explained(subject: Subject, seen: Seen, pixel: Pixel) -> Explanation:
+    """Explain a pixel by the bounds that decided on the verdict of the leading row."""
     row = seen.leading
     assert row.device is not None
-    rules = rules_of(seen.case.state, row.device, DRIVERS[row.route.driver])
-    errors = Errors(row.route.platforms)
-    return explained(subject.shader, seen.case.state, rules, errors, *pixel)
+    level = seen.results[row.route.name].comparison.level
+    allowed = bounds_of(seen.case.state, row.route, row.device)
+    bounds = next(one for one in allowed if one.level == level)
+    return explained(subject.shader, seen.case.state, bounds.rules, bounds.errors, *pixel)
 
 
 def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
@@ -141,7 +141,11 @@ def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
         note = "" if inside else "outside of its bounds"
         if expected.undecided[y, x]:
             note = "undecided: what is drawn here hangs on rounding"
-        rows += [(route, _lanes(got), note), ("  from", _lanes(low), ""), ("  to", _lanes(high), "")]
+        rows += [
+            (route, _lanes(got), note),
+            ("  from", _lanes(low), ""),
+            ("  to", _lanes(high), ""),
+        ]
     rows.insert(0, ("value", _lanes(seen.expected.targets[target][y, x]), ""))
     width = max(len(name) for name, _, _ in rows)
     for name, lanes, note in rows:

@@ -144,9 +144,7 @@ def _cases(material: str, row: Row) -> Iterator[dict[str, Any]]:
             yield {"name": name, "figures": list(_figures(material, name, result, target))}
 
 
-def _figures(
-    material: str, name: str, result: CaseResult, target: int
-) -> Iterator[dict[str, str]]:
+def _figures(material: str, name: str, result: CaseResult, target: int) -> Iterator[dict[str, str]]:
     difference, times = difference_map(result, target)
     rows = (
         ("reference", "as it has to be", result.expected.targets[target]),

@@ -26,7 +26,9 @@ def cells(row: Row) -> tuple[str, ...]:
 def share(row: Row) -> str:
     """How much of its bound the worst pixel needs; more than 100% is a violation."""
     worst = max(result.comparison.excess for result in row.results)
-    return f"{worst:.0%}" if worst < 1000 else f"{worst:.0e}" if math.isfinite(worst) else "infinite"
+    return (
+        f"{worst:.0%}" if worst < 1000 else f"{worst:.0e}" if math.isfinite(worst) else "infinite"
+    )
 
 
 def bite(row: Row) -> str:
@@ -99,12 +101,13 @@ def details(row: Row) -> Iterator[str]:
     if row.results and not row.covered:
         yield "no scene shows anything of it, which proves nothing"
     for result in row.results:
-        yield from (f"{result.case}: {line}" for line in _about(result))
+        weak = row.status == "proves little"
+        yield from (f"{result.case}: {line}" for line in _about(result, weak=weak))
     yield from row.reasons
 
 
-def _about(result: CaseResult) -> Iterator[str]:
-    """What is wrong with one case, or weak."""
+def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
+    """What is wrong with one case, or ``weak``."""
     comparison = result.comparison
     covered = comparison.covered
     if (change := comparison.change) is not None:
@@ -124,12 +127,12 @@ def _about(result: CaseResult) -> Iterator[str]:
             f"where nothing is promised; at ({overflow.x}, {overflow.y}) it is "
             f"{_lanes(overflow.expected)}"
         )
-    elif comparison.proves_little:
+    elif weak and (comparison.wide or comparison.undecided):
         parts = [
-            f"of {comparison.wide} nearly nothing is known" if comparison.wide else "",
+            f"nearly nothing is known of {comparison.wide}" if comparison.wide else "",
             f"{comparison.undecided} hang on rounding" if comparison.undecided else "",
         ]
-        yield f"{covered} pixels show it: {', '.join(filter(None, parts))}"
+        yield f"of {covered} pixels {' and '.join(filter(None, parts))}"
     if (beyond := comparison.beyond) is not None:
         yield (
             f"{_place(beyond, result)} it is {_lanes(beyond.got)}, which is within what is "

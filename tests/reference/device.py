@@ -69,7 +69,12 @@ class Chosen:
         terms: tuple[Array, ...] = (),
         factors: tuple[Array, ...] = (),
     ) -> None:
-        self.device, self.value, self.terms, self.factors = device, np.asarray(value), terms, factors
+        self.device, self.value, self.terms, self.factors = (
+            device,
+            np.asarray(value),
+            terms,
+            factors,
+        )
 
     @property
     def ndim(self) -> int:
@@ -195,7 +200,9 @@ class Device:
         """A leaf, with any error within the relative one."""
         if not error:
             return self.lane(value)
-        return Chosen(self, value * (1.0 + error * self._chance.uniform(-1.0, 1.0, np.shape(value))))
+        return Chosen(
+            self, value * (1.0 + error * self._chance.uniform(-1.0, 1.0, np.shape(value)))
+        )
 
     # --- choices of the device --------------------------------------------------------------------
 

@@ -53,7 +53,9 @@ WHOLE = (0, 1, 2, 3, 7, 31, 32, 255, 2**24 + 1, 2**31 - 1)
 def instances(name: str) -> tuple[tuple[tuple[Type, ...], Type], ...]:
     """The types of operands that a builtin accepts, with that of its result."""
     counts = sorted({len(parsed(signature)[0]) for signature in BUILTINS[name].signatures})
-    found = ((types, result_type(name, types)) for n in counts for types in product(TYPES, repeat=n))
+    found = (
+        (types, result_type(name, types)) for n in counts for types in product(TYPES, repeat=n)
+    )
     return tuple((types, result) for types, result in found if result in TYPES)
 
 
