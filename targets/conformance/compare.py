@@ -120,7 +120,7 @@ def compare(
     Uncovered pixels have the clear colour, and ``got`` must have exactly the same there. ``steps``
     are the distances between neighbouring numbers of each target's format.
     """
-    values, low, high = (np.stack(ends) for ends in (expected.targets, expected.low, expected.high))
+    values, low, high = ends_of(expected)
     drawn = np.stack(got)
     overflows = ~(np.abs(values) <= LARGEST)
     overflowing = overflows.any(axis=(0, 3)) & ~expected.undecided
@@ -151,6 +151,11 @@ def compare(
         overflow=_sample(overflowing, overflows.astype(np.float64), drawn, pictures),
         change=_sample(changed, change, source, pictures),
     )
+
+
+def ends_of(expected: Expected) -> tuple[Floats, Floats, Floats]:
+    """The values and both bounds of all targets, (targets, height, width, 4) each."""
+    return np.stack(expected.targets), np.stack(expected.low), np.stack(expected.high)
 
 
 def proves_little(comparisons: Sequence[Comparison]) -> bool:

@@ -19,9 +19,10 @@ _NO_XML = re.compile("[^\\t\\n\\r\\x20-\\ud7ff\\ue000-\\ufffd\\U00010000-\\U0010
 
 def as_junit(rows: Sequence[Row], *, strict: bool) -> str:
     """The whole run; with ``strict``, what proves little is a failure, too."""
-    root = Element("testsuites", name="burnish conform", **_counts(rows, strict=strict))
+    root = Element("testsuites", {"name": "burnish conform", **_counts(rows, strict=strict)})
     for material, own in by_material(rows).items():
-        suite = SubElement(root, "testsuite", name=_clean(material), **_counts(own, strict=strict))
+        counts = _counts(own, strict=strict)
+        suite = SubElement(root, "testsuite", {"name": _clean(material), **counts})
         for row in own:
             _add(suite, row, strict=strict)
     indent(root)

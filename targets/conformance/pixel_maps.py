@@ -1,4 +1,4 @@
-"""Turns what is known of each pixel into pictures for the report: bounds, differences, decisions."""
+"""Turns what is known of each pixel into the report's pictures: bounds, differences, decisions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runner.pictures import to_image
-from .compare import says_nothing, shares
+from .compare import ends_of, says_nothing, shares
 from .rows import CaseResult
 
 Floats = NDArray[np.float64]
@@ -59,7 +59,7 @@ def difference_map(result: CaseResult, target: int) -> tuple[Floats, float]:
 def decision_map(result: CaseResult) -> Floats:
     """What can be said of each pixel: one colour for each answer."""
     expected = result.expected
-    values, low, high = (np.stack(ends) for ends in (expected.targets, expected.low, expected.high))
+    values, low, high = ends_of(expected)
     decided = expected.covered & ~expected.undecided
     excess = shares(np.stack(result.got), values, low, high).max(axis=(0, 3))
     shown = np.zeros((*decided.shape, 3))
@@ -77,8 +77,7 @@ def histogram(results: tuple[CaseResult, ...]) -> list[int]:
     for result in results:
         expected = result.expected
         seen = expected.covered & ~expected.undecided
-        ends = (np.stack(each) for each in (expected.targets, expected.low, expected.high))
-        found = shares(np.stack(result.got), *ends)[:, seen].ravel()
+        found = shares(np.stack(result.got), *ends_of(expected))[:, seen].ravel()
         counts += np.bincount(np.searchsorted(EDGES, found, side="left"), minlength=len(counts))
     return counts.tolist()
 

@@ -22,9 +22,10 @@ STATUSES: tuple[Status, ...] = (
     "agrees", "differs", "proves little", "overflows", "failed", "not run"
 )  # fmt: skip
 """``differs``: a device has a value that no conforming one may have. ``proves little``: nothing
-contradicts it, but the bounds of so many pixels are so wide that this says little. ``overflows``: a value is too large for float32, where Burnish promises nothing. ``failed``: a
-compiler or driver of the route refused. ``not run``: the route lacks its tools, or its profile
-lacks what the material needs."""
+contradicts it, but the bounds of so many pixels are so wide that this says little. ``overflows``:
+a value is too large for float32, where Burnish promises nothing. ``failed``: a compiler or driver
+of the route refused. ``not run``: the route lacks its tools, or its profile lacks what the material
+needs."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -61,19 +62,14 @@ class Row:
         return max((result.comparison.max_difference for result in self.results), default=0.0)
 
     @property
-    def undecided(self) -> int:
-        """Pixels that were not compared."""
-        return sum(result.comparison.undecided for result in self.results)
-
-    @property
     def covered(self) -> int:
         """Pixels that the reference covers."""
         return sum(result.comparison.covered for result in self.results)
 
     @property
-    def wide(self) -> int:
-        """Pixels whose bounds say nothing."""
-        return sum(result.comparison.wide for result in self.results)
+    def proven(self) -> int:
+        """Those of them whose bounds say something."""
+        return sum(result.comparison.proven for result in self.results)
 
     @property
     def bite(self) -> float:

@@ -40,7 +40,7 @@ def bite(row: Row) -> str:
 
 def unproven(row: Row) -> str:
     """How many of the object's pixels have bounds that say nothing, or are not compared."""
-    return f"{row.wide + row.undecided} of {row.covered}"
+    return f"{row.covered - row.proven} of {row.covered}"
 
 
 def is_failure(row: Row, *, strict: bool) -> bool:
