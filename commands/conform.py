@@ -253,12 +253,12 @@ def _tell(rows: Sequence[Row], *, strict: bool) -> None:
         click.echo(f"with {', '.join(f'{name} {version}' for name, version in versions.items())}")
     for problem, names in lacking(rows).items():
         click.echo(f"not run by {', '.join(names)}: {problem}")
-    for row in rows:
-        lines = [f"{row.material}, {row.route.name} {row.status}", *details(row)]
-        if is_failure(row, strict=strict):
-            remark("error", "\n  ".join(lines))
-        elif row.status != "not run" and len(lines) > 1:
-            remark("warning", "\n  ".join(lines))
+    for material, own in by_material(rows).items():
+        for said, lines in messages(own):
+            routes = ", ".join(row.route.name for row in said)
+            heading = f"{material}, {routes}: {said[0].status}"
+            severity = "error" if is_failure(said[0], strict=strict) else "warning"
+            remark(severity, "\n  ".join([heading, *lines]))
     click.echo(counted(rows))
 
 

@@ -16,10 +16,10 @@ from .summary import (
     bite,
     by_material,
     counted,
-    details,
     devices,
     is_failure,
     lacking,
+    messages,
     share,
     tools,
     unproven,
@@ -124,6 +124,10 @@ def _material(name: str, rows: Sequence[Row]) -> dict[str, Any]:
     return {
         "name": name,
         "rows": [_row_page(row) for row in rows],
+        "messages": [
+            {"routes": [row.route.name for row in said], "status": said[0].status, "lines": lines}
+            for said, lines in messages(rows)
+        ],
         "agrees": all(row.status in ("agrees", "not run") for row in rows),
         "shown": shown.route.name if shown else "",
         "cases": list(_cases(name, shown)) if shown else [],
@@ -170,7 +174,6 @@ def _row_page(row: Row) -> dict[str, Any]:
         "bite": bite(row) if row.results else "",
         "difference": f"{row.max_difference:.2e}" if row.results else "",
         "unproven": unproven(row) if row.results else "",
-        "details": list(details(row)) if row.status != "not run" else [],
         "histogram": counts,
         "heights": [_height(count, counts) for count in counts],
     }

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from statistics import median
 from typing import Literal
 
 import numpy as np
@@ -62,6 +61,11 @@ class Row:
         return max((result.comparison.max_difference for result in self.results), default=0.0)
 
     @property
+    def bite(self) -> float:
+        """The largest of the cases' medians of how many steps their bounds leave open."""
+        return max((result.comparison.bite for result in self.results), default=0.0)
+
+    @property
     def covered(self) -> int:
         """Pixels that the reference covers."""
         return sum(result.comparison.covered for result in self.results)
@@ -70,8 +74,3 @@ class Row:
     def proven(self) -> int:
         """Those of them whose bounds say something."""
         return sum(result.comparison.proven for result in self.results)
-
-    @property
-    def bite(self) -> float:
-        """The median, over the cases, of how wide the bounds are, in steps of the format."""
-        return median([result.comparison.bite for result in self.results] or [0.0])

@@ -32,7 +32,7 @@ def share(row: Row) -> str:
 
 
 def bite(row: Row) -> str:
-    """How tight the bounds were: their median, in steps of the format of what was drawn."""
+    """How tight the bounds were: the median of their width, in steps of the target's format."""
     if row.bite >= 1e5:
         return f"{row.bite:.0e}"
     return f"{row.bite:.0f}" if row.bite >= 10 else f"{row.bite:.1f}"
@@ -93,6 +93,21 @@ def lacking(rows: Iterable[Row]) -> Mapping[str, Sequence[str]]:
         if row.status == "not run":
             found.setdefault(row.problem, {})[row.route.name] = None
     return {problem: tuple(names) for problem, names in found.items()}
+
+
+def messages(rows: Sequence[Row]) -> Iterator[tuple[Sequence[Row], Sequence[str]]]:
+    """What there is to say of the rows of one material: the rows of which it is said, and the
+    lines.
+
+    What proves little does so on all routes, for the same reason, and is said once: of the route
+    that proves the least.
+    """
+    weak = [row for row in rows if row.status == "proves little"]
+    for row in rows:
+        if row is min(weak, key=lambda one: one.proven, default=None):
+            yield weak, list(details(row))
+        elif row.status not in ("proves little", "not run") and (lines := list(details(row))):
+            yield [row], lines
 
 
 def details(row: Row) -> Iterator[str]:

@@ -44,17 +44,19 @@ class Choice:
         """Whether no pixel has a choice."""
         return self.first is self.last
 
+    def mapped(self, change: Callable[[Ints], Ints]) -> Choice:
+        """The choice with its numbers changed by a function that never decreases."""
+        if self.is_sure:
+            return sure(change(self.home))
+        return Choice(*map(change, (self.home, self.first, self.last)))
+
     def limited(self, least: Any, most: Any) -> Choice:
         """The choice between the nearest numbers in a range."""
-        if self.is_sure:
-            return sure(np.clip(self.home, least, most))
-        return Choice(*(np.clip(x, least, most) for x in (self.home, self.first, self.last)))
+        return self.mapped(lambda number: np.clip(number, least, most))
 
     def at(self, part: Part) -> Choice:
         """The choices of some pixels."""
-        if self.is_sure:
-            return sure(at(part, self.home))
-        return Choice(*(at(part, each) for each in (self.home, self.first, self.last)))
+        return self.mapped(lambda number: at(part, number))
 
     @staticmethod
     def of(lane: Bounded) -> Choice:

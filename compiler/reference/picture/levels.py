@@ -78,7 +78,7 @@ def _difference(lane: Bounded, axis: int, exactly: bool) -> Bounded:
 
 def of_steps(image: Image, steps: Steps) -> Bounded:
     """The level for these steps, in units of the texture or face."""
-    sizes = image.sizes(np.zeros((), dtype=np.int64))
+    sizes = image.first_sizes
     footprint = largest([_length(lanes, sizes, image) for lanes in (steps.across, steps.down)])
     power = image.rules.level_power
     level = increasing(lambda x: _logarithm(x, power), footprint)
@@ -92,7 +92,7 @@ def on_surface(image: Image, steps: Steps) -> Bounded:
     logarithm from the bits of the square, and scales the gradients of a quad like those of its
     first pixel.
     """
-    size = image.sizes(np.zeros((), dtype=np.int64))[0]
+    size = image.first_sizes[0]
 
     def length(*lanes: Floats) -> Floats:
         changes = np.stack(np.broadcast_arrays(*lanes))

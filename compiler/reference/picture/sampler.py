@@ -80,11 +80,11 @@ class TextureReader:
         layer = rest[0][0] if image.type.layered else 0
         given = [as_bounded(lane) for lane in (*place, layer, rest[-1][0])]
         shape = np.broadcast_shapes(*(lane.shape for lane in given))
-        counts = (*image.sizes(np.zeros((), dtype=np.int64)), image.layers, image.levels)
-        last = np.array(counts) - 1
+        counts = [*map(int, image.first_sizes), image.layers, image.levels]
+        # Beyond an edge there is one texel, so one number there stands for all.
         choices = [
-            Choice.of(_flat(lane, shape)).limited(0, most)
-            for lane, most in zip(given, last, strict=True)
+            Choice.of(_flat(lane, shape)).limited(-1, count)
+            for lane, count in zip(given, counts, strict=True)
         ]
 
         def compute(_part: Part, numbers: list[Ints]) -> Bounded:
@@ -152,7 +152,7 @@ class TextureReader:
         number = sure(layer.value) if layer.is_exact and not layer.ndim else Choice.of(flat(layer))
         place = Place(
             [flat(lane) for lane in axes],
-            number.limited(0, self._image.layers - 1),
+            number.mapped(self._image.layer),
             flat(level) if isinstance(level, Bounded) else None,
             None if reference is None else flat(reference),
         )

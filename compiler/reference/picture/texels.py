@@ -75,6 +75,11 @@ class Image:
         """The numbers of texels along each axis of a layer, or face, in these levels."""
         return [self._size[axis][level] for axis in range(self.axes)]
 
+    @property
+    def first_sizes(self) -> list[Ints]:
+        """Those of the first level."""
+        return self.sizes(np.zeros((), dtype=np.int64))
+
     def layer(self, number: Ints) -> Ints:
         """The nearest layer that exists."""
         return np.clip(number, 0, self.layers - 1)
