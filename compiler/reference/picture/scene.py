@@ -90,11 +90,7 @@ class RasterRules:
     """How close to an edge, in pixels, the device may put a pixel on the wrong side."""
     cull: Cull = "none"
     subtexel_bits: int | None = None
-    """The binary places of a linear filter's weights; ``None``: exact, with a radius of 0."""
-    functions: tuple[tuple[str, float], ...] = ()
-    """Builtins whose error is larger than rounding, and the absolute error."""
-    rounding_bits: int | None = None
-    """The exact binary places of the fragment stage's operations; ``None``: all."""
+    """The binary places of a linear filter's weights; ``None``: they are exact."""
     varying_bits: int | None = None
     """The exact binary places of interpolated values, relative to the largest corner; ``None``:
     all."""
@@ -105,6 +101,9 @@ class RasterRules:
     level_power: int | None = None
     """A device reads the logarithm of this power of a footprint roughly, from a float's bits;
     ``None``: it is exact."""
+    own_derivatives: bool = False
+    """Whether the device is known to take the difference in each pixel's own row or column, and not
+    any of its quad."""
     bottom_up: bool = False
     """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
     projects_cubes: bool = True
@@ -122,11 +121,14 @@ class Expected:
     covered: Bools
     """(height, width): where at least one fragment was written."""
     undecided: Bools
-    """(height, width): where the value depends on a decision that rounding to float32 may
-    change."""
-    radius: tuple[Floats, ...]
-    """For each target (height, width, 4): by how much filtering, derivatives, interpolation and
-    rounding may change the value, within the device's bits."""
+    """(height, width): where it hangs on rounding which fragments are drawn, and in which order; or
+    where a promise is broken, so that nothing is defined."""
+    low: tuple[Floats, ...]
+    high: tuple[Floats, ...]
+    """For each target (height, width, 4): between which numbers a conforming device's value is.
+    Infinite where nothing is known of it. Without bounds, these are ``targets``."""
+    layers: Ints
+    """(height, width): how many fragments were drawn, each of which was rounded to the format."""
     broken: frozenset[int] = frozenset()
     """The ids of calls of ``nonzero`` whose operand was zero, as far as float32 can tell, at some
     vertex or pixel: the pixels that use it are not defined."""
