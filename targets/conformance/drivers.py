@@ -18,7 +18,10 @@ class Hardware:
     """How precise the fixed functions of a device are, in binary places."""
 
     varying_bits: int
-    """Of interpolated values, relative to the largest corner."""
+    """Of the planes from which values are interpolated, relative to the largest number with which
+    these are computed."""
+    frag_coord_bits: int
+    """The same of a fragment's depth, and of its 1 / w."""
     subtexel_bits: int
     """Of the weights of filters."""
     mip_bits: int
@@ -41,7 +44,8 @@ class Driver:
     """A driver's properties."""
 
     assumed: Hardware
-    """What is guaranteed, where the API does not report it. No API promises ``varying_bits``."""
+    """What is guaranteed, where the API does not report it. No API promises anything of
+    interpolated values."""
     measured: Measured | None = None
     interpolates_snapped: bool = False
     """Whether attributes are interpolated between snapped vertices, as coverage always is."""
@@ -58,14 +62,30 @@ class Driver:
 
 
 _LLVM = Driver(
-    Hardware(varying_bits=18, subtexel_bits=8, mip_bits=8),
+    Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
+    Measured(Hardware(varying_bits=22, frag_coord_bits=18, subtexel_bits=8, mip_bits=8)),
     clips_sides=True,
     edge_slack=2.0**-11,
     level_power=2,
 )
 _SWIFTSHADER = Driver(
     # It blends levels in 16 bits, with several roundings.
-    Hardware(varying_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
+    Hardware(
+        varying_bits=20,
+        frag_coord_bits=18,
+        subtexel_bits=8,
+        mip_bits=6,
+        mixing_bits=14,
+    ),
+    Measured(
+        Hardware(
+            varying_bits=22,
+            frag_coord_bits=18,
+            subtexel_bits=8,
+            mip_bits=6,
+            mixing_bits=14,
+        )
+    ),
     interpolates_snapped=True,
     clips_sides=True,
     level_power=4,

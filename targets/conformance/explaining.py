@@ -141,7 +141,11 @@ def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
         note = "" if inside else "outside of its bounds"
         if expected.undecided[y, x]:
             note = "undecided: what is drawn here hangs on rounding"
-        rows += [(route, _lanes(got), note), ("  from", _lanes(low), ""), ("  to", _lanes(high), "")]
+        rows += [
+            (route, _lanes(got), note),
+            ("  from", _lanes(low), ""),
+            ("  to", _lanes(high), ""),
+        ]
     rows.insert(0, ("value", _lanes(seen.expected.targets[target][y, x]), ""))
     width = max(len(name) for name, _, _ in rows)
     for name, lanes, note in rows:

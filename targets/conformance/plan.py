@@ -166,6 +166,7 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
         edge_slack=driver.edge_slack,
         subtexel_bits=hardware.subtexel_bits,
         varying_bits=hardware.varying_bits,
+        frag_coord_bits=hardware.frag_coord_bits,
         mip_bits=hardware.mip_bits,
         mixing_bits=hardware.mixing_bits,
         level_power=driver.level_power,
@@ -176,7 +177,14 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
 
 def _precise(rules: RasterRules) -> RasterRules:
     """The rules of a device that covers the same pixels, but rounds nothing."""
-    return replace(rules, subtexel_bits=None, varying_bits=None, mip_bits=None, mixing_bits=None)
+    return replace(
+        rules,
+        subtexel_bits=None,
+        varying_bits=None,
+        frag_coord_bits=None,
+        mip_bits=None,
+        mixing_bits=None,
+    )
 
 
 def _drawn(shader: Shader, *, exact: bool) -> Shader:

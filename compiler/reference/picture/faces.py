@@ -36,6 +36,8 @@ class Faces:
     """(faces, 3): by how many pixels rounding to float32 may move a corner."""
     moved: Floats
     """(faces,): by how many pixels a device's corners may be elsewhere before they are snapped."""
+    extent: Floats
+    """(faces,): the largest coordinate of a place in the picture, or of a corner, in pixels."""
     loose: Bools
     """(faces,): whether rounding may move the positions between which values are interpolated."""
     plane_x: Floats
@@ -91,6 +93,7 @@ def assemble(
         area=area,
         unsure=_unsure(across, down, moved[:, None], rules),
         moved=moved,
+        extent=_extent(planes, rules),
         loose=np.asarray(loose.any(axis=1)),
         plane_x=np.where(turned, snapped_x, planes[0]),
         plane_y=np.where(turned, snapped_y, planes[1]),
@@ -153,6 +156,13 @@ def _moved(places: Floats, off: Floats, rules: RasterRules) -> Floats:
     largest = np.nan_to_num(np.maximum(*pixels).max(axis=1), nan=np.inf, posinf=np.inf)
     moved: Floats = largest + _FLOAT32_STEPS * max(rules.width, rules.height)
     return moved
+
+
+def _extent(planes: tuple[Floats, Floats], rules: RasterRules) -> Floats:
+    """The largest coordinate with which the plane through a face's corners is computed."""
+    corners = np.abs(np.stack(planes)).max(axis=(0, 2))
+    extent: Floats = np.maximum(corners, max(rules.width, rules.height))
+    return extent
 
 
 def _unsure(x: Floats, y: Floats, moved: Floats, rules: RasterRules) -> Floats:
