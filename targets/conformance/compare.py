@@ -120,17 +120,17 @@ def compare(
     Uncovered pixels have the clear colour, and ``got`` must have exactly the same there. ``steps``
     are the distances between neighbouring numbers of each target's format.
     """
-    values, low, high = (np.stack(ends) for ends in (expected.targets, expected.low, expected.high))
+    values, low, high = ends_of(expected)
     drawn = np.stack(got)
     overflows = ~(np.abs(values) <= LARGEST)
     overflowing = overflows.any(axis=(0, 3)) & ~expected.undecided
     decided = ~(expected.undecided | overflowing)
-    wide = decided & expected.covered & _says_nothing(values, low, high, decided & expected.covered)
-    excess = _excess(drawn, values, low, high)
+    wide = decided & expected.covered & says_nothing(values, low, high, decided & expected.covered)
+    excess = shares(drawn, values, low, high)
     per_pixel = excess.max(axis=(0, 3))
     source = np.stack(meant)
     rounding = ROUNDING * _larger_of(values, decided & expected.covered)
-    change = _excess(source, values, low - rounding, high + rounding)
+    change = shares(source, values, low - rounding, high + rounding)
     changed = decided & (change.max(axis=(0, 3)) > 1)
     distance = np.where(decided[None, :, :, None], _distance(drawn, values), 0)
     pictures = (values, low, high)
@@ -153,6 +153,11 @@ def compare(
     )
 
 
+def ends_of(expected: Expected) -> tuple[Floats, Floats, Floats]:
+    """The values and both bounds of all targets, (targets, height, width, 4) each."""
+    return np.stack(expected.targets), np.stack(expected.low), np.stack(expected.high)
+
+
 def proves_little(comparisons: Sequence[Comparison]) -> bool:
     """Whether agreement of a material's pictures proves little: too few pixels can be compared."""
     seen = any(one.proven > SEEN_SHARE * one.pixels for one in comparisons)
@@ -168,7 +173,7 @@ def _distance(got: Floats, values: Floats) -> Floats:
     return np.where(np.isfinite(distance), distance, np.inf)
 
 
-def _excess(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
+def shares(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
     """How far each lane is on the way from its value to the bound on that side, which is 1.
 
     Where the bounds are infinite, nothing is known, and everything agrees, NaN included.
@@ -190,7 +195,7 @@ def _larger_of(values: Floats, seen: Bools) -> Floats:
     return np.maximum(np.abs(values), np.reshape(usual, (-1, 1, 1, 1)))
 
 
-def _says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bools:
+def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bools:
     """Where some lane's bounds are wider than a part of the range of values of its target."""
     found = np.zeros(seen.shape, dtype=np.bool_)
     for value, least, most in zip(values, low, high, strict=True):
