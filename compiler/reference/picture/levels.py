@@ -68,7 +68,7 @@ def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
     step = difference(second, first)
     if not image.is_exact:
         step = widened(step, _ROUNDING * np.maximum(first.magnitude, second.magnitude))
-    if image.is_exact or image.rules.euclidean_steps:
+    if image.has_known_steps:
         return step.mapped(lambda array: array[..., :1, :1])
     low, high = step.low.min(axis=(-2, -1)), step.high.max(axis=(-2, -1))
     return Bounded(step.value[..., :1, :1], low[..., None, None], high[..., None, None])
@@ -125,7 +125,7 @@ def _length(lanes: Sequence[Bounded], sizes: Sequence[Ints], image: Image) -> Bo
         for lane, size in zip(lanes, sizes, strict=True)
     ]
     euclidean = increasing(lambda *x: np.sqrt(sum(size * size for size in x)), *texels)
-    if image.is_exact or image.rules.euclidean_steps:
+    if image.has_known_steps:
         return euclidean
     low = np.max(np.broadcast_arrays(*(lane.low for lane in texels)), axis=0)
     return between(euclidean.value, low, sum(lane.high for lane in texels))
