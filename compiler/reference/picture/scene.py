@@ -106,6 +106,9 @@ class RasterRules:
     own_derivatives: bool = False
     """Whether the device is known to take the difference in each pixel's own row or column, and not
     any of its quad."""
+    euclidean_steps: bool = False
+    """Whether the device is known to take differences between pixels in a quad's first row and
+    column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
     bottom_up: bool = False
     """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
     projects_cubes: bool = True
