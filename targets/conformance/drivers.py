@@ -28,6 +28,10 @@ class Hardware:
     """Of the level of detail."""
     mixing_bits: int | None = None
     """Of the weights of two levels whose texels are not filtered; ``None``: they are floats."""
+    own_derivatives: bool = False
+    """Whether differences are those of each pixel's own row and column, and not any of its quad."""
+    euclidean_steps: bool = False
+    """Whether levels follow from a quad's first row and column, by Euclidean lengths."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,34 +67,30 @@ class Driver:
 
 _LLVM = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
-    Measured(Hardware(varying_bits=22, frag_coord_bits=18, subtexel_bits=8, mip_bits=8)),
+    Measured(
+        Hardware(
+            varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
+            own_derivatives=True, euclidean_steps=True,
+        )
+    ),
     clips_sides=True,
     edge_slack=2.0**-11,
     level_power=2,
-)
+)  # fmt: skip
 _SWIFTSHADER = Driver(
     # It blends levels in 16 bits, with several roundings.
-    Hardware(
-        varying_bits=20,
-        frag_coord_bits=18,
-        subtexel_bits=8,
-        mip_bits=6,
-        mixing_bits=14,
-    ),
+    Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
     Measured(
         Hardware(
-            varying_bits=22,
-            frag_coord_bits=18,
-            subtexel_bits=8,
-            mip_bits=6,
-            mixing_bits=14,
+            varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
+            own_derivatives=True, euclidean_steps=True,
         )
     ),
     interpolates_snapped=True,
     clips_sides=True,
     level_power=4,
     projects_cubes=False,
-)
+)  # fmt: skip
 # OpenGL does not define which triangle owns a pixel that is exactly on an edge, and rows from the
 # bottom up invert the top-left rule. Such pixels are undecided.
 _WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)

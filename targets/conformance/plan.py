@@ -169,6 +169,8 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
         frag_coord_bits=hardware.frag_coord_bits,
         mip_bits=hardware.mip_bits,
         mixing_bits=hardware.mixing_bits,
+        own_derivatives=hardware.own_derivatives,
+        euclidean_steps=hardware.euclidean_steps,
         level_power=driver.level_power,
         bottom_up=driver.bottom_up,
         projects_cubes=driver.projects_cubes,
