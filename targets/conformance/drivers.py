@@ -8,9 +8,7 @@ leaves them, it is held against what specifications guarantee.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-
-from ...stdlib.builtins.accuracy import Bound
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,22 +33,15 @@ class Hardware:
 
 
 @dataclass(frozen=True, slots=True)
-class Measured:
-    """The largest errors that were found on a driver, and some more."""
-
-    hardware: Hardware
-    functions: Mapping[str, Bound] = field(default_factory=dict)
-    """Builtins that are more accurate than the specifications demand."""
-
-
-@dataclass(frozen=True, slots=True)
 class Driver:
     """A driver's properties."""
 
     assumed: Hardware
     """What is guaranteed, where the API does not report it. No API promises anything of
     interpolated values."""
-    measured: Measured | None = None
+    measured: Hardware | None = None
+    """What was found, less some places, as other pictures may have larger errors. ``measured.py``
+    has what was found of its functions."""
     interpolates_snapped: bool = False
     """Whether attributes are interpolated between snapped vertices, as coverage always is."""
     clips_sides: bool = False
@@ -67,11 +58,9 @@ class Driver:
 
 _LLVM = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
-    Measured(
-        Hardware(
-            varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
-            own_derivatives=True, euclidean_steps=True,
-        )
+    Hardware(
+        varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
+        own_derivatives=True, euclidean_steps=True,
     ),
     clips_sides=True,
     edge_slack=2.0**-11,
@@ -80,11 +69,9 @@ _LLVM = Driver(
 _SWIFTSHADER = Driver(
     # It blends levels in 16 bits, with several roundings.
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
-    Measured(
-        Hardware(
-            varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
-            own_derivatives=True, euclidean_steps=True,
-        )
+    Hardware(
+        varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
+        own_derivatives=True, euclidean_steps=True,
     ),
     interpolates_snapped=True,
     clips_sides=True,
