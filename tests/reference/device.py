@@ -267,7 +267,8 @@ class Device:
     def _unrounded(self, x: Chosen) -> Array:
         """The exact product of two numbers, if the device fuses it with the sum that it is in."""
         if len(x.factors) == 2 and self._does(self._habits.fuses):
-            return x.factors[0] * x.factors[1]
+            product = x.factors[0] * x.factors[1]
+            return np.where(np.abs(product) < SMALLEST_NORMAL, x.value, product)
         return x.value
 
     def _in_any_order(

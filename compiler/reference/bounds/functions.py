@@ -31,6 +31,8 @@ of its operand and of its result."""
 
 _TURN = 2.0 * math.pi
 _LN2 = math.log(2.0)
+_AFTER_ROUNDING = 1.0 + 2.0**-50
+"""Corrects float64's own rounding of a magnitude upwards."""
 
 
 class Bounds:
@@ -284,7 +286,9 @@ class Bounds:
         return self._with_error(name, x, Bounded(function(x.value), low, high, form))
 
     def _with_error(self, name: str, operand: Bounded, result: Bounded) -> Bounded:
-        return widened(result, self._errors(name, operand.magnitude, result.magnitude))
+        # A result just below a power of two has half the step of the power itself.
+        largest = result.magnitude * _AFTER_ROUNDING
+        return widened(result, self._errors(name, operand.magnitude, largest))
 
 
 def _bent(x: Bounded, derivative: Derivative) -> Form | None:

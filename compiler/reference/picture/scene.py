@@ -101,6 +101,9 @@ class RasterRules:
     level_power: int | None = None
     """A device reads the logarithm of this power of a footprint roughly, from a float's bits;
     ``None``: it is exact."""
+    own_derivatives: bool = False
+    """Whether the device is known to take the difference in each pixel's own row or column, and not
+    any of its quad."""
     bottom_up: bool = False
     """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
     projects_cubes: bool = True

@@ -86,6 +86,8 @@ class StageEvaluator:
         self._values = values
         self.has_bounds = errors is not None
         """Whether lanes are ``Bounded``."""
+        self.knows_no_row = self.has_bounds and not rules.own_derivatives
+        """Whether a derivative may be that of any row or column of a quad."""
         self._bounds = Bounds(errors or _no_error)
         self._xp: Namespace = self._bounds if self.has_bounds else np
         ((self._position,), self._targets, discards) = (
@@ -198,7 +200,7 @@ class _Watch:
         builtin = builtin_of(node)
         if builtin in _COMPARES_NEIGHBOURS and self.undecided.any():
             self.undecided |= self.undecided.any(axis=(-2, -1), keepdims=True)
-        if builtin in _DERIVATIVE_AXES and self._stages.has_bounds:
+        if builtin in _DERIVATIVE_AXES and self._stages.knows_no_row:
             return tuple(_any_difference(lane, _DERIVATIVE_AXES[builtin]) for lane in value)
         return value
 
