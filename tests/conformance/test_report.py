@@ -98,8 +98,8 @@ lavapipe:hlsl-dxc: defaults: 1 of 24 pixels are out of bounds; the worst, at (2,
 lavapipe:hlsl-dxc: behind: 1 of 24 pixels are out of bounds; the worst, at (2, 1), is (nan, 1, \
 1, 1) and must be from (0.99, 0.99, 0.99, 0.99) to (1.01, 1.01, 1.01, 1.01)
 lavapipe:hlsl-glslang: defaults: the compiler has changed the meaning of 1 of 24 pixels: at (2, \
-1) the material means (1.25, 1, 1, 1), but what was emitted gives a value from (0.99, 0.99, 0.99, 0.99) to \
-(1.01, 1.01, 1.01, 1.01)
+1) the material means (1.25, 1, 1, 1), but what was emitted gives a value from (0.99, 0.99, \
+0.99, 0.99) to (1.01, 1.01, 1.01, 1.01)
 swiftshader:glsl: defaults: in 1 of 24 pixels the value leaves what float32 holds, where \
 nothing is promised; at (2, 1) it is (1e+39, 1, 1, 1)
 lavapipe:wgsl-naga: defaults: nearly nothing is known of 20 of 24 pixels, and what is drawn \
