@@ -25,7 +25,7 @@ SAYS_NOTHING = 1 / 8
 USUAL = (0.02, 0.98)
 """The quantiles between which the picture's range is measured, so that a few pixels, such as a
 highlight, cannot make it larger."""
-CONSTANT = 2.0**-10
+CONSTANT = 2.0**-4
 """The least range, relative to the largest value: that of a picture of one colour is 0."""
 
 PROVEN_SHARE = 0.95
@@ -210,6 +210,8 @@ def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bool
 
 def _bite(low: Floats, high: Floats, steps: Floats, seen: Bools) -> float:
     """The median of the bounds in steps, over the lanes that are seen and not exact."""
+    usual = [np.median(step[seen]) if seen.any() else 0.0 for step in steps]
+    steps = np.maximum(steps, np.reshape(usual, (-1, 1, 1, 1)))
     with np.errstate(invalid="ignore"):
         bounds = ((high - low) / 2 / steps)[:, seen]
     bounds = bounds[bounds > 0]
