@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.accuracy import Bound, Error, Exact, Platform, Rounded, Within
+from ....stdlib.builtins.facts import LARGEST_FLOAT
 
 Floats = NDArray[np.float64]
 
@@ -153,14 +154,14 @@ def _arc(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
 
 def _hyperbolic_sine(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``(exp(x) - exp(-x)) * 0.5``: the sum of both exponentials is twice the cosine."""
-    error = of.relative("exp", operand) * np.sqrt(1.0 + result * result)
-    return error + STEP * (result + error)
+    return _hyperbolic_cosine(of, operand, np.sqrt(1.0 + result * result))
 
 
 def _hyperbolic_cosine(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
-    """``(exp(x) + exp(-x)) * 0.5``."""
+    """``(exp(x) + exp(-x)) * 0.5``, of which the sum may be too large for float32."""
     error = of.relative("exp", operand) * result
-    return error + STEP * (result + error)
+    error = error + STEP * (result + error)
+    return np.where(2.0 * (result + error) < LARGEST_FLOAT, error, np.inf)
 
 
 def _hyperbolic_tangent(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
