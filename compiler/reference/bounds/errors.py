@@ -69,13 +69,21 @@ class _OfPlatform:
 
     def bound(self, name: str) -> Bound:
         """What holds of a builtin."""
-        if name in self._measured:
-            return self._measured[name]
-        return BUILTINS[name].accuracy.on(self._platform).bound
+        return self._measured.get(name) or self._promise(name)
 
     def error(self, name: str, operand: Floats, result: Floats) -> Floats:
         """The largest error for magnitudes up to these."""
-        bound = self.bound(name)
+        if name not in self._measured:
+            return self._by(self._promise(name), name, operand, result)
+        # What is allowed besides what was measured must not be more than what is promised.
+        bounds = self._measured[name], self._promise(name)
+        return np.minimum(*(self._by(bound, name, operand, result) for bound in bounds))
+
+    def _promise(self, name: str) -> Bound:
+        return BUILTINS[name].accuracy.on(self._platform).bound
+
+    def _by(self, bound: Bound, name: str, operand: Floats, result: Floats) -> Floats:
+        """The largest error that a bound allows."""
         if isinstance(bound, Exact):
             return np.zeros_like(result)
         if isinstance(bound, Rounded):
