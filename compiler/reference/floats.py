@@ -91,8 +91,10 @@ def saturate(xp: Namespace, x: Lane) -> Lane:
     return clamp(xp, x, 0.0, 1.0)
 
 
-def mix(_xp: Namespace, x: Lane, y: Lane, a: Lane) -> Lane:
-    return x * (1.0 - a) + y * a
+def mix(xp: Namespace, x: Lane, y: Lane, a: Lane) -> Lane:
+    # Devices compute it in one of two ways, and what bounds errors has to know of both.
+    own = getattr(xp, "mix", None)
+    return x * (1.0 - a) + y * a if own is None else own(x, y, a)
 
 
 def fma(_xp: Namespace, x: Lane, y: Lane, z: Lane) -> Lane:

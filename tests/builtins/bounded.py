@@ -37,7 +37,9 @@ def results(overload: Overload, platforms: tuple[Platform, ...]) -> list[tuple[F
         )
         lanes = [_ends(as_bounded(lane), overload.result.kind) for lane in _flat(found)]
     unknown = ~_within_range(overload)
-    return [(np.where(unknown, np.nan, low), np.where(unknown, np.nan, high)) for low, high in lanes]
+    return [
+        (np.where(unknown, np.nan, low), np.where(unknown, np.nan, high)) for low, high in lanes
+    ]
 
 
 def operands_at(overload: Overload, place: tuple[int, int]) -> str:

@@ -47,7 +47,6 @@ class Shape:
         return self.width * max(self.columns, 1)
 
 
-
 @dataclass(frozen=True)
 class Overload:
     """A builtin with the types of its operands and of its result."""
@@ -183,7 +182,9 @@ def _program(batch: Sequence[Overload]) -> Program:
     numbers: list[str] = []
     lanes: list[Lane] = []
     for place, overload in enumerate(batch):
-        call = overload.call([_operand(overload.map(k), s) for k, s in enumerate(overload.operands)])
+        call = overload.call(
+            [_operand(overload.map(k), s) for k, s in enumerate(overload.operands)]
+        )
         lines.append(f"    r{place} = {call}")
         numbers += _numbers(f"r{place}", overload.result)
         lanes += [Lane(overload, lane) for lane in range(overload.result.lanes)]

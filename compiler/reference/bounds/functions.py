@@ -82,6 +82,15 @@ class Bounds:
         """The greater number."""
         return _of_ends(np.maximum, np.greater_equal, x, y)
 
+    def mix(self, x: Any, y: Any, a: Any, /) -> Bounded:
+        """The blend of two numbers. Direct3D defines it as ``x + (y - x) * a``, and drivers of
+        other APIs compute it so, too, although their specifications say ``x * (1 - a) + y * a``.
+        """
+        x, y, a = as_bounded(x), as_bounded(y), as_bounded(a)
+        one, other = x * (1.0 - a) + y * a, x + (y - x) * a
+        beyond = np.maximum(one.low - other.low, other.high - one.high)
+        return widened(one, np.where(np.isnan(beyond), np.inf, np.maximum(beyond, 0.0)))
+
     # --- conversions ------------------------------------------------------------------------------
 
     def float64(self, x: Any, /) -> Bounded:
