@@ -2,13 +2,15 @@
 # user's cache folder; PYTHON names the Python that makes the environment.
 
 PYTHON ?= $(shell command -v python3.11 || command -v python3 || echo python3)
+SECONDS ?= 60
+SEED ?= $(shell date +%s)
 VENV := .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test quick lint bench tools clean
+.PHONY: help demo test quick lint bench fuzz tools clean
 
 help: ## List everything that make can do
 	@sed -n 's/^\([a-z]*\):.*## /make \1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -38,6 +40,9 @@ lint: $(VENV)/dev build/mypy/burnish ## Check style and types
 
 bench: tools ## Measure; prints tables and writes build/bench.json
 	$(BIN)/python -m tests.bench
+
+fuzz: tools ## Try random programs: make fuzz SECONDS=600 SEED=1
+	$(BIN)/python -m burnish.tests.fuzz --seconds $(SECONDS) --seed $(SEED)
 
 tools: $(VENV)/dev ## Install the downstream compilers, the drivers and the browser
 	$(BIN)/python -m burnish.targets.toolchain.install

@@ -180,18 +180,15 @@ def _compiled(
     chosen: list[tuple[Language, Profile]],
     emit_options: EmitOptions,
 ) -> CompiledMaterial:
-    emissions = tuple(
-        (
-            target,
-            profile,
-            emit(legalise(staged.program, target, profile, staged.undecided), emit_options),
-        )
+    legals = (
+        legalise(staged.program, target, profile, staged.undecided)
         for target, profile in chosen
         if full_name(target, profile) not in lacking
     )
+    emissions = tuple((legal, emit(legal, emit_options)) for legal in legals)
     files = tuple(
-        _output(shader, target, profile, emission, file, emit_options)
-        for target, profile, emission in emissions
+        _output(shader, legal.language, legal.profile, emission, file, emit_options)
+        for legal, emission in emissions
         for file in emission.files
     )
     profiles = [profile for _target, profile in chosen]

@@ -27,6 +27,7 @@ from .targets.selection import full_name
 if TYPE_CHECKING:
     from .compiler.ir.program import StageName
     from .compiler.passes.proofs import Proof
+    from .targets.legalise.legal import Legal
     from .targets.runner.instances.instance import Instance
 
 FileStage = str
@@ -69,7 +70,8 @@ class CompiledMaterial:
     shader: Shader
     """The shader before any pass, which the reference draws."""
     _staged: Staged
-    _emissions: tuple[tuple[Language, Profile, Emission], ...]
+    _emissions: tuple[tuple[Legal, Emission], ...]
+    """Of each profile that has texts: the program in its form, and the texts."""
     _flip_y: bool
 
     def __repr__(self) -> str:
@@ -93,11 +95,12 @@ class CompiledMaterial:
         from .compiler.reflection import reflect
 
         tables = {
-            full_name(target, profile): backend_table(
-                self._staged.program, target, profile, emission, self._files(target, profile),
-                flip_y=self._flip_y, source_maps=self._source_maps(target, profile),
+            full_name(legal.language, legal.profile): backend_table(
+                self._staged.program, legal.language, legal.profile, emission,
+                self._files(legal.language, legal.profile), flip_y=self._flip_y,
+                source_maps=self._source_maps(legal.language, legal.profile),
             )
-            for target, profile, emission in self._emissions
+            for legal, emission in self._emissions
         }  # fmt: skip
         derived = {value.parameter: value.expression for value in self._staged.derived}
         return reflect(self.shader, self._staged.program, tables, derived)
@@ -114,6 +117,18 @@ class CompiledMaterial:
 
         evidence = self._staged.evidence
         return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.remarks))
+
+    def emitted(self, profile: str) -> Shader:
+        """The graph that the texts for a profile (``glsl:es300``) compute, as a shader.
+
+        Raises ``KeyError`` if the material has no texts for it.
+        """
+        from .targets.legalise.emitted import emitted
+
+        for legal, _emission in self._emissions:
+            if full_name(legal.language, legal.profile) == profile:
+                return emitted(self.shader, legal)
+        raise KeyError(f"{self.name} has no texts for {profile}")
 
     def instance(self) -> Instance:
         """An instance with named values to draw the material with; they start as its defaults."""

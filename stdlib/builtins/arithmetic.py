@@ -9,9 +9,10 @@ from __future__ import annotations
 import math
 
 from ...frozen import changed
+from .accuracy import CORRECT, Error, Within, in_table, inherited, promised
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import around, outward, products, quotients, squares
-from .row import EXACT, WGSL_ACCURACY, Accuracy, Builtin
+from .row import Builtin
 
 _LANEWISE = ("N, N -> N", "N, L -> N", "L, N -> N")
 SIGNED = ("T -> T", "int -> int", "ivec2 -> ivec2", "ivec3 -> ivec3", "ivec4 -> ivec4")
@@ -87,6 +88,21 @@ def _counts(facts: tuple[Fact, ...]) -> bool:
     return x.kind != "float" and x.lo >= 0 and y.lo >= 1
 
 
+_FLUSHED = "the reciprocal of a larger divisor is subnormal, so it may be flushed to zero"
+_LARGE = 2.0**126
+_FLUSHED_QUOTIENT = Error(relative=1.0)
+QUOTIENT = promised(
+    Within(Error(ulp=2.5), _LARGE, beyond=_FLUSHED_QUOTIENT),
+    # x * (1 / y), whose reciprocal has an error of 1 ulp, which is 2^-23 of it at most.
+    in_table(
+        "direct3d",
+        Within(Error(ulp=1.0, relative=2.0**-23), _LARGE, beyond=_FLUSHED_QUOTIENT),
+        beyond_assumed=_FLUSHED,
+    ),
+    beyond_assumed=_FLUSHED,
+)
+"""Quotients of floats; those of integers are exact."""
+
 ROWS = (
     Builtin(
         name="add",
@@ -95,7 +111,7 @@ ROWS = (
         doc="Sum, lane by lane. Integers wrap.",
         operator="+",
         range=_sum,
-        accuracy=EXACT,
+        accuracy=CORRECT,
     ),
     Builtin(
         name="sub",
@@ -104,7 +120,7 @@ ROWS = (
         doc="Difference, lane by lane. Integers wrap.",
         operator="-",
         range=_difference,
-        accuracy=EXACT,
+        accuracy=CORRECT,
     ),
     Builtin(
         name="mul",
@@ -113,7 +129,7 @@ ROWS = (
         doc="Product: lane by lane for numbers and vectors, that of linear algebra for matrices.",
         operator="*",
         range=_product,
-        accuracy=EXACT,
+        accuracy=CORRECT,
     ),
     Builtin(
         name="div",
@@ -130,7 +146,7 @@ ROWS = (
         expansion="div",
         by_profile=_whole,
         range=_quotient,
-        accuracy=Accuracy("2.5 ulp", WGSL_ACCURACY),
+        accuracy=QUOTIENT,
         cost=4,
         samples=((1.0, 0.0), (0.0, 0.0), (-3.0, 0.0), (1.0, -0.0), (1.0, 1e-40), (7.0, -2.0)),
     ),
@@ -146,6 +162,7 @@ ROWS = (
         expansion="modulo",
         by_profile=_unsigned,
         range=_remainder,
+        accuracy=inherited("x - y * floor(x / y)"),
         cost=6,
         samples=((5.5, 2.0), (-5.5, 2.0), (5.5, -2.0), (-5.5, -2.0), (1.0, 0.0), (-0.25, 1.0)),
     ),
@@ -156,6 +173,6 @@ ROWS = (
         doc="The value with the opposite sign. The lowest integer stays as it is.",
         operator="-",
         range=_negated,
-        accuracy=EXACT,
+        accuracy=CORRECT,
     ),
 )

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 
 from ...frozen import changed
+from .accuracy import CORRECT, EXACT
 from .facts import Fact
-from .row import EXACT, Accuracy, Builtin, everywhere, nowhere
+from .row import Builtin, everywhere, nowhere
 
 _PAIR = ("I, I -> I",)
 _SHIFT = ("I, U -> I", "I, J -> I", "I, uint -> I", "I, int -> I")
@@ -74,8 +75,6 @@ def _are_numbers(facts: tuple[Fact, ...]) -> bool:
     return x.within(0x00800000, 0x7F7FFFFF) or x.within(0x80800000, 0xFF7FFFFF)
 
 
-_TOTAL = Accuracy("exact", "integers and bit patterns")
-
 ROWS = (
     Builtin(
         name="bit_and",
@@ -83,7 +82,7 @@ ROWS = (
         doc="The bits that are set in both operands.",
         operator="&",
         range=_intersection,
-        accuracy=_TOTAL,
+        accuracy=EXACT,
     ),
     Builtin(
         name="bit_or",
@@ -91,7 +90,7 @@ ROWS = (
         doc="The bits that are set in at least one operand.",
         operator="|",
         range=_union,
-        accuracy=_TOTAL,
+        accuracy=EXACT,
     ),
     Builtin(
         name="bit_xor",
@@ -99,14 +98,14 @@ ROWS = (
         doc="The bits that are set in exactly one operand.",
         operator="^",
         range=_difference,
-        accuracy=_TOTAL,
+        accuracy=EXACT,
     ),
     Builtin(
         name="bit_not",
         signatures=("I -> I",),
         doc="All bits inverted.",
         operator="~",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
     ),
     Builtin(
         name="shift_left",
@@ -119,7 +118,7 @@ ROWS = (
         expansion="shift_left",
         by_profile=everywhere,
         range=_shifted_left,
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         samples=((1, 31), (1, 32), (1, 33), (-1, 4)),
     ),
     Builtin(
@@ -136,7 +135,7 @@ ROWS = (
         expansion="shift_right",
         by_profile=everywhere,
         range=_shifted_right,
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         samples=((-16, 2), (1, 32), (-1, 31), (-1, 33)),
     ),
     Builtin(
@@ -145,7 +144,7 @@ ROWS = (
         doc="The number of bits that are set.",
         definition="count_bits",
         range=_count,
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         cost=2,
         samples=((0,), (-1,), (1,)),
     ),
@@ -154,7 +153,7 @@ ROWS = (
         signatures=("I -> I",),
         doc="The bits in the opposite order.",
         definition="reverse_bits",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         cost=2,
         samples=((0,), (1,), (-2,)),
     ),
@@ -166,7 +165,7 @@ ROWS = (
             "the highest that is not set. -1 if there is none."
         ),
         definition="first_leading_bit",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         cost=2,
         samples=((0,), (-1,), (1,), (-2,)),
     ),
@@ -175,7 +174,7 @@ ROWS = (
         signatures=("I -> J",),
         doc="The position of the lowest bit that is set, counted from 0; -1 if there is none.",
         definition="first_trailing_bit",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         cost=2,
         samples=((0,), (-1,), (8,)),
     ),
@@ -189,7 +188,7 @@ ROWS = (
         domain=nowhere,
         outside=_FIELD,
         expansion="extract_bits",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         cost=6,
         samples=((-256, 4, 8), (7, 0, 0), (-1, 28, 9), (-1, -3, 40), (5, 40, 2)),
     ),
@@ -203,7 +202,7 @@ ROWS = (
         domain=nowhere,
         outside=_FIELD,
         expansion="insert_bits",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         cost=8,
         samples=((0, -1, 4, 8), (7, 0, 0, 0), (0, -1, 28, 9), (5, -1, 40, 2)),
     ),
@@ -215,7 +214,7 @@ ROWS = (
         needs="the operand is not 0",
         outside="Magnitudes below 2^-126 and -0.0 count as 0, whose bits are 0.",
         expansion="bits_of",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         samples=((0.0,), (-0.0,), (1.0,), (-2.5,), (1e-40,), (3.4028234663852886e38,)),
     ),
     Builtin(
@@ -229,7 +228,7 @@ ROWS = (
             "include the zeros."
         ),
         expansion="float_of_bits",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         cost=3,
         samples=((0x3F800000,), (0x7F800000,), (0x7FC00000,), (1,), (0x80000000,), (0xFF7FFFFF,)),
     ),
@@ -240,7 +239,7 @@ ROWS = (
         domain=nowhere,
         outside="0 for magnitudes below 2^-126.",
         expansion="exponent",
-        accuracy=_TOTAL,
+        accuracy=EXACT,
         cost=4,
         samples=((0.0,), (1.0,), (-0.75,), (1e-40,)),
     ),
@@ -262,7 +261,7 @@ ROWS = (
         domain=nowhere,
         outside="n is clamped to -252 to 254, far beyond what float32 holds.",
         expansion="ldexp",
-        accuracy=EXACT,
+        accuracy=CORRECT,
         cost=8,
         samples=((0.75, 3.0), (1.0, -126.0), (1.0, 127.0), (3.0, -400.0)),
     ),

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from .accuracy import COMMON, Inherited, Rounded, in_table, inherited, promised
 from .arithmetic import SIGNED
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import around, monotone, outward, product, products
-from .row import EXACT, Builtin, RangeRule
+from .row import Builtin, RangeRule
 
 _FLOATS = ("T -> T",)
 _PAIRS = ("N, N -> N", "N, L -> N")
@@ -104,6 +105,8 @@ def _apart(facts: tuple[Fact, ...]) -> bool:
     return high.lo - low.hi >= SMALLEST_NORMAL
 
 
+FRACTION = promised(Inherited("x - floor(x)"), in_table("vulkan", Rounded()))
+
 ROWS = (
     Builtin(
         name="abs",
@@ -111,7 +114,7 @@ ROWS = (
         meaning="limits",
         doc="Absolute value. The lowest integer stays as it is, because its negative does not fit.",
         range=_absolute,
-        accuracy=EXACT,
+        accuracy=COMMON,
     ),
     Builtin(
         name="sign",
@@ -119,7 +122,7 @@ ROWS = (
         meaning="numbers",
         doc="-1, 0 or 1, in the operand's own type; 0 for 0.0 and for -0.0.",
         range=_sign,
-        accuracy=EXACT,
+        accuracy=COMMON,
         cost=2,
         samples=((0.0,), (-0.0,), (-2.0,), (3.0,)),
     ),
@@ -128,21 +131,21 @@ ROWS = (
         signatures=_FLOATS,
         doc="The greatest whole number that is not above the operand.",
         range=_rounding(math.floor),
-        accuracy=EXACT,
+        accuracy=COMMON,
     ),
     Builtin(
         name="ceil",
         signatures=_FLOATS,
         doc="The least whole number that is not below the operand.",
         range=_rounding(math.ceil),
-        accuracy=EXACT,
+        accuracy=COMMON,
     ),
     Builtin(
         name="round",
         signatures=_FLOATS,
         doc="The nearest whole number; a half is rounded to the even neighbour.",
         range=_rounding(round),
-        accuracy=EXACT,
+        accuracy=COMMON,
         samples=((0.5,), (1.5,), (2.5,), (-0.5,), (-1.5,)),
     ),
     Builtin(
@@ -150,13 +153,14 @@ ROWS = (
         signatures=_FLOATS,
         doc="The operand without its fraction, so rounded towards zero.",
         range=_rounding(math.trunc),
-        accuracy=EXACT,
+        accuracy=COMMON,
     ),
     Builtin(
         name="fract",
         signatures=_FLOATS,
         doc="The part above the floor: x - floor(x).",
         range=_fraction,
+        accuracy=FRACTION,
         samples=((-0.25,), (1.75,)),
     ),
     Builtin(
@@ -165,7 +169,7 @@ ROWS = (
         meaning="limits",
         doc="The lesser of two values.",
         range=_lesser,
-        accuracy=EXACT,
+        accuracy=COMMON,
     ),
     Builtin(
         name="max",
@@ -173,7 +177,7 @@ ROWS = (
         meaning="limits",
         doc="The greater of two values.",
         range=_greater,
-        accuracy=EXACT,
+        accuracy=COMMON,
     ),
     Builtin(
         name="clamp",
@@ -185,7 +189,7 @@ ROWS = (
         outside="Limits in the wrong order give the upper limit: min(max(x, low), high).",
         expansion="clamp",
         range=_clamped,
-        accuracy=EXACT,
+        accuracy=COMMON,
         cost=2,
         samples=((0.5, 1.0, 0.0), (-1.0, 0.0, 1.0), (2.0, 0.0, 1.0)),
     ),
@@ -194,7 +198,7 @@ ROWS = (
         signatures=_FLOATS,
         doc="The value, limited to the range from 0 to 1.",
         range=_saturated,
-        accuracy=EXACT,
+        accuracy=COMMON,
     ),
     Builtin(
         name="mix",
@@ -202,6 +206,7 @@ ROWS = (
         meaning="blend",
         doc="Blend: x * (1 - a) + y * a. Extrapolates for an a outside of 0 to 1.",
         range=_blended,
+        accuracy=inherited("x * (1 - z) + y * z"),
         cost=2,
     ),
     Builtin(
@@ -209,6 +214,7 @@ ROWS = (
         signatures=("T, T, T -> T",),
         doc="fma(x, y, z): x * y + z. The device chooses whether it rounds once or twice.",
         range=_multiplied_and_added,
+        accuracy=inherited("x * y + z"),
         cost=1,
     ),
     Builtin(
@@ -217,7 +223,7 @@ ROWS = (
         meaning="numbers",
         doc="1 if the second value is at least the first, the edge; otherwise 0.",
         range=_stepped,
-        accuracy=EXACT,
+        accuracy=COMMON,
         cost=2,
         samples=((0.5, 0.5), (0.0, -0.0)),
     ),
@@ -235,6 +241,7 @@ ROWS = (
         ),
         expansion="smoothstep",
         range=_ramped,
+        accuracy=inherited("t * t * (3 - 2 * t)"),
         cost=7,
         samples=((0.0, 1.0, 0.5), (0.5, 0.5, 0.5), (0.5, 0.5, 0.25), (1.0, 0.0, 0.25)),
     ),

@@ -5,7 +5,8 @@ They have no range rules: if ranges decide a result, the simplifier replaces the
 
 from __future__ import annotations
 
-from .row import EXACT, Builtin, nowhere
+from .accuracy import EXACT
+from .row import Builtin, nowhere
 
 _ORDERED = ("N, N -> Q",)
 _LOGIC = ("B, B -> B",)

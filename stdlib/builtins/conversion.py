@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
+from .accuracy import CORRECT, EXACT
 from .facts import Fact
 from .intervals import monotone
-from .row import EXACT, Builtin
+from .row import Builtin
 
 LARGEST_INT = 2147483520.0
 """The largest float32 that fits an ``int``; the conversion clamps to it, as WGSL's does."""
@@ -62,7 +63,7 @@ ROWS = (
         meaning="numbers",
         doc="The nearest float; 1 for true, 0 for false.",
         range=_as_float,
-        accuracy=EXACT,
+        accuracy=CORRECT,
     ),
     Builtin(
         name="to_int",

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from .row import Accuracy, Builtin
+from .accuracy import Rounded, promised, silent
+from .row import Builtin
 
-DIFFERENCE = Accuracy(
-    "correct, of a neighbour in the 2×2 quad that the device chooses", "WGSL, Derivative Builtins"
-)
+_SILENT = "the difference of two neighbours in the quad, which the device chooses, is subtracted"
+DIFFERENCE = promised(Rounded(), silent(Rounded(), _SILENT, "wgsl", "direct3d", "opengl", "es"))
 
 ROWS = (
     Builtin(

@@ -4,13 +4,38 @@ from __future__ import annotations
 
 import math
 
+from .accuracy import Error, Inherited, Within, in_section, inherited, promised, silent
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import around, monotone, outward, products
-from .row import WGSL_ACCURACY, Accuracy, Builtin, nowhere
+from .row import Builtin, nowhere
 
 _FLOATS = ("T -> T",)
-_EXP = Accuracy("(3 + 2 * abs(x)) ulp", WGSL_ACCURACY)
-_LOG = Accuracy("abs 2^-21 in [0.5, 2], else 3 ulp", WGSL_ACCURACY)
+_EXP = Within(Error(ulp=3.0, ulp_by_operand=2.0))
+_D3D_EXP = in_section(Within(Error(relative=2.0**-21)), "22.10.6 exp")
+EXP = promised(
+    _EXP, silent(Inherited("exp2(x * 1.442695)"), "HLSL's compiler writes it so", "direct3d")
+)
+EXP2 = promised(_EXP, _D3D_EXP)
+
+_NEAR_ONE = 2.0**-21
+"""The absolute error of logarithms of 0.5 to 2."""
+_LOG = Within(Error(absolute=_NEAR_ONE), math.log(2.0), "result", Error(ulp=3.0))
+_LOG2 = Within(Error(absolute=_NEAR_ONE), 1.0, "result", Error(ulp=3.0))
+_D3D_LOG2 = Within(Error(absolute=_NEAR_ONE), 1.0, "result", Error(relative=2.0**-21))
+LOG = promised(
+    _LOG, silent(Inherited("log2(x) * 0.6931472"), "HLSL's compiler writes it so", "direct3d")
+)
+LOG2 = promised(_LOG2, in_section(_D3D_LOG2, "22.10.8 log"))
+
+ROOT = promised(
+    Inherited("1 / inversesqrt(x)"),
+    in_section(Within(Error(ulp=1.0)), "22.10.21 sqrt"),
+)
+INVERSE_ROOT = promised(
+    Within(Error(ulp=2.0)),
+    in_section(Within(Error(relative=2.0**-21)), "22.10.19 rsq"),
+)
+
 _BEYOND = 1000.0
 """An exponent far outside of float32, but small enough for Python's floats."""
 
@@ -97,6 +122,7 @@ ROWS = (
         outside="0 for a negative operand.",
         expansion="sqrt",
         range=_root,
+        accuracy=ROOT,
         cost=4,
         samples=((0.0,), (-1.0,), (-0.0,), (2.0,)),
     ),
@@ -109,7 +135,7 @@ ROWS = (
         outside="Operands below the smallest normal number, 2^-126, count as this number: 2^63.",
         expansion="inversesqrt",
         range=_inverse_root,
-        accuracy=Accuracy("2 ulp", WGSL_ACCURACY),
+        accuracy=INVERSE_ROOT,
         cost=4,
         samples=((0.0,), (-1.0,), (1e-40,), (4.0,)),
     ),
@@ -125,6 +151,7 @@ ROWS = (
         ),
         expansion="pow",
         range=_power,
+        accuracy=inherited("exp2(y * log2(x))"),
         cost=9,
         samples=((0.0, 0.0), (0.0, -1.0), (-2.0, 2.0), (0.0, 3.0), (2.0, -1.5), (0.5, 64.0)),
     ),
@@ -133,7 +160,7 @@ ROWS = (
         signatures=_FLOATS,
         doc="e to the power of the operand. Above 88 the result is too large for float32.",
         range=_exponential,
-        accuracy=_EXP,
+        accuracy=EXP,
         cost=5,
     ),
     Builtin(
@@ -141,7 +168,7 @@ ROWS = (
         signatures=_FLOATS,
         doc="2 to the power of the operand. From 128 on the result is too large for float32.",
         range=_exponential2,
-        accuracy=_EXP,
+        accuracy=EXP2,
         cost=4,
     ),
     Builtin(
@@ -153,7 +180,7 @@ ROWS = (
         outside="Operands below the smallest normal number, 2^-126, count as this number.",
         expansion="log",
         range=_logarithm,
-        accuracy=_LOG,
+        accuracy=LOG,
         cost=5,
         samples=((0.0,), (-1.0,), (1.0,), (1e-40,)),
     ),
@@ -176,7 +203,7 @@ ROWS = (
         outside="Operands below the smallest normal number, 2^-126, count as this number: -126.",
         expansion="log2",
         range=_logarithm2,
-        accuracy=_LOG,
+        accuracy=LOG2,
         cost=4,
         samples=((0.0,), (-1.0,), (1.0,), (1e-40,)),
     ),

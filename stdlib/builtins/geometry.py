@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from ...frozen import changed
+from .accuracy import EXACT, Inherited, in_table, inherited, promised, silent
 from .facts import UNIT, UNIT_SLACK, UNKNOWN, Fact
 from .intervals import around, product, products, squares
-from .row import EXACT, Builtin, nowhere
+from .row import Builtin, nowhere
 
 _PAIR = ("V, V -> S",)
 _WHOLE_PAIR = tuple(
@@ -88,6 +89,15 @@ def _has_direction(facts: tuple[Fact, ...]) -> bool:
     return x.unit or x.length >= SHORTEST
 
 
+_BY_ROOT = Inherited("x * inversesqrt(dot(x, x))")
+UNIT_LENGTH = promised(
+    Inherited("x / length(x)"),
+    {
+        **in_table("vulkan", _BY_ROOT),
+        **silent(_BY_ROOT, "HLSL's compiler writes it so", "direct3d"),
+    },
+)
+
 ROWS = (
     Builtin(
         name="dot",
@@ -96,6 +106,7 @@ ROWS = (
         doc="Inner product: the sum of the products of the lanes. Integers wrap.",
         definition="sum_of_products",
         range=_inner,
+        accuracy=inherited("the sum of x[i] * y[i]"),
         cost=1,
     ),
     Builtin(
@@ -104,6 +115,7 @@ ROWS = (
         meaning="perpendicular",
         doc="The vector perpendicular to both, by the right-hand rule.",
         range=_outer,
+        accuracy=inherited("x[i] * y[j] - x[j] * y[i]"),
         cost=2,
     ),
     Builtin(
@@ -112,6 +124,7 @@ ROWS = (
         meaning="measure",
         doc="Length of a vector.",
         range=_norm,
+        accuracy=inherited("sqrt(dot(x, x))"),
         cost=6,
         samples=((0.0,), (1e-30,)),
     ),
@@ -121,6 +134,7 @@ ROWS = (
         meaning="distance",
         doc="Distance between two points: length(x - y).",
         range=_apart,
+        accuracy=inherited("length(x - y)"),
         cost=7,
     ),
     Builtin(
@@ -136,6 +150,7 @@ ROWS = (
         ),
         expansion="normalize",
         range=_direction,
+        accuracy=UNIT_LENGTH,
         cost=6,
         samples=((0.0,), (1e-30,), (3.0,)),
     ),
@@ -163,6 +178,7 @@ ROWS = (
         meaning="reflected",
         doc="reflect(i, n): i - 2 * dot(n, i) * n, which mirrors i if n has length one.",
         range=_mirrored,
+        accuracy=inherited("x - 2 * dot(x, y) * y"),
         cost=3,
         samples=((1.0, 0.0), (1.0, 2.0)),
     ),
@@ -172,6 +188,7 @@ ROWS = (
         meaning="reflected",
         doc="refract(i, n, eta): i refracted at a surface; 0 at total reflection.",
         outside="The same formula is used for vectors whose length is not one.",
+        accuracy=inherited("z * x - (z * dot(y, x) + sqrt(k)) * y"),
         cost=10,
         samples=((0.5, 0.5, 1.5), (0.6, -0.6, 0.75)),
     ),
@@ -181,6 +198,7 @@ ROWS = (
         meaning="turned",
         doc="faceforward(n, i, r): n where dot(r, i) < 0, else -n.",
         range=_turned,
+        accuracy=inherited("dot(z, y) < 0 ? x : -x"),
         cost=2,
     ),
     Builtin(

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 
+from .accuracy import inherited
 from .facts import Fact
 from .intervals import around
-from .row import WGSL_ACCURACY, Accuracy, Builtin, nowhere
+from .row import Builtin, nowhere
 
 _FLOATS = ("T -> T",)
-_TANH = Accuracy("the worse of abs 1e-5 and inherited", WGSL_ACCURACY)
 _FLAT = 16.0
 """From here on tanh is 1 in float32; far beyond, the quotient of exponentials would overflow."""
 
@@ -32,6 +32,7 @@ ROWS = (
         signatures=_FLOATS,
         meaning="numbers",
         doc="Hyperbolic sine, (exp(x) - exp(-x)) / 2. Beyond 88 it is too large for float32.",
+        accuracy=inherited("(exp(x) - exp(-x)) * 0.5"),
         cost=10,
     ),
     Builtin(
@@ -40,6 +41,7 @@ ROWS = (
         meaning="numbers",
         doc="Hyperbolic cosine, (exp(x) + exp(-x)) / 2. Beyond 88 it is too large for float32.",
         range=_cosine,
+        accuracy=inherited("(exp(x) + exp(-x)) * 0.5"),
         cost=10,
     ),
     Builtin(
@@ -52,7 +54,7 @@ ROWS = (
         outside="-1 or 1 outside of -16 to 16, also where exponentials are too large for float32.",
         expansion="tanh",
         range=_tangent,
-        accuracy=_TANH,
+        accuracy=inherited("sinh(x) / cosh(x)", 1e-5),
         cost=14,
         samples=((0.0,), (20.0,), (-1e30,)),
     ),
@@ -64,6 +66,7 @@ ROWS = (
         domain=nowhere,
         outside="Also where x * x is too large for float32; as precise for negative operands.",
         expansion="asinh",
+        accuracy=inherited("log(x + sqrt(x * x + 1))"),
         cost=14,
         samples=((0.0,), (-3.0,), (1e30,), (-1e30,)),
     ),
@@ -75,6 +78,7 @@ ROWS = (
         domain=nowhere,
         outside="0 for operands below 1.",
         expansion="acosh",
+        accuracy=inherited("log(x + sqrt(x * x - 1))"),
         cost=14,
         samples=((1.0,), (0.0,), (2.0,), (1e30,)),
     ),
@@ -86,6 +90,7 @@ ROWS = (
         domain=nowhere,
         outside="The operand is clamped to -0.99999994 to 0.99999994, the floats next to -1 and 1.",
         expansion="atanh",
+        accuracy=inherited("log((1 + x) / (1 - x)) * 0.5"),
         cost=12,
         samples=((0.0,), (0.5,), (1.0,), (-7.0,)),
     ),

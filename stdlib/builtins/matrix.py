@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from .row import EXACT, Builtin, nowhere
+from .accuracy import CORRECT, EXACT, PLATFORMS, Inherited, promised, silent
+from .row import Builtin, nowhere
+
+DETERMINANT = promised(
+    Inherited("sums of products"),
+    silent(
+        Inherited("sums of products"),
+        "no specification limits its error; all known drivers expand it along a column",
+        *PLATFORMS,
+    ),
+)
 
 ROWS = (
     Builtin(
@@ -18,6 +28,7 @@ ROWS = (
         signatures=("M -> S",),
         meaning="numbers",
         doc="Determinant.",
+        accuracy=DETERMINANT,
         cost=16,
     ),
     Builtin(
@@ -27,7 +38,7 @@ ROWS = (
         domain=nowhere,
         outside="Not every backend has it, so it is expanded.",
         expansion="outer",
-        accuracy=EXACT,
+        accuracy=CORRECT,
         cost=4,
     ),
     Builtin(
@@ -37,7 +48,7 @@ ROWS = (
         domain=nowhere,
         outside="Not every backend has it, so it is expanded.",
         expansion="hadamard",
-        accuracy=EXACT,
+        accuracy=CORRECT,
         cost=4,
     ),
     Builtin(

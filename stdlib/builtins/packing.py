@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
+from .accuracy import EXACT, INHERITED, Accuracy
 from .facts import Fact
-from .row import Accuracy, Builtin, nowhere
-
-_PACKED = Accuracy("correct, but for the choice at a half", "by its expansion")
-_UNPACKED = Accuracy("2.5 ulp", "by its expansion, a division")
-_EXACT = Accuracy("exact", "integers and bit patterns")
+from .row import Builtin, nowhere
 
 _LARGEST_HALF = 65504.0
 
@@ -30,13 +27,12 @@ def _pack(name: str, vector: str, doc: str, outside: str) -> Builtin:
         domain=nowhere,
         outside=outside,
         expansion=name,
-        accuracy=_PACKED,
         cost=12,
         samples=((0.0,), (1.0,), (-1.0,), (2.0,), (0.5,)),
     )
 
 
-def _unpack(name: str, vector: str, doc: str, accuracy: Accuracy = _UNPACKED) -> Builtin:
+def _unpack(name: str, vector: str, doc: str, accuracy: Accuracy = INHERITED) -> Builtin:
     return Builtin(
         name=name,
         signatures=(f"uint -> {vector}",),
@@ -76,7 +72,7 @@ ROWS = (
         "unpack_half2x16",
         "vec2",
         "Two floats of 16 bits as lanes; infinities and NaN become 0.",
-        _EXACT,
+        EXACT,
     ),
     Builtin(
         name="quantize_half",
@@ -86,7 +82,7 @@ ROWS = (
         outside="Clamped to -65504 to 65504.",
         expansion="quantize_half",
         range=_quantized,
-        accuracy=_EXACT,
+        accuracy=EXACT,
         cost=12,
         samples=((0.1,), (1e-6,), (70000.0,), (2049.0,), (1e-9,)),
     ),

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import Literal
 
 from ...frozen import frozen
+from .accuracy import INHERITED, Accuracy
 from .facts import UNKNOWN, Fact
 
 MeaningRule = Literal[
@@ -42,20 +43,6 @@ def everywhere(_facts: tuple[Fact, ...]) -> bool:
 def nowhere(_facts: tuple[Fact, ...]) -> bool:
     """The domain of a function that no backend has: it is always expanded."""
     return False
-
-
-@frozen
-class Accuracy:
-    """Error bound of the float32 operation and where it is promised."""
-
-    bound: str
-    """``correct``, ``N ulp``, ``abs 2^-11 in [-pi, pi]``, ``inherited`` (from the expansion) …"""
-    source: str
-
-
-WGSL_ACCURACY = "WGSL, Floating Point Accuracy"
-EXACT = Accuracy("correct", WGSL_ACCURACY)
-INHERITED = Accuracy("inherited", WGSL_ACCURACY)
 
 
 @frozen

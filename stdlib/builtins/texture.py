@@ -6,12 +6,11 @@ clamped to the existing layers.
 
 from __future__ import annotations
 
+from .accuracy import EXACT, Inherited, promised
 from .facts import Fact
-from .row import Accuracy, Builtin
+from .row import Builtin
 
-FILTERED = Accuracy("filtering", "the device's subtexel and mip bits")
-TEXEL = Accuracy("correct", "Vulkan, Texel Input Operations: no filtering, no rounding")
-COUNT = Accuracy("correct", "an integer")
+FILTERED = promised(Inherited("the device's bits for positions within a texel and for levels"))
 
 
 def _all_zero(facts: tuple[Fact, ...]) -> bool:
@@ -82,7 +81,7 @@ ROWS = (
         ),
         doc="One lane of the four texels that a filtered read would blend, at level 0: "
         "lower left, lower right, upper right, upper left. The lane is a constant in 0..3.",
-        accuracy=TEXEL,
+        accuracy=EXACT,
         cost=16,
         sampler="filtering",
         constants=(-1,),
@@ -117,7 +116,7 @@ ROWS = (
         outside="References are clamped to 0..1, the range of depths.",
         expansion="gather_compare",
         range=_share,
-        accuracy=TEXEL,
+        accuracy=EXACT,
         cost=16,
         sampler="comparison",
     ),
@@ -133,7 +132,7 @@ ROWS = (
         needs="place, layer and level are 0, which every texture has",
         outside="Coordinates, layers and levels out of bounds are clamped to the edge.",
         expansion="load",
-        accuracy=TEXEL,
+        accuracy=EXACT,
         cost=8,
     ),
     Builtin(
@@ -149,7 +148,7 @@ ROWS = (
         outside="Levels beyond the last one have the size of the last one.",
         expansion="texture_size",
         range=_counted,
-        accuracy=COUNT,
+        accuracy=EXACT,
         cost=2,
     ),
     Builtin(
@@ -159,7 +158,7 @@ ROWS = (
         signatures=("H -> int",),
         doc="The number of layers.",
         range=_counted,
-        accuracy=COUNT,
+        accuracy=EXACT,
         cost=2,
     ),
     Builtin(
@@ -169,7 +168,7 @@ ROWS = (
         signatures=("X -> int",),
         doc="The number of levels of detail.",
         range=_counted,
-        accuracy=COUNT,
+        accuracy=EXACT,
         cost=2,
     ),
 )

@@ -3,16 +3,76 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
+from ...frozen import EMPTY
+from .accuracy import (
+    Accuracy,
+    Bound,
+    Error,
+    Inherited,
+    Platform,
+    Promise,
+    Within,
+    in_section,
+    in_table,
+    inherited,
+    promised,
+    silent,
+)
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import outward, quotients
-from .row import WGSL_ACCURACY, Accuracy, Builtin, RangeRule
+from .row import Builtin, RangeRule
 
 _FLOATS = ("T -> T",)
-_WAVE = Accuracy("abs 2^-11 in [-pi, pi]", WGSL_ACCURACY)
-_ARC = Accuracy("4096 ulp", WGSL_ACCURACY)
-_CLAMPED_ARC = Accuracy("the worse of abs 6.8e-5 and inherited", WGSL_ACCURACY)
+_REDUCTION = 2.0**-22
+"""The error that float32 makes when it reduces an angle to one turn, for each radian of it."""
+_REDUCED = "the error of reducing the angle to one turn in float32 is added"
+_LIKE_VULKAN = "the specification limits no error; that of Vulkan is assumed"
+_ONE_TURN = Within(
+    Error(absolute=2.0**-11),
+    math.pi,
+    beyond=Error(absolute=2.0**-11, absolute_by_operand=_REDUCTION),
+)
+_MANY_TURNS = Within(
+    Error(absolute=0.0008),
+    100 * math.pi,
+    beyond=Error(absolute=0.0008, absolute_by_operand=_REDUCTION),
+)
+WAVE = promised(
+    _ONE_TURN,
+    {
+        **in_section(_MANY_TURNS, "22.10.20 sincos", beyond_assumed=_REDUCED),
+        **silent(_ONE_TURN, _LIKE_VULKAN, "opengl", "es"),
+    },
+    beyond_assumed=_REDUCED,
+)
+
+
+def _like_vulkan(bound: Bound, others: Mapping[Platform, Promise] = EMPTY) -> Accuracy:
+    """The accuracy of functions of which only WGSL and Vulkan, or ``others``, say anything."""
+    return promised(bound, {**silent(bound, _LIKE_VULKAN, "direct3d", "opengl", "es"), **others})
+
+
+_POLYNOMIAL = "the specification limits no error; Mesa has a polynomial that is off by 2^-11.3"
+
+
+def _of_arc(definition: str, wgsl: float) -> Accuracy:
+    """The accuracy of the inverse of sine or cosine; WGSL allows an absolute error as well."""
+    return _like_vulkan(
+        Inherited(definition),
+        {
+            **in_table("wgsl", Inherited(definition, wgsl)),
+            **silent(Inherited(definition, 2.0**-11), _POLYNOMIAL, "opengl", "es"),
+        },
+    )
+
+
+ARC = _like_vulkan(Within(Error(ulp=4096.0)))
+ARC_SINE = _of_arc("atan2(x, sqrt(1 - x * x))", 6.81e-5)
+ARC_COSINE = _of_arc("atan2(sqrt(1 - x * x), x)", 6.77e-5)
+TANGENT = _like_vulkan(Inherited("sin(x) / cos(x)"))
+
 _WAVE_ERROR = 2.0**-11
 _ARC_ERROR = 4096 * 2.0**-22 + 6.8e-5
 """4096 ulp of an angle below 4, or the absolute error of asin and acos."""
@@ -70,7 +130,7 @@ ROWS = (
         meaning="numbers",
         doc="Sine. Its accuracy is promised only within -pi to pi.",
         range=_sine,
-        accuracy=_WAVE,
+        accuracy=WAVE,
         cost=4,
     ),
     Builtin(
@@ -79,7 +139,7 @@ ROWS = (
         meaning="numbers",
         doc="Cosine. Its accuracy is promised only within -pi to pi.",
         range=_cosine,
-        accuracy=_WAVE,
+        accuracy=WAVE,
         cost=4,
     ),
     Builtin(
@@ -88,6 +148,7 @@ ROWS = (
         meaning="numbers",
         doc="Tangent, sin(x) / cos(x). Near its poles the result may be too large for float32.",
         range=_tangent,
+        accuracy=TANGENT,
         cost=9,
     ),
     Builtin(
@@ -100,7 +161,7 @@ ROWS = (
         outside="The operand is clamped to -1 to 1.",
         expansion="asin",
         range=_between(-math.pi / 2 - _ARC_ERROR, math.pi / 2 + _ARC_ERROR),
-        accuracy=_CLAMPED_ARC,
+        accuracy=ARC_SINE,
         cost=12,
         samples=((1.0,), (-1.0,), (1.0000001,), (-2.0,)),
     ),
@@ -114,7 +175,7 @@ ROWS = (
         outside="The operand is clamped to -1 to 1.",
         expansion="acos",
         range=_between(-_ARC_ERROR, math.pi + _ARC_ERROR),
-        accuracy=_CLAMPED_ARC,
+        accuracy=ARC_COSINE,
         cost=12,
         samples=((1.0,), (-1.0,), (1.0000001,), (-2.0,)),
     ),
@@ -124,7 +185,7 @@ ROWS = (
         meaning="angle",
         doc="The angle between -pi/2 and pi/2 that has this tangent.",
         range=_between(-math.pi / 2 - _ARC_ERROR, math.pi / 2 + _ARC_ERROR),
-        accuracy=_ARC,
+        accuracy=ARC,
         cost=10,
     ),
     Builtin(
@@ -140,7 +201,7 @@ ROWS = (
         ),
         expansion="atan2",
         range=_between(-math.pi - _ARC_ERROR, math.pi + _ARC_ERROR),
-        accuracy=_ARC,
+        accuracy=ARC,
         cost=14,
         samples=((0.0, 0.0), (0.0, -1.0), (-0.0, -1.0), (1.0, 0.0), (-1.0, -1.0)),
     ),
@@ -150,6 +211,7 @@ ROWS = (
         meaning="angle",
         doc="Degrees to radians.",
         range=_scaled(math.pi / 180.0),
+        accuracy=inherited("x * 0.01745329"),
     ),
     Builtin(
         name="degrees",
@@ -157,5 +219,6 @@ ROWS = (
         meaning="numbers",
         doc="Radians to degrees.",
         range=_scaled(180.0 / math.pi),
+        accuracy=inherited("x * 57.29578"),
     ),
 )

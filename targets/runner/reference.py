@@ -6,20 +6,24 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cache
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from ...compiler.ir.leaves import Attribute
-from ...compiler.ir.node import reachable
+from ...compiler.ir.leaves import Attribute, Parameter
+from ...compiler.ir.node import Formal, Node, formals_of, reachable
 from ...compiler.ir.shader import Shader
-from ...compiler.ir.types import scalar_kind, width
+from ...compiler.ir.types import Array, Struct, scalar_kind, width
 from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
 from .drivers.wire import to_json
+from .instances.derived import Inputs, computed
+from .instances.instance import Instance
+from .instances.shapes import shape_of
 from .scene_state import SceneState
 from .store import Store, digest, digest_of_sources
 
@@ -34,16 +38,41 @@ def expected(
     shader: Shader, state: SceneState, rules: RasterRules, progress: Progress | None = None
 ) -> Expected:
     """The picture that every driver must draw; always computed again."""
-    instance = state.instance
     return draw(
         shader,
-        instance.values(),
-        {name: Texels(tuple(texture.linear())) for name, texture in instance.textures().items()},
+        values_for(shader, state.instance),
+        {n: Texels(tuple(texture.linear())) for n, texture in state.instance.textures().items()},
         _whole(state.geometry(), shader),
         rules,
         state.clear,
         progress,
     )
+
+
+def values_for(shader: Shader, instance: Instance) -> dict[str, Any]:
+    """The values of the parameters that a shader reads, in the reference's form.
+
+    What a host sets is a float32 exactly. The emitted program also reads derived parameters, whose
+    values are given before they are rounded, as that is what they mean.
+    """
+    values = instance.values()
+    read = [node.data for node in reachable(shader.roots) if isinstance(node.data, Parameter)]
+    wanted = [parameter for parameter in read if parameter.derived]
+    if not wanted:
+        return values
+    shapes = {row["name"]: shape_of(row) for row in instance.reflection["parameters"]}
+    rows = computed(instance.reflection["derived"], Inputs(shapes, values))
+    found = {row["name"]: value for row, _shape, value in rows}
+    return values | {parameter.name: _derived(parameter, found) for parameter in wanted}
+
+
+def _derived(parameter: Parameter, found: Mapping[str, Any]) -> Any:
+    """The value of a derived parameter; a table has one in ``found`` for each member."""
+    if parameter.name in found or not isinstance(parameter.type, Array):
+        return found[parameter.name]
+    assert isinstance(parameter.type.element, Struct)
+    columns = [found[f"{parameter.name}.{name}"] for name, _type in parameter.type.element.members]
+    return tuple(zip(*columns, strict=True))
 
 
 def _whole(geometry: Geometry, shader: Shader) -> Geometry:
@@ -96,14 +125,22 @@ def _digest(shader: Shader, state: SceneState, rules: RasterRules) -> str:
     kinds = [(name, str(values.dtype)) for name, values in state.attributes.items()]
     drawn = json.dumps([to_json(state.draw()), kinds])
     values = repr(state.instance.values())
-    return digest(_code_digest(), np.__version__, _graph_text(shader), repr(rules), values, drawn)
+    return digest(_code_digest(), np.__version__, graph_text(shader), repr(rules), values, drawn)
 
 
-def _graph_text(shader: Shader) -> str:
+def graph_text(shader: Shader) -> str:
     """Everything that the reference reads of a shader, as text."""
-    nodes = map(repr, reachable(shader.roots))
+    numbers: dict[Formal, int] = {}
+    nodes = [_node_text(node, numbers) for node in reachable(shader.roots)]
     results = [(r.kind, r.stage.name, r.value.id, r.state) for r in shader.results]
     return "\n".join([*nodes, repr(results)])
+
+
+def _node_text(node: Node, numbers: dict[Formal, int]) -> str:
+    """A node with the variables of opened binders by number: several may have the same name."""
+    formals = (node.data,) if isinstance(node.data, Formal) else formals_of(node)
+    known = [numbers.setdefault(formal, len(numbers)) for formal in formals]
+    return f"{node!r} {known}" if known else repr(node)
 
 
 @cache

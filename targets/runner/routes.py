@@ -13,6 +13,7 @@ from fnmatch import fnmatchcase
 from itertools import chain
 
 from ...compiler.diagnostics.nearest import suggestion
+from ...stdlib.builtins.accuracy import Platform
 from ..toolchain.checkers import CHECKERS
 from ..toolchain.tools import ToolState, inspect_all, tool_named
 
@@ -57,6 +58,15 @@ class Route:
     """Further command-line arguments of the compiler."""
 
     @property
+    def platforms(self) -> tuple[Platform, ...]:
+        """The specifications that say how accurate its pictures are; the weakest promise counts.
+
+        If a text becomes SPIR-V, both the language and Vulkan may lose accuracy.
+        """
+        language = _PLATFORMS[self.profile]
+        return tuple({language: None, "vulkan": None} if self.compiler else {language: None})
+
+    @property
     def needs(self) -> tuple[str, ...]:
         """The names of all tools that it needs."""
         compiler = CHECKERS[self.compiler].needs if self.compiler else ()
@@ -73,6 +83,15 @@ class _Way:
     compiler: str
     flags: tuple[str, ...] = ()
 
+
+_PLATFORMS: Mapping[str, Platform] = {
+    "glsl:vulkan": "vulkan",
+    "hlsl:sm6": "direct3d",
+    "wgsl:webgpu": "wgsl",
+    "glsl:gl330": "opengl",
+    "glsl:es300": "es",
+}
+"""The platform for which each profile that is drawn is written."""
 
 _PACKAGE = __name__.rpartition(".")[0]
 _EVERYTHING = ("numpy", "pillow")

@@ -30,4 +30,7 @@ class Subject(Protocol):
 
     @property
     def shader(self) -> Shader:
-        """The shader before the passes, for the reference."""
+        """The shader before the passes: what the material means."""
+
+    def emitted(self, profile: str) -> Shader:
+        """The shader that the texts for a profile compute, which the reference bounds."""

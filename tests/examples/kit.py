@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import burnish
+from burnish.api import CompiledMaterial
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 from burnish.targets import registry
+from burnish.targets.toolchain import Job
 
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
@@ -20,6 +22,7 @@ PROFILES = tuple(
     for target in map(registry.load, registry.names())
     for profile in target.profiles
 )
+STAGES = {"vertex": "vert", "fragment": "frag"}
 
 
 @dataclass(frozen=True)
@@ -52,3 +55,11 @@ def variants() -> Iterator[Variant]:
 
 
 VARIANTS = tuple(variants())
+
+
+def jobs_of(material: CompiledMaterial) -> Iterator[Job]:
+    """What the downstream compilers have to check of a material: every stage, by each checker."""
+    for file in material.files:
+        for stage, entry in file.entry_points.items():
+            for checker in file.checkers:
+                yield Job(checker, STAGES[stage], file.text, entry, file.name)

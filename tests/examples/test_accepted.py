@@ -9,17 +9,12 @@ import pytest
 from burnish import CompileResult
 from burnish.targets.toolchain import Job, Toolchain
 
-from .kit import EXAMPLES, PROFILES, VARIANTS, Variant
-
-STAGES = {"vertex": "vert", "fragment": "frag"}
+from .kit import EXAMPLES, PROFILES, STAGES, VARIANTS, Variant, jobs_of
 
 
 def jobs(result: CompileResult) -> Iterator[Job]:
     for material in result.materials:
-        for file in material.files:
-            for stage, entry in file.entry_points.items():
-                for checker in file.checkers:
-                    yield Job(checker, STAGES[stage], file.text, entry, file.name)
+        yield from jobs_of(material)
 
 
 @pytest.mark.parametrize("variant", VARIANTS, ids=str)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -17,7 +17,6 @@ from burnish.compiler.ir.node import Node, Roots, reachable
 from burnish.compiler.ir.operations import builtin_of
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.ir.shader import Shader
-from burnish.compiler.ir.storage import elements_in_row, place, stored_type
 from burnish.compiler.ir.types import (
     Array,
     Matrix,
@@ -36,6 +35,7 @@ from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
+from burnish.compiler.reference.stored import stored
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
 from burnish.stdlib.builtins.row import anything
@@ -49,7 +49,7 @@ def range_rules() -> tuple[str, ...]:
     return (*RULES, *(name for name, row in BUILTINS.items() if row.range is not anything))
 
 
-def shaders(source: str | Path, rig: str | None = None) -> list[Shader]:
+def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None) -> list[Shader]:
     """The shaders of a text or a file, as semantics makes them."""
     report = Report()
     frontend = Frontend(report)
@@ -58,7 +58,7 @@ def shaders(source: str | Path, rig: str | None = None) -> list[Shader]:
     else:
         module = frontend.open_text(source, "<test>")
     assert module is not None
-    found = frontend.shaders(module, None, rig, None)
+    found = frontend.shaders(module, None, rig, pass_)
     if report.failed:
         raise CompileError(report.diagnostics)
     return found
@@ -104,6 +104,8 @@ class World:
     derived: Sequence[Derived] = ()
     noise: float = 0.0
     """By how much parameters called ``noise.*`` may differ from 1."""
+    fixed: Mapping[str, Lanes] = field(default_factory=dict)
+    """The values of parameters that are not random."""
 
     def __call__(self, node: Node) -> Lanes | None:
         """The value of a leaf."""
@@ -121,6 +123,8 @@ class World:
         for value in self.derived:
             if value.parameter == leaf:
                 return derived_value(value, Evaluator(self))
+        if leaf.name in self.fixed:
+            return self.fixed[leaf.name]
         if leaf.name.startswith("noise."):
             return (1.0 + self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
         return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))
@@ -219,38 +223,6 @@ class Smooth:
         if scalar_kind(texel) == "float":
             return lanes
         return tuple(self.xp.int64(100.0 * lane) for lane in lanes)
-
-
-def stored(type_: Type, value: Lanes) -> Lanes:
-    """A value in the form in which a block stores it, without loss of precision."""
-    match type_:
-        case Scalar("bool") | Vector("bool"):
-            return tuple(int(lane) for lane in value)
-        case Matrix(size) if size < 4:
-            return tuple((*column, *[0.0] * (4 - size)) for column in value)
-        case Array(Scalar() | Vector() as element, _):
-            lanes = [lane for part in value for lane in _row_part(element, stored(element, part))]
-            return tuple(tuple(lanes[at : at + 4]) for at in range(0, -(-len(lanes) // 4) * 4, 4))
-        case Array(Matrix() as element, _):
-            return tuple(column for part in value for column in stored(element, part))
-        case Array(element, _):
-            return tuple(stored(element, part) for part in value)
-        case Struct(members=members):
-            return _with_paddings(members, value)
-        case _:
-            return value
-
-
-def _row_part(element: Scalar | Vector, value: Lanes) -> Lanes:
-    """An element, followed by the unused lanes."""
-    room = 4 // elements_in_row(element)
-    return (*value, *[0] * (room - len(value)))
-
-
-def _with_paddings(members: tuple[tuple[str, Type], ...], value: Lanes) -> Lanes:
-    parts = {name: stored(type_, v) for (name, type_), v in zip(members, value, strict=True)}
-    rows = place((name, stored_type(type_)) for name, type_ in members)
-    return tuple((0.0,) if row.padding else parts[row.name] for row in rows)
 
 
 # --- looking at graphs ---------------------------------------------------------------------------

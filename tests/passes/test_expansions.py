@@ -15,7 +15,17 @@ from burnish.compiler.ir.node import Graph, Node, Roots
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.ir.shader import Notes
 from burnish.compiler.ir.signatures import result_type
-from burnish.compiler.ir.types import Matrix, Scalar, Type, Vector, scalar_kind
+from burnish.compiler.ir.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    UINT,
+    Matrix,
+    Scalar,
+    Type,
+    Vector,
+    scalar_kind,
+)
 from burnish.compiler.ir.verify import verify
 from burnish.compiler.passes.guard import Guarding
 from burnish.compiler.passes.path_conditions import PathConditions
@@ -25,14 +35,24 @@ from burnish.compiler.reference.namespace import Lanes
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
 
+from ..fuzz.rules import instances
 from .hardware import flat, hardware
 from .kit import INT_TRAPS
-from .programs import TYPES, fitting
+
+TYPES: frozenset[Type] = frozenset({
+    FLOAT, INT, UINT, BOOL, *(Vector("float", n) for n in (2, 3, 4)), Vector("int", 2),
+    Vector("uint", 2), Vector("bool", 2), *(Matrix(n) for n in (2, 3, 4)),
+})  # fmt: skip
+"""Enough types to see each form of a builtin, without every number of lanes of every kind."""
+
+
+def fitting(name: str) -> list[tuple[Type, ...]]:
+    """The types of operands, among ``TYPES``, that a builtin accepts."""
+    return [operands for operands, _ in instances(name) if {*operands} <= TYPES]
+
 
 EXPANDED = [row.name for row in BUILTINS.values() if row.expansion]
-CASES = [
-    (name, operands) for name in EXPANDED for operands in fitting(name) if set(operands) <= {*TYPES}
-]
+CASES = [(name, operands) for name in EXPANDED for operands in fitting(name)]
 FLOAT_TRAPS = (0.0, -0.0, 1.0, -1.0, SMALLEST_NORMAL, -SMALLEST_NORMAL, 1e-40, -1e-40, 1e10)
 LANES: dict[str, st.SearchStrategy[Any]] = {
     # Eighths, so that a quotient is whole just where it is exactly.

@@ -17,8 +17,8 @@ from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.semantics.checking.loops import DEEPEST, folded
 from burnish.targets.toolchain import Job, Toolchain
 
+from ..examples.kit import PROFILES
 from .kit import ops, shader, shaders
-from .test_random import TARGETS
 
 LONG = 4_000
 """Many times what Python's stack holds; 100 000 work as well, and take a minute."""
@@ -42,7 +42,7 @@ def nested(depth: int) -> str:
     return f"material M {{ x = uv.x\ncolor = vec3({links}0) }}"
 
 
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", PROFILES)
 def test_a_long_else_if_nests_no_deeper_than_front_ends_take(target: str) -> None:
     text = burnish.compile(nested(1_000), (target,)).materials[0].text(target, "fragment")
     deepest = max(len(line) - len(line.lstrip()) for line in text.split("\n")) // 4
@@ -162,7 +162,7 @@ LARGE = {"chain": chain(1700), "sum": long_sum(1700), "loops": loops_in_loops(DE
 @pytest.mark.parametrize("name", LARGE)
 def test_every_front_end_accepts_large_programs(name: str) -> None:
     text = LARGE[name]
-    (material,) = burnish.compile(text, TARGETS).materials
+    (material,) = burnish.compile(text, PROFILES).materials
     jobs = [
         Job(checker, stage_[:4], file.text, entry, file.name)
         for file in material.files

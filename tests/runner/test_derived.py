@@ -23,13 +23,14 @@ from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Array, Matri
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.evaluate import evaluate as meaning
+from burnish.compiler.reference.stored import stored
 from burnish.compiler.reflection import reflect
 from burnish.compiler.reflection.values import steps
 from burnish.targets.runner.instances.derived import Inputs, compute
 from burnish.targets.runner.instances.shapes import Elements, Member, Members, Numbers, Shape
 
 from ..layout.memory import read
-from ..passes.kit import World, derived_value, shaders, stored
+from ..passes.kit import World, derived_value, shaders
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.burnish"))
 RIGS = {"rigs": "Noon"}

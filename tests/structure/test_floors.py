@@ -72,12 +72,13 @@ FLOORS: dict[str, str] = {
     "targets.registry": "description",
     "targets.selection": "diagnostics description registry",
     "targets.runner": (
-        "frozen arguments cache diagnostics srgb ir promises reference closing toolchain"
+        "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
     ),
-    "targets.conformance": "frozen ir reference runner toolchain",
+    "targets.conformance": "frozen stdlib ir reference runner toolchain",
     # The door.
     "compiled": (
-        "frozen garbage inputs diagnostics ir passes reflection description emit selection runner"
+        "frozen garbage inputs diagnostics ir passes reflection description legalise emit "
+        "selection runner"
     ),
     "api": (
         "arguments garbage diagnostics ir passes source_map names frontend description emit "

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import burnish
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
@@ -88,6 +89,18 @@ def test_an_unbound_chain_is_refused_and_not_overflowed() -> None:
         value = make.native("sin", FLOAT, value)
     with pytest.raises(AssertionError, match="scheduler"):
         emitted(tiny(build.splat(make.graph, value, 4), make), BY_NAME["glsl:vulkan"])
+
+
+@pytest.mark.parametrize("selected", PROFILES, ids=str)
+def test_lanes_of_a_stored_vector_are_read_at_once(selected: Selected) -> None:
+    # The elements of an array in a block have four lanes; a vec3 is the first three of them.
+    source = (
+        "material M {\n param rows : vec3[3]\n color = vec3(normal) * rows[1].z + rows[2].zyx\n}"
+    )
+    (material,) = burnish.compile(source, [str(selected)]).materials
+    text = next(file.text for file in material.files if "fragment" in file.entry_points)
+    assert "rows[1].z" in text
+    assert "rows[2].zyx" in text
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
+from ..stored import stored
 from ..vectors import inner
 from .margins import EXACT, READS, Margins, margin
 from .quads import Barycentric
@@ -227,7 +228,8 @@ class StageEvaluator:
         name = node.data.name
         if name not in self.values:
             raise ValueError(f"The parameter `{name}` has no value.")
-        return self.values[name]
+        value = self.values[name]
+        return value if node.type == node.data.type else stored(node.data.type, value)
 
 
 def _promised(roots: Sequence[Node]) -> frozenset[int]:

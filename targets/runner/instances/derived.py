@@ -1,17 +1,17 @@
 """Computes derived values in double precision, from the steps in the reflection.
 
-``Instance.blocks`` calls it. It uses the reference's functions, so a value means the same here as
-everywhere.
+``Instance.blocks`` calls it, and ``reference.py`` for the program of a profile. It uses the
+reference's functions, so a value means the same here as everywhere.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from ....compiler.reference.functions import evaluate
 from ....frozen import fresh, record
-from .shapes import Elements, Members, Numbers, Shape, kind_of
+from .shapes import Elements, Members, Numbers, Shape, kind_of, shape_of
 
 Row = Mapping[str, Any]
 """One row of ``steps``."""
@@ -34,6 +34,16 @@ class Inputs:
             value = named(self._shapes[parameter], self._values[parameter])
             self._known[parameter] = value
         return self._known[parameter]
+
+
+def computed(rows: Iterable[Row], inputs: Inputs) -> Iterator[tuple[Row, Shape, Named]]:
+    """Each derived value of a reflection, with its row and its shape; no value is rounded yet."""
+    for row in rows:
+        shape = shape_of(row)
+        if isinstance(shape, Elements):
+            yield row, shape, compute_elements(row["steps"], inputs, shape.count)
+        else:
+            yield row, shape, compute(row["steps"], inputs)
 
 
 def compute(steps: Sequence[Row], inputs: Inputs) -> Named:

@@ -15,7 +15,7 @@ from . import derived
 from .blocks import write
 from .names import Names
 from .parts import Part, Rig
-from .shapes import Elements, Numbers, shape_of
+from .shapes import Elements, Numbers
 from .texts import parse
 from .values import ParameterError, changed, filled, initial, plain, rounded, unset
 
@@ -158,13 +158,7 @@ class Instance:
                 name = row["name"]
                 write(blocks[row["block"]], row["offset"], shapes[name], values[name])
         inputs = derived.Inputs(shapes, values)
-        for row in self._reflection["derived"]:
-            shape = shape_of(row)
-            value = (
-                derived.compute_elements(row["steps"], inputs, shape.count)
-                if isinstance(shape, Elements)
-                else derived.compute(row["steps"], inputs)
-            )
+        for row, shape, value in derived.computed(self._reflection["derived"], inputs):
             write(blocks[row["block"]], row["offset"], shape, rounded(value))
         return {name: bytes(block) for name, block in blocks.items()}
 

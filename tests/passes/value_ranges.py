@@ -1,4 +1,4 @@
-"""Whatever a program computes lies within what range analysis knows of it."""
+"""Evaluates programs, and compares each value with what range analysis knows about it."""
 
 from __future__ import annotations
 
@@ -6,11 +6,6 @@ import math
 import struct
 from typing import Any
 
-import pytest
-from hypothesis import HealthCheck, given, note, reject, settings
-from hypothesis import strategies as st
-
-from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.ranges import Ranges
 from burnish.compiler.ir.shader import Shader
@@ -21,10 +16,8 @@ from burnish.compiler.reference.namespace import Lanes
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, Fact
 
 from .hardware import flat
-from .kit import World, shader
-from .programs import programs
+from .kit import World
 
-SLOW = (HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much)
 LARGEST = 3.4028234663852886e38
 
 
@@ -47,8 +40,13 @@ def holds(fact: Fact, lanes: list[float]) -> bool:
         all(lo <= lane <= hi for lane in lanes)
         and (not fact.nonzero or all(abs(lane) >= SMALLEST_NORMAL for lane in lanes))
         and (not fact.unit or math.hypot(*lanes) <= UNIT.hi)
-        and (not fact.length or math.hypot(*lanes) >= fact.length * (1 - 1e-6))
+        and math.hypot(*lanes) >= _certain_length(fact)
     )
+
+
+def _certain_length(fact: Fact) -> float:
+    """The length that float32 lanes have at least; nothing is certain of subnormal numbers."""
+    return fact.length * (1 - 1e-6) if fact.length >= SMALLEST_NORMAL else 0.0
 
 
 class OverflowedError(Exception):
@@ -80,23 +78,3 @@ def broken(given_shader: Shader, world: World, *, single: bool) -> list[str]:
     except OverflowedError:
         return found
     return found
-
-
-@pytest.mark.parametrize("single", [False, True], ids=["float64", "float32"])
-@settings(max_examples=40, suppress_health_check=SLOW)
-@given(text=programs(), seed=st.integers(0, 2**16), traps=st.booleans())
-def test_values_of_random_programs_lie_within_their_facts(
-    single: bool, text: str, seed: int, traps: bool
-) -> None:
-    note(text)
-    try:
-        given_shader = shader(text)
-    except CompileError:
-        reject()
-    assert not broken(given_shader, World(seed, traps), single=single)
-
-
-def test_a_fact_that_does_not_hold_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    given_shader = shader("material M { color = vec3(uv.x * 2) }")
-    monkeypatch.setattr(Ranges, "of", lambda _self, _node: Fact(7.0, 8.0))
-    assert broken(given_shader, World(1), single=True)

@@ -1,0 +1,10 @@
+"""Arithmetic with bounds: what a device may make of a program, beside what the program means.
+
+The reference's pictures evaluate graphs with it, as with numbers: a lane is a ``Bounded``, and the
+array library is a ``Bounds``. It needs NumPy, so nothing that compiles imports it.
+"""
+
+from .bounded import Bounded, as_bounded, between, exact, hull
+from .functions import Bounds, Errors
+
+__all__ = ["Bounded", "Bounds", "Errors", "as_bounded", "between", "exact", "hull"]

@@ -1,0 +1,320 @@
+"""The functions of lanes with bounds, each with the error that a platform allows it.
+
+They have NumPy's names and stand in its place (``namespace.py``), so the definitions of builtins
+need not know which they get. ``stage_evaluation.py`` makes a ``Bounds`` for each picture.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from .bounded import (
+    Bounded,
+    as_bounded,
+    constant,
+    exact,
+    hull,
+    negated,
+    products,
+    widened,
+)
+from .rounding import Array, outward
+from .whole import LARGEST, LEAST
+
+Errors = Callable[[str, Array, Array], Array]
+"""The absolute error that a function may have: from its builtin's name, and the largest magnitudes
+of its operand and of its result."""
+
+_TURN = 2.0 * math.pi
+
+
+class Bounds:
+    """An array library whose lanes are ``Bounded``, for platforms whose functions have these
+    errors.
+
+    Operands may be plain where they are exact. A plain float is a constant of the program.
+    """
+
+    def __init__(self, errors: Errors) -> None:
+        self._errors = errors
+
+    # --- choices ----------------------------------------------------------------------------------
+
+    def where(self, condition: Any, x: Any, y: Any, /) -> Any:
+        """``x`` where the condition holds, else ``y``; both where it may hold or not."""
+        if not isinstance(condition, Bounded):
+            condition = exact(condition)
+        x, y = as_bounded(x), as_bounded(y)
+        if condition.is_exact and condition.ndim == 0:
+            return x if condition.value else y
+        value = np.where(condition.value, x.value, y.value)
+        if condition.is_exact:
+            if x.is_exact and y.is_exact:
+                return exact(value)
+            low = np.where(condition.value, x.low, y.low)
+            return Bounded(value, low, np.where(condition.value, x.high, y.high))
+        both = hull(x, y)
+        holds, fails = condition.low, np.logical_not(condition.high)
+        return Bounded(
+            value,
+            np.where(holds, x.low, np.where(fails, y.low, both.low)),
+            np.where(holds, x.high, np.where(fails, y.high, both.high)),
+        )
+
+    def logical_and(self, x: Any, y: Any, /) -> Bounded:
+        """Whether both conditions hold."""
+        return _of_conditions(np.logical_and, x, y)
+
+    def logical_or(self, x: Any, y: Any, /) -> Bounded:
+        """Whether at least one condition holds."""
+        return _of_conditions(np.logical_or, x, y)
+
+    def logical_not(self, x: Any, /) -> Bounded:
+        """Whether the condition does not hold."""
+        return negated(as_bounded(x))
+
+    def minimum(self, x: Any, y: Any, /) -> Bounded:
+        """The lesser number."""
+        return _of_ends(np.minimum, x, y)
+
+    def maximum(self, x: Any, y: Any, /) -> Bounded:
+        """The greater number."""
+        return _of_ends(np.maximum, x, y)
+
+    # --- conversions ------------------------------------------------------------------------------
+
+    def float64(self, x: Any, /) -> Bounded:
+        """The number as a float, which is rounded if float32 does not have it."""
+        x = as_bounded(x)
+        value = np.asarray(x.value, np.float64)[()]
+        if x.is_exact:
+            return exact(value) if (np.abs(value) <= 2**24).all() else _rounded(value, value, value)
+        return _rounded(value, np.asarray(x.low, np.float64), np.asarray(x.high, np.float64))
+
+    def int64(self, x: Any, /) -> Bounded:
+        """The number truncated to an integer; any integer where nothing is known of it."""
+        x = as_bounded(x)
+        value = _to_whole(x.value, 0)
+        if x.is_exact:
+            return exact(value)
+        return Bounded(value, _to_whole(x.low, LEAST), _to_whole(x.high, LARGEST))
+
+    def floor(self, x: Any, /) -> Bounded:
+        """The next whole number below."""
+        return _stepped(np.floor, x)
+
+    def ceil(self, x: Any, /) -> Bounded:
+        """The next whole number above."""
+        return _stepped(np.ceil, x)
+
+    def rint(self, x: Any, /) -> Bounded:
+        """The nearest whole number, an even one in the middle between two."""
+        return _stepped(np.rint, x)
+
+    def trunc(self, x: Any, /) -> Bounded:
+        """The next whole number towards zero."""
+        return _stepped(np.trunc, x)
+
+    def frexp(self, x: Any, /) -> tuple[Bounded, Bounded]:
+        """The fraction, whose magnitude is at least a half and below one, and the exponent."""
+        x = as_bounded(x)
+        part, exponent = np.frexp(x.value)
+        if x.is_exact:
+            return exact(part), exact(np.asarray(exponent, np.int64))
+        (low, least), (high, most) = np.frexp(x.low), np.frexp(x.high)
+        same = (least == most) & (np.sign(low) == np.sign(high))
+        crosses = (x.low <= 0) & (x.high >= 0)
+        smallest = np.where(crosses, -1100, np.minimum(least, most)).astype(np.int64)
+        return (
+            Bounded(part, np.where(same, low, -1.0), np.where(same, high, 1.0)),
+            Bounded(exponent.astype(np.int64), smallest, np.maximum(least, most).astype(np.int64)),
+        )
+
+    def ldexp(self, x: Any, n: Any, /) -> Bounded:
+        """``x`` times two to the power of ``n``."""
+        x, n = as_bounded(x), as_bounded(n)
+        value = np.ldexp(x.value, n.value)
+        if x.is_exact and n.is_exact:
+            return _rounded(value, value, value)
+        ends = [np.ldexp(a, b) for a in (x.low, x.high) for b in (n.low, n.high)]
+        return _rounded(value, np.fmin.reduce(ends), np.fmax.reduce(ends))
+
+    # --- quotients and powers ---------------------------------------------------------------------
+
+    def divide(self, x: Any, y: Any, /) -> Bounded:
+        """The quotient; nothing is known of it where the divisor may be zero."""
+        x, y = as_bounded(x), as_bounded(y)
+        value = np.divide(x.value, y.value)
+        crosses = (y.low <= 0) & (y.high >= 0)
+        with np.errstate(all="ignore"):
+            low, high = products(x, Bounded(y.value, 1.0 / y.high, 1.0 / y.low))
+        nothing = (x.low == 0) & (x.high == 0)
+        low = np.where(crosses, np.where(nothing, 0.0, -np.inf), low)
+        high = np.where(crosses, np.where(nothing, 0.0, np.inf), high)
+        return self._with_error("div", y, Bounded(value, low, high))
+
+    def remainder(self, x: Any, y: Any, /) -> Bounded:
+        """The remainder of the quotient rounded down, computed as ``x - y * floor(x / y)``."""
+        x, y = as_bounded(x), as_bounded(y)
+        if x.is_exact and y.is_exact and x.kind == "i":
+            return exact(np.remainder(x.value, y.value))
+        found = x - y * self.floor(self.divide(x, y))
+        return Bounded(np.remainder(x.value, y.value), found.low, found.high)
+
+    def sqrt(self, x: Any, /) -> Bounded:
+        """The square root; its operand is not negative."""
+        root = self._rising("sqrt", np.sqrt, self.maximum(x, 0.0))
+        return Bounded(root.value, np.maximum(root.low, 0.0), root.high)
+
+    def inversesqrt(self, x: Any, /) -> Bounded:
+        """The reciprocal of the square root; nothing is known of it at zero."""
+        x = as_bounded(x)
+        root = Bounded(1 / np.sqrt(x.value), 1 / np.sqrt(x.high), 1 / np.sqrt(x.low))
+        return self._with_error("inversesqrt", x, root)
+
+    def power(self, x: Any, y: Any, /) -> Bounded:
+        """``x`` to the power of ``y``, for positive ``x``, computed as ``exp2(y * log2(x))``."""
+        x, y = as_bounded(x), as_bounded(y)
+        found = self.exp2(y * self.log2(x))
+        return Bounded(np.power(x.value, y.value), found.low, found.high)
+
+    def exp(self, x: Any, /) -> Bounded:
+        return _not_negative(self._rising("exp", np.exp, x))
+
+    def exp2(self, x: Any, /) -> Bounded:
+        return _not_negative(self._rising("exp2", np.exp2, x))
+
+    def log(self, x: Any, /) -> Bounded:
+        return self._rising("log", np.log, x)
+
+    def log2(self, x: Any, /) -> Bounded:
+        return self._rising("log2", np.log2, x)
+
+    # --- angles -----------------------------------------------------------------------------------
+
+    def sin(self, x: Any, /) -> Bounded:
+        return self._wave("sin", np.sin, x, math.pi / 2)
+
+    def cos(self, x: Any, /) -> Bounded:
+        return self._wave("cos", np.cos, x, 0.0)
+
+    def tan(self, x: Any, /) -> Bounded:
+        """The tangent, computed as the quotient of sine and cosine."""
+        x = as_bounded(x)
+        found = self.divide(self.sin(x), self.cos(x))
+        return Bounded(np.tan(x.value), found.low, found.high)
+
+    def arcsin(self, x: Any, /) -> Bounded:
+        return self._rising("asin", np.arcsin, x)
+
+    def arccos(self, x: Any, /) -> Bounded:
+        x = as_bounded(x)
+        angle = Bounded(np.arccos(x.value), np.arccos(x.high), np.arccos(x.low))
+        return self._with_error("acos", x, angle)
+
+    def arctan(self, x: Any, /) -> Bounded:
+        return self._rising("atan", np.arctan, x)
+
+    def arctan2(self, y: Any, x: Any, /) -> Bounded:
+        """The angle between the x axis and the point (x, y); it jumps along the negative axis."""
+        y, x = as_bounded(y), as_bounded(x)
+        corners = [np.arctan2(b, a) for b in (y.low, y.high) for a in (x.low, x.high)]
+        cut = (x.low <= 0) & (y.low <= 0) & (y.high >= 0) & ~(y.is_exact & (y.low == y.high))
+        angle = Bounded(
+            np.arctan2(y.value, x.value),
+            np.where(cut, -math.pi, np.minimum.reduce(np.broadcast_arrays(*corners))),
+            np.where(cut, math.pi, np.maximum.reduce(np.broadcast_arrays(*corners))),
+        )
+        return self._with_error("atan2", y, angle)
+
+    # --- hyperbolic functions ---------------------------------------------------------------------
+
+    def sinh(self, x: Any, /) -> Bounded:
+        return self._rising("sinh", np.sinh, x)
+
+    def cosh(self, x: Any, /) -> Bounded:
+        x = abs(as_bounded(x))
+        return self._rising("cosh", np.cosh, x)
+
+    def tanh(self, x: Any, /) -> Bounded:
+        return self._rising("tanh", np.tanh, x)
+
+    def arcsinh(self, x: Any, /) -> Bounded:
+        return self._rising("asinh", np.arcsinh, x)
+
+    def arccosh(self, x: Any, /) -> Bounded:
+        return self._rising("acosh", np.arccosh, x)
+
+    def arctanh(self, x: Any, /) -> Bounded:
+        return self._rising("atanh", np.arctanh, x)
+
+    # --- inside -----------------------------------------------------------------------------------
+
+    def _rising(self, name: str, function: Callable[[Array], Array], lane: Any) -> Bounded:
+        """A function that never falls."""
+        x = as_bounded(lane)
+        found = Bounded(function(x.value), function(x.low), function(x.high))
+        return self._with_error(name, x, found)
+
+    def _wave(
+        self, name: str, function: Callable[[Array], Array], lane: Any, crest: float
+    ) -> Bounded:
+        """A sine or cosine, with a maximum at ``crest`` and in every turn from there."""
+        x = as_bounded(lane)
+        one, other = function(x.low), function(x.high)
+        low = np.where(_passes(x, crest + math.pi), -1.0, np.minimum(one, other))
+        high = np.where(_passes(x, crest), 1.0, np.maximum(one, other))
+        return self._with_error(name, x, Bounded(function(x.value), low, high))
+
+    def _with_error(self, name: str, operand: Bounded, result: Bounded) -> Bounded:
+        return widened(result, self._errors(name, operand.magnitude, result.magnitude))
+
+
+def _passes(x: Bounded, place: float) -> Array:
+    """Whether an interval has a place in it that repeats in every turn."""
+    return np.floor((x.high - place) / _TURN) != np.floor((x.low - place) / _TURN)
+
+
+def _rounded(value: Array, low: Array, high: Array) -> Bounded:
+    return Bounded(value, *outward(low, high))
+
+
+def _not_negative(x: Bounded) -> Bounded:
+    return Bounded(x.value, np.maximum(x.low, 0.0), x.high)
+
+
+def _of_conditions(function: Callable[[Any, Any], Array], x: Any, y: Any) -> Bounded:
+    x, y = as_bounded(x), as_bounded(y)
+    value = function(x.value, y.value)
+    if x.is_exact and y.is_exact:
+        return exact(value)
+    return Bounded(value, function(x.low, y.low), function(x.high, y.high))
+
+
+def _of_ends(function: Callable[[Array, Array], Array], x: Any, y: Any) -> Bounded:
+    """A function that never falls in either operand, and returns one of them."""
+    x, y = as_bounded(x), as_bounded(y)
+    value = function(x.value, y.value)
+    if x.is_exact and y.is_exact:
+        return exact(value)
+    return Bounded(value, function(x.low, y.low), function(x.high, y.high))
+
+
+def _stepped(function: Callable[[Array], Array], lane: Any) -> Bounded:
+    """A function that never falls, and whose results every device has."""
+    x = as_bounded(lane)
+    value = function(x.value)
+    return exact(value) if x.is_exact else Bounded(value, function(x.low), function(x.high))
+
+
+def _to_whole(x: Array, otherwise: int) -> Array:
+    """The numbers truncated to integers; ``otherwise`` for NaN."""
+    number = np.where(np.isnan(x), otherwise, np.clip(x, float(LEAST), float(LARGEST)))
+    return number.astype(np.int64)[()]
+
+
+__all__ = ["Bounds", "Errors", "constant"]

@@ -1,0 +1,89 @@
+"""Intervals of whole numbers: bit operations, shifts, quotients and remainders.
+
+``Bounded`` has them as its operators. Few programs compute with integers that a device may have
+otherwise (such as a ``floor`` that may tip), so what is not monotone is evaluated at both ends of
+an interval of two numbers, and any wider one says nothing.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .rounding import Array
+
+Ends = tuple[Array, Array]
+
+LEAST, LARGEST = -(2**31), 2**32 - 1
+"""What an integer of 32 bits can be, with a sign or without one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """An operation on whole numbers."""
+
+    of: Callable[[Any, Any], Any]
+    """The operation itself."""
+    ends: Callable[[Ends, Ends], Ends]
+    """Between which numbers its results are, for operands between these."""
+
+
+def _at_corners(of: Callable[[Any, Any], Any], x: Ends, y: Ends) -> Ends:
+    found = [np.asarray(of(a, b)) for a in x for b in y]
+    return np.minimum.reduce(np.broadcast_arrays(*found)), np.maximum.reduce(
+        np.broadcast_arrays(*found)
+    )
+
+
+def _monotone(of: Callable[[Any, Any], Any]) -> Operation:
+    """An operation whose extremes are at the ends of its operands."""
+    return Operation(of, lambda x, y: _at_corners(of, x, y))
+
+
+def _jumping(of: Callable[[Any, Any], Any]) -> Operation:
+    """An operation that is known only at single numbers."""
+
+    def ends(x: Ends, y: Ends) -> Ends:
+        low, high = _at_corners(of, x, y)
+        wide = (x[1] - x[0] > 1) | (y[1] - y[0] > 1)
+        return np.where(wide, LEAST, low), np.where(wide, LARGEST, high)
+
+    return Operation(of, ends)
+
+
+def _modulo(of: Callable[[Any, Any], Any], size: Callable[[Array], Array]) -> Operation:
+    """An operation that repeats itself with a period, and is the identity within each.
+
+    ``size`` is the period for a second operand, or 0 if there is none.
+    """
+    jumping = _jumping(of)
+
+    def ends(x: Ends, y: Ends) -> Ends:
+        period = np.where(y[0] == y[1], size(y[0]), 0)
+        divisor = np.maximum(period, 1)
+        together = (period > 0) & (x[0] // divisor == x[1] // divisor)
+        low, high = jumping.ends(x, y)
+        low = np.where(together, of(x[0], y[0]), np.where(period > 0, 0, low))
+        high = np.where(together, of(x[1], y[0]), np.where(period > 0, divisor - 1, high))
+        return low, high
+
+    return Operation(of, ends)
+
+
+def _mask_size(mask: Array) -> Array:
+    """One more than a mask of the lowest bits; 0 for any other number."""
+    return np.where((mask > 0) & (mask & (mask + 1) == 0), mask + 1, 0)
+
+
+bit_and = _modulo(operator.and_, _mask_size)
+bit_or = _jumping(operator.or_)
+bit_xor = _jumping(operator.xor)
+shifted_left = _monotone(operator.lshift)
+shifted_right = _monotone(operator.rshift)
+quotient = _monotone(operator.floordiv)
+"""For divisors that are certainly positive, or certainly negative."""
+remainder = _modulo(operator.mod, lambda divisor: np.maximum(divisor, 0))

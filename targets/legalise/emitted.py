@@ -1,0 +1,97 @@
+"""The graph that the text of a profile computes, as a shader that the reference can draw.
+
+Conformance compares pictures with it: the accuracy that a specification promises is that of the
+operations in a text, and the compiler has replaced many of those that the material was written in.
+``CompiledMaterial.emitted`` calls ``emitted`` for the profile of a route, after ``legalise``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...compiler.ir.build import apply
+from ...compiler.ir.node import Graph, Node, reachable
+from ...compiler.ir.operations import NATIVE
+from ...compiler.ir.shader import Notes, Shader
+from ...compiler.ir.stages import VARYING
+from ...frozen import changed
+from .definitions import Definitions
+from .legal import Legal
+
+
+def emitted(shader: Shader, legal: Legal) -> Shader:
+    """``shader``, but with the values of its results as ``legal`` computes them.
+
+    Parameters are read as blocks store them, derived ones are parameters like others, and a builtin
+    that the profile lacks is a call of the function that the text has for it. The graph is a new
+    one, in which equal programs have equal nodes with equal numbers. So what is remembered of the
+    program of one profile is found for every other one that has the same program.
+    """
+    given = [
+        (result, output.value)
+        for stage in legal.program.stages
+        for result, output in zip(
+            [result for result in shader.results if result.stage == stage.row],
+            [output for output in stage.results if output.kind != VARYING],
+            strict=True,
+        )
+    ]
+    writing = _Writing(legal.definitions)
+    values = writing.written([value for _, value in given])
+    results = tuple(
+        changed(result, value=value) for (result, _), value in zip(given, values, strict=True)
+    )
+    notes = writing.notes(legal.notes or shader.notes)
+    return changed(shader, graph=writing.graph, notes=notes, results=results)
+
+
+class _Writing:
+    """Copies nodes into a new graph, with a call wherever the text calls a definition."""
+
+    def __init__(self, definitions: Definitions) -> None:
+        self.graph = Graph()
+        self._definitions = definitions
+        self._program: dict[Node, Node] = {}
+        """The copies of the program's nodes."""
+        self._bodies: dict[Node, Node] = {}
+        """The copies of the definitions' bodies."""
+
+    def written(self, values: Iterable[Node]) -> list[Node]:
+        """The copies of some values of the program."""
+        values = list(values)
+        self._copy(values, self._program)
+        return [self._program[value] for value in values]
+
+    def notes(self, given: Notes) -> Notes:
+        """What ``given`` says of the program's nodes, for their copies."""
+        notes = Notes()
+        notes.take_over(given, {old.id: new.id for old, new in self._program.items()})
+        for function in self._definitions.values():
+            if function.body in self._bodies:
+                notes.functions[self._bodies[function.body].id] = function.name
+        return notes
+
+    def _copy(self, roots: Iterable[Node], copies: dict[Node, Node]) -> None:
+        for node in reachable(roots):
+            if node not in copies:
+                operands = tuple([copies[operand] for operand in node.operands])
+                copies[node] = self._written(node, operands)
+
+    def _written(self, node: Node, operands: tuple[Node, ...]) -> Node:
+        if node.op == "native":
+            use = NATIVE.data(node), tuple([operand.type for operand in node.operands])
+            if use in self._definitions:
+                function = self._definitions[use]
+                formals = tuple([formal for formal, _type in function.parameters])
+                return apply(self.graph, self._body(function.body), operands, formals)
+        return self.graph.node(node.op, node.type, operands, node.data)
+
+    def _body(self, body: Node) -> Node:
+        """The copy of a definition's body, which may use other definitions in turn."""
+        if body not in self._bodies:
+            # Every definition has a graph of its own, so its nodes are told from the others' by
+            # being other objects, but not by their numbers.
+            copies: dict[Node, Node] = {}
+            self._copy((body,), copies)
+            self._bodies[body] = copies[body]
+        return self._bodies[body]

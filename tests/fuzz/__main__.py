@@ -1,0 +1,170 @@
+"""``python -m burnish.tests.fuzz``: tries random programs for a given time; ``make fuzz`` calls it.
+
+Each program is named by a seed and a number, such as ``1:57``, which always give the same program.
+What is found is shrunk, printed, and stored as a file. Questions that take long are asked about as
+many programs as their share of the time allows.
+"""
+
+from __future__ import annotations
+
+import time
+from argparse import ArgumentParser, Namespace
+from collections import Counter, defaultdict
+from collections.abc import Iterator
+from itertools import count
+from pathlib import Path
+
+from burnish.targets.runner.routes import select
+
+from .oracles import ORACLES, Case, Finding, Tools, ask
+from .programs import program
+from .shrink import shrunk
+from .tree import Node
+
+SHARES = {"rewritten": 0.3, "accepted": 0.3, "drawn": 0.3}
+"""The shares of the whole time that these questions may take, at most; the others come first."""
+
+TELL_EVERY = 15.0
+"""Seconds between two lines of progress."""
+
+
+class Run:
+    """One run, with what it has found so far."""
+
+    def __init__(self, asked: Namespace, tools: Tools) -> None:
+        self._asked = asked
+        self._tools = tools
+        self._start = time.monotonic()
+        self._told = self._start
+        self._spent: defaultdict[str, float] = defaultdict(float)
+        self._asked_of: Counter[str] = Counter()
+        self._refused = 0
+        self.findings: list[Finding] = []
+
+    def programs(self) -> None:
+        """Try programs until the time is over."""
+        for name in self._names():
+            self._one(name)
+            if time.monotonic() - self._told > TELL_EVERY:
+                self.tell()
+        self.tell()
+
+    def tell(self) -> None:
+        """Print how far the run is."""
+        self._told = time.monotonic()
+        asked = ", ".join(f"{name} {number}" for name, number in self._asked_of.items())
+        drawn = ", ".join(f"{name} {number}" for name, number in self._tools.statuses.items())
+        print(
+            f"{self._elapsed():.0f} s: {asked}; {self._refused} refused for an allowed reason; "
+            f"{len(self.findings)} findings{'; drawn rows: ' * bool(drawn)}{drawn}",
+            flush=True,
+        )
+
+    def _names(self) -> Iterator[str]:
+        if self._asked.program:
+            yield from self._asked.program
+            return
+        for number in count():
+            if self._elapsed() >= self._asked.seconds:
+                return
+            yield f"{self._asked.seed}:{number}"
+
+    def _elapsed(self) -> float:
+        return time.monotonic() - self._start
+
+    def _one(self, name: str) -> None:
+        tree = program(name)
+        for oracle in self._due():
+            begin = time.monotonic()
+            case = Case(str(tree), seed_of(name), self._tools, tree)
+            answers = ask(case, oracle)
+            self._spent[oracle] += time.monotonic() - begin
+            self._asked_of[oracle] += 1
+            for finding in answers.findings:
+                self._found(name, tree, finding)
+            if answers.refused:
+                self._refused += not answers.findings
+                return
+
+    def _due(self) -> list[str]:
+        """The questions to ask about the next program."""
+        asked: list[str] = self._asked.oracles
+        return [
+            oracle
+            for oracle in asked
+            if self._asked.program
+            or self._spent[oracle] <= SHARES.get(oracle, 1.0) * self._elapsed()
+        ]
+
+    def _found(self, name: str, tree: Node, finding: Finding) -> None:
+        if any(finding.is_like(other) for other in self.findings):
+            return
+        self.findings.append(finding)
+        print(f"\nfound in {name}: {finding.oracle} {finding.place} {finding.sort}", flush=True)
+        small = shrunk(
+            tree, lambda each: shows(each, name, finding, self._tools), self._asked.shrink
+        )
+        again = f"python -m burnish.tests.fuzz --program {name} --oracles {finding.oracle}"
+        if finding.oracle == "drawn":
+            again += f" --routes {finding.place}"
+        case = Case(str(small), seed_of(name), self._tools, small, finding.place)
+        told = [each for each in ask(case, finding.oracle).findings if finding.is_like(each)]
+        print(f"{(told or [finding])[0].detail}\n\n{small}\nagain: {again}", flush=True)
+        self._asked.output.mkdir(parents=True, exist_ok=True)
+        file = f"{finding.oracle}-{name.replace(':', '-')}.burnish"
+        (self._asked.output / file).write_text(
+            f"// Found by: {again}\n// {finding.place} {finding.sort}\n{small}", encoding="utf-8"
+        )
+        print(f"stored as {self._asked.output / file}\n", flush=True)
+
+
+def seed_of(name: str) -> int:
+    """The seed of the values with which a program is evaluated."""
+    return int(name.partition(":")[2] or 0)
+
+
+def shows(tree: Node, name: str, finding: Finding, tools: Tools) -> bool:
+    """Whether a smaller program shows the same as the program of a name."""
+    case = Case(str(tree), seed_of(name), tools, tree, finding.place)
+    return any(finding.is_like(other) for other in ask(case, finding.oracle).findings)
+
+
+def _parser() -> ArgumentParser:
+    parser = ArgumentParser(prog="python -m burnish.tests.fuzz", description=__doc__)
+    parser.add_argument("--seconds", type=float, default=60.0, help="how long to try programs")
+    parser.add_argument("--seed", default="0", help="the first part of the programs' names")
+    parser.add_argument(
+        "--program", action="append", metavar="SEED:NUMBER", help="only this program, whole"
+    )
+    parser.add_argument(
+        "--oracles", type=lambda text: text.split(","), default=[*ORACLES], metavar="NAME,…",
+        help=f"the questions to ask, of {', '.join(ORACLES)}",
+    )  # fmt: skip
+    parser.add_argument(
+        "--routes", default="lavapipe:glsl,chromium:webgpu", help="the routes that draw"
+    )
+    parser.add_argument(
+        "--shrink", type=float, default=60.0, help="seconds for shrinking one finding"
+    )
+    parser.add_argument(
+        "--output", type=Path, default=Path("build/fuzz"), help="the folder for what is found"
+    )
+    parser.add_argument("--show", action="store_true", help="print the programs, and ask nothing")
+    return parser
+
+
+def main() -> int:
+    """Run, and return the exit code: 1 if anything was found."""
+    asked = _parser().parse_args()
+    if asked.show:
+        for name in asked.program or [f"{asked.seed}:0"]:
+            print(f"// {name}\n{program(name)}")
+        return 0
+    print(f"seed {asked.seed}: the programs are {asked.seed}:0, {asked.seed}:1 …", flush=True)
+    with Tools(select([asked.routes])) as tools:
+        run = Run(asked, tools)
+        run.programs()
+    return 1 if run.findings else 0
+
+
+raise SystemExit(main())

@@ -1,0 +1,263 @@
+"""What has to be true of every random program, as questions that are asked about it.
+
+``__main__.py`` asks them for a given time, and asks one of them again while a program is shrunk.
+``test_fuzz.py`` asks them about a few programs and about all regressions.
+"""
+
+from __future__ import annotations
+
+import re
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import burnish
+from burnish import api
+from burnish.api import CompiledMaterial
+from burnish.compiler.diagnostics import rules
+from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.shader import Shader
+from burnish.compiler.passes.pipeline import Options
+from burnish.compiler.reference.evaluate import Evaluator
+from burnish.compiler.reference.namespace import Lanes
+from burnish.targets.closing import Closing
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.rows import Row
+from burnish.targets.conformance.summary import details
+from burnish.targets.runner.routes import Route
+from burnish.targets.runner.runner import Runner
+from burnish.targets.toolchain import Toolchain
+
+from ..examples.kit import PROFILES, jobs_of
+from ..passes.agreement import disagreements
+from ..passes.hardware import flat
+from ..passes.kit import World, shaders
+from ..passes.value_ranges import LARGEST, broken
+from .equivalence import differences
+from .tree import Node as Tree
+
+ALLOWED = {each.code for each in (rules.ZERO_DIVISOR, rules.OUT_OF_BOUNDS, rules.NUMBER_TOO_LARGE)}
+"""The mistakes in some programs: their constants are random, and their values can be computed."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """An answer that should not be given."""
+
+    oracle: str
+    """A name in ``ORACLES``."""
+    place: str
+    """The tool, route, pass or rewriting that gives it; shrinking asks only this one again."""
+    sort: str
+    """What stays the same while the program is shrunk: the message without names and numbers."""
+    detail: str
+    """What a person wants to read."""
+
+    def is_like(self, other: Finding) -> bool:
+        """Whether both are probably the same defect."""
+        return (self.oracle, self.place, self.sort) == (other.oracle, other.place, other.sort)
+
+
+class Tools(Closing):
+    """The processes that compile and draw. Use it as a context manager, for many programs."""
+
+    def __init__(self, routes: Sequence[Route] = ()) -> None:
+        self.routes = routes
+        self.toolchain = Toolchain(parallel=1)
+        self.runner = Runner(routes, parallel=1)
+        self.statuses: dict[str, int] = {}
+        """How many rows of each status conformance runs had."""
+
+    def close(self) -> None:
+        """End all processes."""
+        self.toolchain.close()
+        self.runner.close()
+
+
+@dataclass(frozen=True)
+class Case:
+    """A program with the seed of the values that it is evaluated with."""
+
+    text: str
+    seed: int
+    tools: Tools
+    tree: Tree | None = None
+    """The program as it was made, if it is to be rewritten."""
+    only: str = ""
+    """The place of the finding that is looked for; all places are asked if this is empty."""
+
+    @cached_property
+    def variant(self) -> tuple[str | None, str | None]:
+        """The program's own rig and pass. Raises ``CompileError``."""
+        return api.variants(self.text)[-1]
+
+    @cached_property
+    def shader(self) -> Shader:
+        """What its material means, before all passes. Raises ``CompileError``."""
+        return shaders(self.text, *self.variant)[-1]
+
+    @cached_property
+    def material(self) -> CompiledMaterial:
+        """Its material, compiled for all profiles. Raises ``CompileError``."""
+        rig, pass_ = self.variant
+        found = burnish.compile(self.text, PROFILES, rig=rig, pass_=pass_, partial=True)
+        return found.materials[-1]
+
+    def asks(self, place: str) -> bool:
+        """Whether a place may give the answer that is looked for."""
+        return self.only in ("", place)
+
+
+# --- the questions -------------------------------------------------------------------------------
+
+
+def _compiles(case: Case) -> Iterator[Finding]:
+    """It is compiled for every profile, or is refused for an allowed reason."""
+    try:
+        found = case.material
+    except CompileError as error:
+        yield from _refusals(error)
+    else:
+        assert found.reflection
+
+
+def _refusals(error: CompileError) -> Iterator[Finding]:
+    """What the compiler should not have said about a program that is correct by its making."""
+    for each in error.diagnostics:
+        if each.rule.code not in ALLOWED:
+            yield Finding("compiles", each.rule.code, _sort(each.message), str(error))
+
+
+def _facts(case: Case) -> Iterator[Finding]:
+    """Every value lies within what range analysis knows about it."""
+    for traps in (False, True):
+        for single in (False, True):
+            for each in broken(case.shader, World(case.seed, traps), single=single)[:1]:
+                yield Finding("facts", "float32" if single else "float64", "", each)
+
+
+def _passes(case: Case) -> Iterator[Finding]:
+    """No pass changes the value."""
+    for traps, hoist in ((False, True), (True, False)):
+        world = World(case.seed, traps)
+        if not is_defined(case, world):
+            continue
+        for each in disagreements(case.shader, [world], Options(hoist))[:1]:
+            yield Finding("passes", each.partition(",")[0], "", f"hoist={hoist}: {each}")
+
+
+def _rewritten(case: Case) -> Iterator[Finding]:
+    """Another program that means the same has the same value."""
+    if case.tree is None:
+        return
+    for traps in (False, True):
+        world = World(case.seed, traps)
+        if not is_defined(case, world):
+            continue
+        for turn in range(SEARCHED if case.only else 1):
+            seed = f"{case.seed} {traps} {turn}"
+            for name, sort, story in differences(
+                case.tree, case.shader, case.variant, world, seed, case.only
+            ):
+                yield Finding("rewritten", name, sort, story)
+
+
+SEARCHED = 6
+"""At how many places a rewriting is tried again in a program that was shrunk."""
+
+
+def is_defined(case: Case, world: World) -> bool:
+    """Whether the program has a value: everything is within float32, and hardware is not asked."""
+    if "unguarded(" in case.text:
+        return False
+    largest = 0.0
+
+    def look(_node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
+        nonlocal largest
+        largest = max(largest, *(abs(lane) for lane in flat(value)))
+        return value
+
+    evaluator = Evaluator(world, observer=look)
+    for root in case.shader.roots:
+        evaluator.value(root)
+    return largest <= LARGEST
+
+
+def _accepted(case: Case) -> Iterator[Finding]:
+    """Every downstream compiler takes the texts of its profiles."""
+    made = jobs_of(case.material)
+    asked = [job for job in made if case.asks(f"{job.checker} {job.stage}")]
+    for verdict in case.tools.toolchain.check(asked):
+        if verdict.status != "accepted":
+            errors = [message.text for message in verdict.messages if message.severity == "error"]
+            place = f"{verdict.job.checker} {verdict.job.stage}"
+            sort = f"{verdict.status} {_sort(errors[0]) if errors else ''}"
+            yield Finding("accepted", place, sort, f"{verdict.report()}\n{verdict.job.text}")
+
+
+def _drawn(case: Case) -> Iterator[Finding]:
+    """Every route draws what the reference draws."""
+    routes = [route for route in case.tools.routes if case.asks(route.name)]
+    tools = case.tools
+    rows = conform([("random", case.material)], routes, tools.runner, tools.toolchain)
+    for row in rows:
+        tools.statuses[row.status] = tools.statuses.get(row.status, 0) + 1
+        if row.status in ("differs", "failed"):
+            wrong = [result.case for result in row.results if result.comparison.wrong]
+            sort = f"{row.status} {wrong[0] if wrong else _sort(row.problem)}"
+            yield Finding("drawn", row.route.name, sort, "\n".join(_story(row)))
+
+
+def _story(row: Row) -> Iterator[str]:
+    yield f"{row.route.name}: {row.status}"
+    yield from details(row)
+
+
+Question = Callable[[Case], Iterator[Finding]]
+
+ORACLES: Mapping[str, Question] = {
+    "compiles": _compiles,
+    "facts": _facts,
+    "passes": _passes,
+    "rewritten": _rewritten,
+    "accepted": _accepted,
+    "drawn": _drawn,
+}
+"""All questions, cheap ones first. Those after ``compiles`` are about programs that compile."""
+
+
+@dataclass
+class Answers:
+    """What was found out about one program."""
+
+    findings: list[Finding] = field(default_factory=list)
+    refused: bool = False
+    """Whether the program is refused for an allowed reason, so that nothing else could be asked."""
+
+
+def ask(case: Case, oracle: str) -> Answers:
+    """Ask one question about a program."""
+    try:
+        _ = case.shader
+    except CompileError as error:
+        return Answers(list(_refusals(error)), refused=True)
+    except Exception as error:
+        return Answers([_crash("compiles", error)])
+    try:
+        return Answers(list(ORACLES[oracle](case)))
+    except Exception as error:
+        return Answers([_crash(oracle, error)])
+
+
+def _crash(oracle: str, error: Exception) -> Finding:
+    """An exception, which is a defect wherever it comes from."""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    sort = f"{type(error).__name__} in {last.name}"
+    return Finding(oracle, "", sort, "".join(traceback.format_exception(error)))
+
+
+def _sort(message: str) -> str:
+    """A message without the names and numbers in it."""
+    return re.sub(r"`[^`]*`|'[^']*'|\"[^\"]*\"|\w*\d\w*", "…", message)[:120]

@@ -1,0 +1,230 @@
+"""Writes whole random programs, each from a seed: the same seed always gives the same program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from random import Random
+
+from . import declarations
+from .expressions import FUEL, Writer
+from .rules import GEOMETRIC, TYPES
+from .scope import FRAGMENT, IN_MATERIAL, LIT, SURFACE, UNIFORM, Map, Scope, Signature, variable
+from .textures import DEFAULTS, KINDS, SETTINGS, settings_of
+from .tree import Node, expression, listed
+
+FORMATS = {
+    "float": ("r8", "r16f", "r32f"),
+    "vec2": ("rg8", "rg16f", "rg32f"),
+    "vec4": ("rgba8", "rgba8_srgb", "bgra8", "rgb10a2", "rgba16f", "rgba32f"),
+}
+BLENDS = ("none", "none", "add", "multiply")
+BLENDS_BY_ALPHA = ("alpha", "premultiplied")
+"""How targets of four lanes are blended besides."""
+LIBRARY_MIXINS = {
+    "VertexColors": "vertices", "SecondUv": "vertices", "Tangents": "tangents",
+    "Skinned": "skinning", "Instanced": "instancing", "Morphed": "morphing",
+    "Billboard": "billboards",
+}  # fmt: skip
+_SURFACE = frozenset({SURFACE})
+_VARYING = (
+    variable("uv", "vec2", _SURFACE), variable("uv.x", "float", _SURFACE),
+    variable("uv.y", "float", _SURFACE), variable("vec3(position)", "vec3", _SURFACE),
+    variable("vec3(normal)", "vec3", _SURFACE), variable("int(9 * uv.x)", "int", _SURFACE),
+    variable("uint(7 * uv.y)", "uint", _SURFACE), variable("(uv.x < uv.y)", "bool", _SURFACE),
+)  # fmt: skip
+"""Values that differ from pixel to pixel, so that not too much of a program is constant."""
+_OWN = (variable("inherited.color", "rgb"),)
+
+
+def program(seed: str) -> Node:
+    """The program of a seed."""
+    return _Program(Writer(Random(f"burnish {seed}"))).tree()
+
+
+@dataclass
+class _Program:
+    """Writes one program, part by part."""
+
+    writer: Writer
+    imports: list[str] = field(default_factory=lambda: ["std.lights", "std.terms"])
+    file: list[Node] = field(default_factory=list)
+    """The declarations in front of materials."""
+    scope: Scope = field(default_factory=Scope)
+    """What functions see."""
+
+    def tree(self) -> Node:
+        """The whole file."""
+        writer = self.writer
+        writer.wild = writer.maybe(0.2)
+        self.file += declarations.structures(writer)
+        for node, reference in declarations.constants(writer):
+            self.file.append(node)
+            self.scope = self.scope.having(reference)
+        functions = list(declarations.functions(writer, self.scope))
+        own_light = writer.maybe(0.4)
+        callables = tuple(signature for signature, _ in functions)
+        outside = replace(self.scope, callables=callables)
+        terms = list(declarations.terms(writer, outside))
+        self.file += [node for _, node in (*functions, *terms)]
+        if own_light:
+            self.file.append(declarations.light(writer, callables))
+        usable = (*callables, *(signature for signature, _ in terms))
+        materials = list(self._materials(replace(outside, callables=usable)))
+        passes = [self._pass(usable)] if writer.maybe(0.3) else []
+        rigs = [declarations.rig(writer, own=own_light)]
+        imports = [Node(f"import {path}", optional=True) for path in dict.fromkeys(self.imports)]
+        items = [*imports, *self.file, *materials, *passes, *rigs]
+        if writer.maybe(0.1):
+            items.insert(0, Node("burnish 1", optional=True))
+        return listed("{}\n", items, "\n", "file")
+
+    # --- materials -------------------------------------------------------------------------------
+
+    def _materials(self, outside: Scope) -> Iterator[Node]:
+        """A material, perhaps with a base and mixins."""
+        writer = self.writer
+        scope = replace(outside, can=IN_MATERIAL).having(*_VARYING)
+        base, mixins = "Surface", []
+        if writer.maybe(0.3):
+            scope, node = self._base(scope)
+            base = "Base"
+            yield node
+        if writer.maybe(0.25):
+            name = writer.chance.choice([*LIBRARY_MIXINS])
+            self.imports.append(f"std.{LIBRARY_MIXINS[name]}")
+            mixins.append(name)
+        if writer.maybe(0.25):
+            yield self._mixin(scope)
+            mixins.append("Mixed")
+        names = [Node(base, role="base"), *(Node(name, optional=True) for name in mixins)]
+        header = listed(" : {}", names, " + ")
+        scope, items = self._members(scope, "p", most=5)
+        items += self._places(scope)
+        items += self._slots(scope, "s", most=3)[1]
+        below = scope.having(*_OWN)
+        last_scope, slots = self._slots(below, "c", most=1)
+        color = writer.expression("rgb", last_scope)
+        alpha = writer.expression("float", replace(last_scope, leaves=scope.leaves), FUEL // 2)
+        items += slots
+        items.append(Node("color = {}", (self._tamed(color),), role="slot", name="color"))
+        items.append(
+            Node("alpha = {}", (self._tamed(alpha),), role="slot", optional=True, name="alpha")
+        )
+        members = listed("{{\n    {}\n}}", items, "\n    ", "members")
+        yield Node("material Random{} {}", (header, members), role="material")
+
+    def _tamed(self, node: Node) -> Node:
+        """A result that float32 holds, in most programs."""
+        if self.writer.wild or self.writer.maybe(0.3):
+            return node
+        return expression(node.type, "clamp({}, -100.0, 100.0)", [node], "tamed")
+
+    def _base(self, scope: Scope) -> tuple[Scope, Node]:
+        """An abstract material, and the scope of those that are derived from it."""
+        scope, items = self._members(scope, "b", most=2)
+        scope, slots = self._slots(scope, "d", most=2)
+        color = self.writer.expression("rgb", scope, FUEL // 2)
+        items += [*slots, Node("color = {}", (color,), role="slot", optional=True)]
+        form = "abstract material Base {{\n    {}\n}}"
+        return scope, replace(listed(form, items, "\n    ", "base material"), optional=True)
+
+    def _mixin(self, scope: Scope) -> Node:
+        """A mixin that continues the colour that it finds."""
+        outside = Scope((), scope.callables, (), scope.can)
+        inner, items = self._members(outside.having(*_VARYING), "x", most=1)
+        inner, slots = self._slots(inner.having(*_OWN), "y", most=1)
+        color = self.writer.expression("rgb", inner, FUEL // 2)
+        items += [*slots, Node("color = {}", (color,), role="slot", optional=True)]
+        made = listed("mixin Mixed {{\n    {}\n}}", items, "\n    ", "mixin")
+        return replace(made, optional=True)
+
+    def _members(self, scope: Scope, letter: str, most: int) -> tuple[Scope, list[Node]]:
+        """Parameters, textures and inputs of the vertices, and the scope that has them."""
+        writer, items = self.writer, []
+        for node, reference in declarations.parameters(writer, letter, most):
+            items.append(node)
+            scope = scope.having(reference)
+        maps = list(self._maps(letter))
+        items += [node for _, node in maps]
+        for number in range(writer.chance.choice((0, 0, 0, 1, 2))):
+            type_ = writer.chance.choice(("float", "vec2", "vec3", "vec4", "int", "uvec2", "mat2"))
+            rate = writer.chance.choice(("", "", " per instance"))
+            name = f"{letter}_in{number}"
+            items.append(Node(f"attribute {name} : {type_}{rate}", optional=True, name=name))
+            scope = scope.having(variable(name, type_, () if type_ != "mat2" else {SURFACE}))
+        return replace(scope, maps=(*scope.maps, *(each for each, _ in maps))), items
+
+    def _maps(self, letter: str) -> Iterator[tuple[Map, Node]]:
+        chance = self.writer.chance
+        for number in range(chance.choice((0, 0, 0, 1, 1, 2))):
+            type_ = chance.choice(("texture2d", "texture2d", *KINDS))
+            name, default, state = f"{letter}_map{number}", "", ""
+            if chance.random() < 0.5:
+                default = f" = {chance.choice(DEFAULTS[type_])}"
+            settings = [s for s in settings_of(type_) if chance.random() < 0.4]
+            if settings:
+                chosen = ", ".join(f"{s} = {chance.choice(SETTINGS[s])}" for s in settings)
+                state = f" with {{{{ {chosen} }}}}"
+            text = f"map {name} : {type_}{default}{state}"
+            yield Map(name, type_), Node(text, role="map", optional=True, name=name)
+
+    def _places(self, scope: Scope) -> Iterator[Node]:
+        """Slots of the surface that move or turn it a little."""
+        writer = self.writer
+        plain = [leaf for leaf in scope.leaves if not leaf.needs]
+        before = replace(scope, can=frozenset[str](), maps=())
+        if writer.maybe(0.12):
+            leaves = (*plain, variable("vec3(vertex_normal)", "vec3"))
+            moved = writer.expression("vec3", replace(before, leaves=leaves), FUEL // 3)
+            text = "position = @vertex (inherited.position + 0.1 * sin(vec3({})))"
+            yield Node(text, (moved,), role="place", optional=True)
+        if writer.maybe(0.12):
+            bent = writer.expression("vec3", before.having(variable("uv.xyx", "vec3")), FUEL // 3)
+            text = "normal = normalize(vec3(inherited.normal) + 0.3 * cos(vec3({})))"
+            yield Node(text, (bent,), role="place", optional=True)
+        if writer.maybe(0.1):
+            yield Node("uv = 3 * inherited.uv - 1", role="place", optional=True)
+
+    def _slots(self, scope: Scope, letter: str, most: int) -> tuple[Scope, list[Node]]:
+        """Slots that later ones can use."""
+        writer, items = self.writer, []
+        kinds = (*TYPES, *GEOMETRIC, *writer.structures, "float[3]", "vec3[2]")
+        for number in range(writer.chance.randint(0, most)):
+            type_, name = writer.chance.choice(kinds), f"{letter}{number}"
+            value = writer.pinned(writer.expression(type_, scope))
+            written = f" : {type_}" if type_ not in TYPES or writer.maybe(0.5) else ""
+            form = f"{name}{written} = {{}}"
+            items.append(Node(form, (value,), role="slot", optional=True, name=name))
+            needs = {each for each in value.needs if not each.startswith("local ")}
+            scope = scope.having(variable(name, type_, needs))
+        return scope, items
+
+    # --- passes ----------------------------------------------------------------------------------
+
+    def _pass(self, callables: tuple[Signature, ...]) -> Node:
+        """A pass with targets of several formats, blending and discarding."""
+        writer = self.writer
+        scope = Scope((variable("vec3(color)", "vec3"), variable("alpha", "float")), callables,
+                      can=frozenset({SURFACE, LIT, FRAGMENT, UNIFORM}))  # fmt: skip
+        items = []
+        for node, reference in declarations.parameters(writer, "r", 1):
+            items.append(node)
+            scope = scope.having(reference)
+        for number in range(writer.chance.randint(0, 2)):
+            type_ = writer.chance.choice([*FORMATS])
+            value = self._tamed(writer.expression(type_, scope, FUEL // 2))
+            text = f"target o{number} : {writer.chance.choice(FORMATS[type_])} = {{}}"
+            if writer.maybe(0.3) or type_ != "vec4":
+                text += f" blend {self._blend(type_)}"
+            items.append(Node(text, (value,), role="target", optional=True))
+        if writer.maybe(0.3):
+            condition = writer.expression("bool", scope, FUEL // 2)
+            items.append(Node("discard when {}", (condition,), role="discard", optional=True))
+        blend = f" blend {self._blend('vec4')}" if writer.maybe(0.4) else ""
+        form = f"pass Drawn : Forward{blend} {{{{\n    {{}}\n}}}}"
+        return replace(listed(form, items, "\n    ", "pass"), optional=True)
+
+    def _blend(self, type_: str) -> str:
+        """How a target of a type is blended."""
+        return self.writer.chance.choice(BLENDS + BLENDS_BY_ALPHA * (type_ == "vec4"))

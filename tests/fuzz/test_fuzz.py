@@ -1,0 +1,106 @@
+"""A few random programs, and all that were ever found, pass every question.
+
+``make fuzz`` tries other programs, for as long as one likes.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from ..suite.processes import run
+from . import rewritings
+from .oracles import Case, Tools, ask
+from .programs import program
+from .rewritings import REWRITINGS, rewritten
+from .shrink import shrunk
+from .tree import Node, walk
+
+REGRESSIONS = sorted((Path(__file__).parent / "regressions").glob("*.burnish"))
+INSIDE = ("compiles", "facts", "passes")
+"""The questions that need no other program."""
+
+
+@pytest.fixture(scope="module")
+def tools() -> Iterator[Tools]:
+    with Tools() as tools:
+        yield tools
+
+
+@pytest.mark.parametrize("number", range(60))
+def test_the_compiler_keeps_the_meaning(number: int, tools: Tools) -> None:
+    _pass(number, tools, *INSIDE)
+
+
+@pytest.mark.parametrize("number", range(60, 66))
+def test_the_texts_are_accepted(number: int, tools: Tools) -> None:
+    _pass(number, tools, "accepted")
+
+
+@pytest.mark.parametrize("number", range(66, 86))
+def test_programs_that_mean_the_same_have_the_same_value(number: int, tools: Tools) -> None:
+    _pass(number, tools, "rewritten")
+
+
+@pytest.mark.parametrize("file", REGRESSIONS, ids=lambda file: file.stem)
+def test_what_was_found_once_is_mended(file: Path, tools: Tools) -> None:
+    _find_nothing(Case(file.read_text("utf-8"), 0, tools), *INSIDE, "accepted")
+
+
+def _pass(number: int, tools: Tools, *oracles: str) -> None:
+    tree = program(f"test:{number}")
+    _find_nothing(Case(str(tree), number, tools, tree), *oracles)
+
+
+def _find_nothing(case: Case, *oracles: str) -> None:
+    for oracle in oracles:
+        for finding in ask(case, oracle).findings:
+            pytest.fail(f"{finding.oracle} {finding.place}\n{finding.detail}\n{case.text}")
+
+
+@pytest.mark.parametrize("name", [*REWRITINGS])
+def test_every_rewriting_finds_a_place(name: str) -> None:
+    places = [found for n in range(30) for found in rewritten(program(f"place:{n}"), "", name)]
+    assert places
+
+
+def test_a_program_that_means_something_else_is_seen(
+    tools: Tools, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(rewritings, "COMMUTATIVE", {"sub"})
+    found = []
+    for number in range(30):
+        tree = program(f"swap:{number}")
+        found += ask(Case(str(tree), number, tools, tree, "swap operands"), "rewritten").findings
+    assert found
+
+
+def test_nearly_all_programs_are_correct(tools: Tools) -> None:
+    """And the others are refused for a reason that is allowed."""
+    answers = [ask(Case(str(program(f"rate:{n}")), n, tools), "facts") for n in range(100)]
+    assert sum(answer.refused for answer in answers) <= 10
+    assert not any(answer.findings for answer in answers)
+
+
+def test_a_seed_always_gives_the_same_program() -> None:
+    script = "from burnish.tests.fuzz.programs import program; print(program('same:1'))"
+    texts = {
+        run([sys.executable, "-c", script], env={**os.environ, "PYTHONHASHSEED": seed}).stdout
+        for seed in ("1", "2")
+    }
+    assert texts == {f"{program('same:1')}\n"}
+
+
+def test_a_finding_is_shrunk_to_what_shows_it(tools: Tools) -> None:
+    def shows(tree: Node) -> bool:
+        called = any(node.role == "sqrt" for _, node in walk(tree))
+        return called and not ask(Case(str(tree), 0, tools), "facts").refused
+
+    (number, *_) = (n for n in range(50) if shows(program(f"shrink:{n}")))
+    small = shrunk(program(f"shrink:{number}"), shows, seconds=30)
+    assert shows(small)
+    assert len(str(small).splitlines()) <= 12, small
