@@ -112,3 +112,35 @@ def test_no_builtin_leaves_its_bounds(name: str) -> None:
         nodes = _operations(RandomGraph(seed, steps=3, names=(name,)))
         for seen in evaluated(nodes, Values(seed), Errors(("wgsl",)), seed):
             assert not seen.outside().any(), f"seed {seed}, {seen.told()}"
+
+
+# --- how wide -------------------------------------------------------------------------------------
+
+
+def _widths(roots: Sequence[Node], values: Values, platform: Platform, seed: int) -> Iterator[Any]:
+    """How many times the largest error seen each bound is, where both are finite."""
+    worst: dict[int, tuple[Bounded, Any]] = {}
+    for seen in evaluated(roots, values, Errors((platform,)), seed):
+        if seen.bounds.kind == "f":
+            error = np.abs(seen.device - seen.bounds.value)
+            _, before = worst.get(id(seen.bounds), (seen.bounds, 0.0))
+            worst[id(seen.bounds)] = seen.bounds, np.fmax(before, error)
+    for bounds, error in worst.values():
+        radius = np.maximum(bounds.high - bounds.value, bounds.value - bounds.low)
+        radius, error = np.broadcast_arrays(radius, error)
+        counts = np.isfinite(radius) & (radius > 0) & (error > 0)
+        yield (radius[counts] / error[counts]).ravel()
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_bounds_are_close_to_the_largest_error(platform: Platform) -> None:
+    graphs = [(seed, RandomGraph(seed)) for seed in range(20)]
+    found = [
+        width
+        for seed, graph in graphs
+        for width in _widths(graph.roots, Values(seed), platform, seed)
+    ]
+    median, nine_tenths = np.percentile(np.concatenate(found), [50, 90])
+    assert 1.1 < median < 1.8
+    assert 2.0 < nine_tenths < 8.0

@@ -335,7 +335,11 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 
 
 def widened(x: Bounded, by: Array) -> Bounded:
-    """The lane of a device whose function has an absolute error of its own."""
+    """The lane of a device whose function has an absolute error of its own.
+
+    The error may be less than the distance of subnormal numbers, of which it is the nearest one.
+    """
+    by = by + SUBNORMAL_STEP
     low, high = of_device(x.low - by, x.high + by)
     form = None if x.form is None else x.form.widened(by + _lost(low, high))
     return Bounded(x.value, low, high, form)
