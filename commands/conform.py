@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from .console import remark, show
-from .failures import told
+from .failures import fail, told
 from .options import hoist_option, pass_option, rig_option, search_option
 from .terminal import FAILED, wants_color
 
@@ -68,7 +69,7 @@ def _pixel(
 )  # fmt: skip
 @click.option(
     "--explain", metavar="X,Y", callback=_pixel,
-    help="Instead of the table, say how inexact this pixel is, and where in the source that arises.",
+    help="Instead of the table, say how inexact this pixel is, and why.",
 )  # fmt: skip
 @click.option(
     "--case", metavar="NAME",
@@ -115,10 +116,10 @@ def conform(**chosen: Any) -> None:
         if request.explain is not None:
             _explain(subjects, rows, request)
             return
-        reasons = _reasons(subjects, rows, request.seed)
-        _tell(rows, reasons, strict=request.strict)
+        rows = _with_reasons(subjects, rows, request.seed)
+        _tell(rows, strict=request.strict)
         if request.report is not None:
-            _write(request.report, rows, reasons, strict=request.strict)
+            _write(request.report, rows, strict=request.strict)
         if not _passed(rows, asked=request.routes != "all", strict=request.strict):
             click.get_current_context().exit(FAILED)
 
@@ -135,12 +136,15 @@ Subjects = list[tuple[str, "CompiledMaterial"]]
 """Materials, each with the label that the table shows."""
 
 
-def _routes(request: Request) -> list[Route]:
-    from ..targets.conformance.explaining import check_pixel
+def _routes(request: Request) -> Sequence[Route]:
+    from ..targets.conformance.explaining import PixelError, check_pixel
     from ..targets.runner.routes import select
 
     if request.explain is not None:
-        check_pixel(request.explain)
+        try:
+            check_pixel(request.explain)
+        except PixelError as error:
+            raise click.BadParameter(str(error), param_hint="--explain") from error
     routes = select([request.routes])
     if not routes:
         raise click.UsageError("--routes names no route")
@@ -165,34 +169,31 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
 
 def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
     """Print the way of the error at one pixel of every material."""
-    from ..targets.conformance.explaining import explanation_lines
+    from ..targets.conformance.explaining import PixelError, explanation_lines
     from ..targets.conformance.summary import by_material
 
     assert request.explain is not None
     own = by_material(rows)
     for label, material in subjects:
         click.echo(click.style(label, bold=True), color=wants_color(sys.stdout))
-        found = explanation_lines(
-            material, own[label], request.seed, request.explain, request.case
-        )
-        for line in found:
-            click.echo(f"  {line}".rstrip())
+        found = explanation_lines(material, own[label], request.seed, request.explain, request.case)
+        try:
+            for line in found:
+                click.echo(f"  {line}".rstrip())
+        except PixelError as error:
+            fail(str(error))
         click.echo()
 
 
-def _reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> Mapping[int, Sequence[str]]:
-    """For the rows that prove little, where in the source their precision is lost."""
-    from ..targets.conformance.explaining import reasons
+def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
+    """The rows, with what the source has to do with it where they differ or prove little."""
+    from ..targets.conformance.explaining import with_reasons
 
     materials = dict(subjects)
-    return {
-        number: reasons(materials[row.material], row, seed)
-        for number, row in enumerate(rows)
-        if row.status == "proves little"
-    }
+    return [with_reasons(materials[row.material], row, seed) for row in rows]
 
 
-def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, CompiledMaterial]]:
+def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
     """Every material with every rig and pass, each with the label that the table shows."""
     from .. import api
 
@@ -235,8 +236,15 @@ def _label(path: Path, paths: Sequence[Path], material: CompiledMaterial, varian
     return " × ".join([f"{file}: {material.name}", *filter(None, variant)])
 
 
-def _tell(rows: Sequence[Row]) -> None:
-    from ..targets.conformance.summary import counted, details, devices, lacking, tools
+def _tell(rows: Sequence[Row], *, strict: bool) -> None:
+    from ..targets.conformance.summary import (
+        counted,
+        details,
+        devices,
+        is_failure,
+        lacking,
+        tools,
+    )  # fmt: skip
 
     _print_table(rows)
     for driver, device in devices(rows).items():
@@ -245,10 +253,12 @@ def _tell(rows: Sequence[Row]) -> None:
         click.echo(f"with {', '.join(f'{name} {version}' for name, version in versions.items())}")
     for problem, names in lacking(rows).items():
         click.echo(f"not run by {', '.join(names)}: {problem}")
-    for row in rows:
-        if row.status in DISAGREEMENT:
-            lines = [f"{row.material}, {row.route.name} {row.status}", *details(row)]
-            remark("error", "\n  ".join(lines))
+    for material, own in by_material(rows).items():
+        for said, lines in messages(own):
+            routes = ", ".join(row.route.name for row in said)
+            heading = f"{material}, {routes}: {said[0].status}"
+            severity = "error" if is_failure(said[0], strict=strict) else "warning"
+            remark(severity, "\n  ".join([heading, *lines]))
     click.echo(counted(rows))
 
 
@@ -272,19 +282,23 @@ def _print_table(rows: Sequence[Row]) -> None:
     click.echo()
 
 
-def _passed(rows: Sequence[Row], *, asked: bool) -> bool:
-    statuses = {row.status for row in rows}
-    if statuses & DISAGREEMENT or "agrees" not in statuses:
+def _passed(rows: Sequence[Row], *, asked: bool, strict: bool) -> bool:
+    from ..targets.conformance.summary import is_failure
+
+    if any(is_failure(row, strict=strict) for row in rows):
         return False
-    return not (asked and "not run" in statuses)
+    statuses = {row.status for row in rows}
+    return bool(statuses - {"not run"}) and not (asked and "not run" in statuses)
 
 
-def _write(folder: Path, rows: Sequence[Row]) -> None:
+def _write(folder: Path, rows: Sequence[Row], *, strict: bool) -> None:
     import json
 
+    from ..targets.conformance.junit import as_junit
     from ..targets.conformance.report import as_json, page
     from .output import write_all
 
-    data = json.dumps(as_json(rows), indent=2, ensure_ascii=False) + "\n"
-    write_all(folder, {"report.json": data, "index.html": page(rows)})
+    data = json.dumps(as_json(rows, strict=strict), indent=2, ensure_ascii=False) + "\n"
+    tests = as_junit(rows, strict=strict)
+    write_all(folder, {"report.json": data, "junit.xml": tests, "index.html": page(rows)})
     click.echo(f"report: {folder / 'index.html'}")

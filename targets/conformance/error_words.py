@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.reference.attribution.explanation import (
-    Expression,
     Explanation,
+    Expression,
     Loss,
     Tipping,
 )
@@ -19,6 +19,10 @@ _LANES = "rgba"
 _INACCURATE = 1024.0
 """An operation whose own error is this many roundings of its value is called inaccurate."""
 _ROUNDING = 2.0**-24
+_WHOLE_STEP = 0.5
+"""An operand that is off by more than this may be on either side of a jump at whole numbers."""
+_NEARLY_ALL = 0.8
+"""The part of the error from which on one operation is to blame."""
 
 
 def causes(explanation: Explanation) -> Iterator[str]:
@@ -34,6 +38,15 @@ def causes(explanation: Explanation) -> Iterator[str]:
         size = max((abs(lane) for lane in worst.value), default=0.0)
         if worst.own > _INACCURATE * _ROUNDING * max(size, 1.0):
             text = f"`{worst.text}` may itself be off by {_short(worst.own)}"
+            yield _with_place(text, worst.span)
+
+
+def blamed(explanation: Explanation) -> Iterator[str]:
+    """The one operation that explains nearly all of what a pixel may be off, if there is one."""
+    for worst in explanation.contributions[:1]:
+        part = worst.contribution / explanation.error
+        if part >= _NEARLY_ALL:
+            text = f"{part:.0%} of what it may be off is due to `{worst.text}`"
             yield _with_place(text, worst.span)
 
 
@@ -95,7 +108,7 @@ def _way(way: tuple[Expression, ...]) -> Iterator[str]:
     yield from _table(rows)
 
 
-def _table(rows: list[tuple[str, ...]]) -> Iterator[str]:
+def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
         cells = (text.ljust(width) for text, width in zip(row, widths, strict=True))
@@ -107,6 +120,11 @@ def _lossy(loss: Loss) -> str:
 
 
 def _tipping(tipping: Tipping) -> str:
+    if tipping.error >= _WHOLE_STEP and tipping.repeats:
+        off = _short(tipping.error)
+        return (
+            f"the operand of `{tipping.expression.text}` may be off by {off}: anything may follow"
+        )
     text = f"`{tipping.expression.text}` is {_short(tipping.distance)} from {tipping.words}"
     text += f", and may be off by {_short(tipping.error)}: "
     if math.isinf(tipping.effect):
@@ -116,7 +134,7 @@ def _tipping(tipping: Tipping) -> str:
 
 def _times(factor: float) -> str:
     if factor < 1000:
-        return f"{factor:.2g} times"
+        return f"{factor:.3g} times"
     leading, exponent = f"{factor:.0e}".split("e+")
     power = f"10^{int(exponent)} times"
     return power if leading == "1" else f"{leading}·{power}"

@@ -1,27 +1,26 @@
 """Explains pixels of a conformance run: what each route drew, and the way of the error.
 
-``burnish conform --explain`` prints the first, and the verdict ``proves little`` is told with the
-second. Both are worked out from the rows of a run that is over.
+``burnish conform`` calls it when a run is over: with ``--explain`` for the pixel that somebody asks
+about, and for rows that differ or prove little, to say what in the source has to do with it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...compiler.diagnostics.nearest import suggestion
 from ...compiler.reference.attribution import Explanation, UncoveredError
-from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected
 from ..runner.explanation import explained
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
-from .error_words import causes, lines
-from .plan import rules_of
+from .compare import Bools, ends_of, says_nothing
+from .error_words import blamed, causes, lines
+from .plan import bounds_of
 from .rows import CaseResult, Row
-from .tolerances import DRIVERS
 
 Pixel = tuple[int, int]
 """Its column and its row, from the upper left corner of the picture."""
@@ -31,7 +30,7 @@ class PixelError(Exception):
     """There is no such pixel, or nothing to explain in it; the text tells people why."""
 
 
-def check_pixel(pixel: Pixel, case: str | None) -> None:
+def check_pixel(pixel: Pixel) -> None:
     """Raise ``PixelError`` for what no picture has, before anything is drawn."""
     x, y = pixel
     width, height = SIZE
@@ -53,9 +52,9 @@ class Seen:
     """The row whose device and rules the explanation is for."""
 
     @property
-    def expected(self) -> Expected:
-        """The expected picture for the leading row."""
-        return self.results[self.leading.route.name].expected
+    def result(self) -> CaseResult:
+        """What the leading row has drawn."""
+        return self.results[self.leading.route.name]
 
 
 def explanation_lines(
@@ -78,17 +77,38 @@ def explanation_lines(
     yield from lines(found)
 
 
-def reasons(subject: Subject, row: Row, seed: int) -> tuple[str, ...]:
-    """Where in the source a row that proves little loses its precision: at its widest pixels."""
-    found: dict[str, None] = {}
+def with_reasons(subject: Subject, row: Row, seed: int) -> Row:
+    """The row of a finished run, with what the source has to do with its verdict."""
+    explain = {"proves little": _of_little, "differs": _of_difference}.get(row.status)
+    if explain is None:
+        return row
+    return replace(row, reasons=tuple(explain(subject, row, seed)))
+
+
+def _of_little(subject: Subject, row: Row, seed: int) -> Iterator[str]:
+    """Where precision is lost, in the case that proves the least, at a usual pixel of it."""
+    cases = _seen(subject, [row], seed)
+    least = max(cases, key=lambda seen: _unproven(seen.result).sum(), default=None)
+    if least is not None and (pixel := _usual(least.result)) is not None:
+        for found in _explained_if_covered(subject, least, pixel):
+            yield from causes(found)
+
+
+def _of_difference(subject: Subject, row: Row, seed: int) -> Iterator[str]:
+    """The operation that explains most of what the worst pixel of a case may be off."""
     for seen in _seen(subject, [row], seed):
-        result = seen.results[row.route.name]
-        for pixel in _widest(result.expected):
-            try:
-                found |= dict.fromkeys(causes(_explained(subject, seen, pixel)))
-            except UncoveredError:  # Another fragment lies in front of what was discarded.
-                continue
-    return tuple(found)
+        comparison = seen.result.comparison
+        if comparison.wrong and comparison.worst is not None:
+            worst = comparison.worst
+            for found in _explained_if_covered(subject, seen, (worst.x, worst.y)):
+                yield from (f"{seen.case.name}: {text}" for text in blamed(found))
+
+
+def _explained_if_covered(subject: Subject, seen: Seen, pixel: Pixel) -> Iterator[Explanation]:
+    try:
+        yield _explained(subject, seen, pixel)
+    except UncoveredError:
+        return
 
 
 def _seen(subject: Subject, rows: Iterable[Row], seed: int) -> list[Seen]:
@@ -113,7 +133,7 @@ def _chosen(seen: Sequence[Seen], pixel: Pixel, name: str | None) -> Seen:
     if not seen:
         raise PixelError("no route has drawn it, so there is no device whose rounding to explain")
     if name is None:
-        return max(seen, key=lambda one: _width(one.expected)[pixel[1], pixel[0]])
+        return max(seen, key=lambda one: _width(one.result.expected)[pixel[1], pixel[0]])
     by_name = {one.case.name: one for one in seen}
     if name not in by_name:
         hint = suggestion(name, by_name) or f"its cases are {', '.join(map(_quoted, by_name))}"
@@ -122,11 +142,13 @@ def _chosen(seen: Sequence[Seen], pixel: Pixel, name: str | None) -> Seen:
 
 
 def _explained(subject: Subject, seen: Seen, pixel: Pixel) -> Explanation:
+    """Explain a pixel by the bounds that decided on the verdict of the leading row."""
     row = seen.leading
     assert row.device is not None
-    rules = rules_of(seen.case.state, row.device, DRIVERS[row.route.driver])
-    errors = Errors(row.route.platforms)
-    return explained(subject.shader, seen.case.state, rules, errors, *pixel)
+    level = seen.result.comparison.level
+    allowed = bounds_of(seen.case.state, row.route, row.device)
+    bounds = next(one for one in allowed if one.level == level)
+    return explained(subject.shader, seen.case.state, bounds.rules, bounds.errors, *pixel)
 
 
 def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
@@ -141,8 +163,12 @@ def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
         note = "" if inside else "outside of its bounds"
         if expected.undecided[y, x]:
             note = "undecided: what is drawn here hangs on rounding"
-        rows += [(route, _lanes(got), note), ("  from", _lanes(low), ""), ("  to", _lanes(high), "")]
-    rows.insert(0, ("value", _lanes(seen.expected.targets[target][y, x]), ""))
+        rows += [
+            (route, _lanes(got), note),
+            ("  from", _lanes(low), ""),
+            ("  to", _lanes(high), ""),
+        ]
+    rows.insert(0, ("value", _lanes(seen.result.expected.targets[target][y, x]), ""))
     width = max(len(name) for name, _, _ in rows)
     for name, lanes, note in rows:
         yield f"{name:<{width}}  {lanes}{'  ' + note if note else ''}"
@@ -151,7 +177,7 @@ def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
 def _uncovered(seen: Seen, pixel: Pixel) -> str:
     """Why a pixel cannot be explained, and where something can be."""
     x, y = pixel
-    covered = seen.expected.covered
+    covered = seen.result.expected.covered
     text = f"nothing is drawn at {x},{y} of `{seen.case.name}`"
     if not covered.any():
         return f"{text}, nor elsewhere"
@@ -160,11 +186,21 @@ def _uncovered(seen: Seen, pixel: Pixel) -> str:
     return f"{text}; the nearest pixel that shows the mesh is {columns[near]},{rows[near]}"
 
 
-def _widest(expected: Expected) -> list[Pixel]:
-    """The pixel with the widest bounds, if a pixel is covered."""
-    width = np.where(expected.covered, _width(expected), -1.0)
-    y, x = np.unravel_index(int(width.argmax()), width.shape)
-    return [(int(x), int(y))] if width[y, x] > 0 else []
+def _unproven(result: CaseResult) -> Bools:
+    """(height, width): the object's pixels whose bounds say nothing."""
+    expected = result.expected
+    seen = expected.covered & ~expected.undecided
+    return says_nothing(*ends_of(expected), seen) & seen
+
+
+def _usual(result: CaseResult) -> Pixel | None:
+    """Of the pixels whose bounds say nothing, the one with the median width."""
+    rows, columns = np.nonzero(_unproven(result))
+    if not len(rows):
+        return None
+    order = _width(result.expected)[rows, columns].argsort(kind="stable")
+    middle = order[len(order) // 2]
+    return int(columns[middle]), int(rows[middle])
 
 
 def _width(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from .textures.kinds import PictureError
 from ...compiler.reference.transfer import encode_srgb
+from .textures.kinds import PictureError
 
 Floats = NDArray[np.float64]
 

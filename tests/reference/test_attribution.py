@@ -152,7 +152,9 @@ def test_reads_of_textures_round_the_place_that_they_filter() -> None:
     """Between a black and a white texel, a step of the filter is a step of grey."""
     texels = np.zeros((1, 2, 4))
     texels[:, 1] = 1.0
-    found = explained("map grey : texture2d\nvalue = grey(vec2(s.x, 0.5))", texture=Texels((texels,)))
+    found = explained(
+        "map grey : texture2d\nvalue = grey(vec2(s.x, 0.5))", texture=Texels((texels,))
+    )
     (read,) = [part for part in found.contributions if part.text == "grey(vec2(s.x, 0.5))"]
     assert found.value == pytest.approx([2 * 3.5 / 8 - 0.5] * 4)
     assert 2.0**-9 <= read.own < 2.0**-7 and read.contribution == pytest.approx(read.own)

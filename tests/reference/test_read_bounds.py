@@ -209,7 +209,12 @@ def test_a_coordinate_that_is_anything_reads_anything() -> None:
                                          image.hull(np.zeros(1, int))[1][0, 0]))  # fmt: skip
 
 
-def test_a_texture_of_one_colour_is_exact() -> None:
-    white = Read("2d", "float", np.ones((4, 4, 4)), rules=DEVICE, filter="linear")
-    lanes = white.reader.read("sample", ((exact(np.full((5, 2, 2), 0.3)), exact(0.5)),))
-    assert all(lane.is_exact and lane.value == 1 for lane in lanes)
+def test_a_texture_of_one_colour() -> None:
+    """The weights of a filter add up to 1, but for rounding; black and single texels are exact."""
+    texel = np.array([1.0, 1.0, 0.5, 0.0])
+    for filter_, off in (("linear", 1e-6), ("nearest", 0.0)):
+        plain = Read("2d", "float", np.tile(texel, (4, 4, 1)), rules=DEVICE, filter=filter_)
+        lanes = plain.reader.read("sample", ((exact(np.full((5, 2, 2), 0.3)), exact(0.5)),))
+        assert [float(lane.value) for lane in lanes] == texel.tolist()
+        assert all(lane.high - lane.low <= 2 * off * lane.value for lane in lanes)
+        assert all((lane.low < lane.high) == (off * lane.value > 0) for lane in lanes)

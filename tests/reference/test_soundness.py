@@ -71,7 +71,9 @@ def _bounds_of(array: Any, error: float) -> Bounded:
         return given(array)
     low, high = array - error * np.abs(array), array + error * np.abs(array)
     low = np.where((low > 0) & (low < SMALLEST_NORMAL), 0.0, low)
-    return remembered(between(array, low, np.where((high < 0) & (high > -SMALLEST_NORMAL), 0.0, high)))
+    return remembered(
+        between(array, low, np.where((high < 0) & (high > -SMALLEST_NORMAL), 0.0, high))
+    )
 
 
 def _stored(state: Lanes) -> Any:

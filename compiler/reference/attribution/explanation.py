@@ -69,6 +69,8 @@ class Tipping:
     expression: Expression
     words: str
     """What it jumps at: ``a whole number``."""
+    repeats: bool
+    """Whether it jumps again and again, so that it is never farther away than 0.5."""
     distance: float
     error: float
     """How close it is to the jump, and by how much it may be off."""
@@ -209,15 +211,14 @@ class _Explaining:
     # --- where precision is lost ------------------------------------------------------------------
 
     def _losses(self) -> Iterator[Loss]:
-        found = [
-            (max(map(self._gain, sites)), sites)
-            for sites in self._by_expression()
-            if self._passing(sites[0]) >= NOTABLE * self._total > 0
-        ]
-        for gain, sites in sorted(found, key=lambda pair: pair[0], reverse=True):
-            if gain >= LOSS:
-                times = max(map(self._slope, sites))
-                yield Loss(self._expression(sites), max(times, gain))
+        found = []
+        for sites in self._by_expression():
+            if self._passing(sites[0]) >= NOTABLE * self._total > 0:
+                gain = max(map(self._gain, sites))
+                if gain >= LOSS:
+                    times = max(gain, *map(self._slope, sites))
+                    found.append(Loss(self._expression(sites), times))
+        yield from sorted(found, key=lambda loss: loss.times, reverse=True)
 
     def _slope(self, site: Site) -> float:
         """How many times an operation would magnify a tiny error of its worst operand."""
@@ -262,7 +263,7 @@ class _Explaining:
     def _tippings(self) -> Iterator[Tipping]:
         found = [
             Tipping(
-                self._expression([site]), jump.words, jump.distance, jump.error,
+                self._expression([site]), jump.words, jump.repeats, jump.distance, jump.error,
                 float(jump.effect[self._worst]),
             )
             for site in self._found.sites

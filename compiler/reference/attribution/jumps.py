@@ -71,6 +71,8 @@ class Jump:
 
     lane: int
     words: str
+    repeats: bool
+    """Whether it jumps at every whole number."""
     distance: float
     """How far the operands are from the jump; of a mod, in divisors."""
     side: float
@@ -109,4 +111,4 @@ def by_lane(operands: list[Lanes]) -> list[list[Lane]]:
 def jump_at(rule: JumpRule, lane: int, coordinate: float) -> Jump:
     """The jump that is closest to a coordinate."""
     offset = coordinate - np.rint(coordinate) if rule.at_whole else coordinate
-    return Jump(lane, rule.words, abs(float(offset)), 1.0 if offset >= 0 else -1.0)
+    return Jump(lane, rule.words, rule.at_whole, abs(float(offset)), 1.0 if offset >= 0 else -1.0)

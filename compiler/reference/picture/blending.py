@@ -14,7 +14,7 @@ import numpy as np
 from ..bounds import Bounded, exact
 from .scene import Floats
 
-_ROUNDING = 5 * 2.0**-24
+BLENDING = 5 * 2.0**-24
 """The error of one blend of two numbers, relative to the larger one: a difference, a product and a
 sum are rounded to float32, and their terms may be twice as large."""
 
@@ -34,7 +34,7 @@ def blended(corners: Sequence[Bounded], shares: Sequence[Bounded], exactly: bool
     else:
         low = reduce(np.minimum, _at_ends([corner.low for corner in corners], ends))
         high = reduce(np.maximum, _at_ends([corner.high for corner in corners], ends))
-    off = 0.0 if exactly else len(shares) * _ROUNDING * _magnitude(corners)
+    off = 0.0 if exactly else len(shares) * BLENDING * _magnitude(corners)
     return Bounded(value, low - off, high + off)
 
 

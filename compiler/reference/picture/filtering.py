@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..bounds import Bounded, exact
-from .blending import blended
+from .blending import BLENDING, blended
 from .choices import Choice, Part, at, hull_of_choices, lane_at, replaced, sure
 from .intervals import increasing, widened
 from .scene import Floats, Ints
@@ -88,6 +88,12 @@ class Filter:
             return self._anything(place, np.zeros(len(pixels), dtype=np.int64), every_level=True)
 
         return hull_of_choices([place.layer, self._number(level)], compute, anything)
+
+    def of_equal(self, texel: float) -> Bounded:
+        """A read of a texture all of whose texels are equal in a lane."""
+        if self._image.is_exact or self._kind == "nearest":
+            return exact(texel)
+        return widened(exact(texel), (self._image.axes + 1) * BLENDING * abs(texel))
 
     # --- levels -----------------------------------------------------------------------------------
 

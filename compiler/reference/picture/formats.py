@@ -23,6 +23,8 @@ _CURVED = 0.1
 of a step in all."""
 _ON_STEP = 1e-9
 """By how much of a step float64 may be off at a number that the format has."""
+_READ = 2.0**-22
+"""The error of a stored number that is read as a float32, relative to itself."""
 
 
 @frozen
@@ -90,7 +92,9 @@ def _fixed(form: Format, low: Floats, high: Floats) -> tuple[Floats, Floats]:
         low, high = _bent(encode_srgb, low), _bent(encode_srgb, high)
     low = np.clip(np.floor(low * form.steps - slack) / form.steps, 0.0, 1.0)
     high = np.clip(np.ceil(high * form.steps + slack) / form.steps, 0.0, 1.0)
-    return (_bent(decode_srgb, low), _bent(decode_srgb, high)) if form.is_srgb else (low, high)
+    if form.is_srgb:
+        low, high = _bent(decode_srgb, low), _bent(decode_srgb, high)
+    return low * (1.0 - _READ), high * (1.0 + _READ)
 
 
 def _bent(curve: Callable[[Floats], Floats], colours: Floats) -> Floats:

@@ -121,9 +121,9 @@ class TextureReader:
     def _colours(self, where: Sequence[Lanes], level: Bounded | Steps) -> Lanes:
         """The filtered colours at a coordinate in a level, or in the one that steps lead to."""
         image = self._image
-        if image.only is not None:
-            return tuple(map(exact, image.only))
         filter_ = Filter(image, image.state["filter"])
+        if image.only is not None:
+            return tuple(map(filter_.of_equal, image.only))
         if image.has_one_level:
             return self._read(filter_, where)
         if isinstance(level, Steps) and self._moves_on_surface:
