@@ -71,6 +71,11 @@ LOOPS: Mapping[str, Loop] = {
         " vec2(z.x * z.x - z.y * z.y, 2.0 * z.x * z.y) + 0.05 * c).x",
         4.0,
     ),
+    "a rotation": Loop(
+        "v0 : vec2",
+        "(iterate v from v0 for i in 0..32 : vec2(0.8 * v.x - 0.6 * v.y, 0.6 * v.x + 0.8 * v.y)).x",
+        200.0,
+    ),
     "octaves": Loop(
         "c : vec2", "sum i in 0..32 : sin(c.x * exp2(float(i))) * exp2(-float(i))", 2.0
     ),

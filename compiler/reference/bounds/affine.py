@@ -23,6 +23,11 @@ from .rounding import Array
 
 _numbers = count()
 
+KEPT = 8
+"""How many terms a state keeps from one turn of a loop to the next; each costs time."""
+_WIDER = 1.25
+"""A form that is that much wider than the interval is given up for it."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Form:
@@ -58,6 +63,30 @@ class Form:
 def shared(radius: Array) -> Form:
     """The form of a lane whose whole error is shared from now on."""
     return Form({next(_numbers): radius}, np.zeros_like(radius))
+
+
+def carried(form: Form | None, radius: Array) -> Form:
+    """The form of a state in the next turn of its loop, from its form and its radius.
+
+    All of its error is shared then: it keeps its largest terms, so that two states do not forget
+    what they share (the lanes of a vector that is rotated in each turn, for instance), and the rest
+    becomes one new error. Where its interval is known to be narrower, all of it becomes one.
+    """
+    if form is None or not form.terms:
+        return shared(radius)
+    largest = sorted(form.terms, key=lambda error: -_size(form.terms[error]))
+    rest = sum((np.abs(form.terms[error]) for error in largest[KEPT:]), form.rest)
+    terms = {error: form.terms[error] for error in largest[:KEPT]}
+    narrower = ~(form.radius <= _WIDER * radius)
+    if narrower.any():
+        terms = {error: np.where(narrower, 0.0, term) for error, term in terms.items()}
+        rest = np.where(narrower, radius, rest)
+    return Form({**terms, next(_numbers): rest}, np.zeros_like(rest))
+
+
+def _size(term: Array) -> float:
+    """How large a term is at some elements; each element alone would cost too much."""
+    return float(np.nansum(np.abs(np.ravel(term)[:: max(1, np.size(term) // 64)])))
 
 
 def alone(radius: Array) -> Form:

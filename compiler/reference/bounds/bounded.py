@@ -9,68 +9,28 @@ may round them.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
-from .affine import Form, alone, chosen, shared
+from .affine import Form, alone, carried, chosen
+from .reordering import Product, Sum, multiplied, summed
 from .rounding import (
+    ROUNDED_UP,
     SUBNORMAL_STEP,
     ULP,
     Array,
+    Ends,
     constant_ends,
     is_float32,
+    lost,
     of_device,
     outward,
+    products,
+    square,
+    tighter,
 )
-
-_EXACT_SUM = 2.0**12
-"""Sums of multiples of its reciprocal are exact in any order while they stay below it."""
-
-
-@dataclass(slots=True, eq=False)
-class _Sum:
-    """That a lane is a sum, whose terms a compiler may add in another order."""
-
-    additions: int
-    left: Bounded
-    right: Bounded
-    is_exact: bool
-    """Whether every partial sum of its terms is a float32."""
-    widened: Array = 0.0
-    """By how much the lane was widened because of the order of its terms."""
-    _magnitude: Array | None = None
-
-    @property
-    def magnitude(self) -> Array:
-        """The sum of the magnitudes of all terms, which limits every partial sum."""
-        if self._magnitude is None:
-            self._magnitude = _terms(self.left) + _terms(self.right)
-        return self._magnitude
-
-
-@dataclass(slots=True, eq=False)
-class _Product:
-    """That a lane is a product, whose factors a compiler may multiply in another order."""
-
-    multiplications: int
-    low: Array
-    high: Array
-    """The ends of the product, if no multiplication of its factors rounded."""
-
-    def rounded(self) -> tuple[Array, Array]:
-        """The ends of the product, rounded after each multiplication in any order."""
-        error = self.error
-        return of_device(self.low - error, self.high + error)
-
-    @property
-    def error(self) -> Array:
-        """How much all roundings together may change."""
-        largest = np.maximum(np.abs(self.low), np.abs(self.high))
-        return self.multiplications * (ULP * largest + SUBNORMAL_STEP)
 
 
 class Bounded:
@@ -81,7 +41,7 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_product", "_radius", "_sum", "form", "high", "low", "value")
+    __slots__ = ("_radius", "form", "high", "low", "product", "sum", "value")
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
@@ -91,11 +51,11 @@ class Bounded:
         self.value, self.low, self.high, self.form = value, low, high, form
         if form is not None:
             radius = form.radius
-            self.low = _tighter(np.fmax, low, value - radius)
-            self.high = _tighter(np.fmin, high, value + radius)
+            self.low = tighter(np.fmax, low, value - radius)
+            self.high = tighter(np.fmin, high, value + radius)
         self._radius: Array | None = None
-        self._sum: _Sum | None = None
-        self._product: _Product | None = None
+        self.sum: Sum | None = None
+        self.product: Product | None = None
 
     @property
     def is_exact(self) -> bool:
@@ -118,6 +78,11 @@ class Bounded:
         return np.broadcast_shapes(np.shape(self.value), np.shape(self.low), np.shape(self.high))
 
     @property
+    def ends(self) -> Ends:
+        """Between which numbers a device's value is."""
+        return self.low, self.high
+
+    @property
     def magnitude(self) -> Array:
         """The largest magnitude that a device may have."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
@@ -126,7 +91,8 @@ class Bounded:
     def radius(self) -> Array:
         """By how much a device's value may differ from the exact one, to the farther side."""
         if self._radius is None:
-            self._radius = np.maximum(self.high - self.value, self.value - self.low)
+            farther = np.maximum(self.high - self.value, self.value - self.low)
+            self._radius = farther * ROUNDED_UP
         return self._radius
 
     @property
@@ -178,7 +144,7 @@ class Bounded:
     def __truediv__(self, divisor: float) -> Bounded:
         """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, "Accuracy of
         Concrete Floating Point Expressions"); ``Bounds.divide`` divides by other lanes."""
-        quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
+        quotient = Bounded(self.value / divisor, *products(self.ends, exact(1.0 / divisor).ends))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 
     def __neg__(self) -> Bounded:
@@ -186,9 +152,8 @@ class Bounded:
         if not self.is_exact:
             form = None if self.form is None else self.form.scaled(-1.0)
             made = Bounded(made.value, -self.high, -self.low, form)
-        made._sum = self._sum
-        if (product := self._product) is not None:
-            made._product = _Product(product.multiplications, -product.high, -product.low)
+        made.sum = self.sum
+        made.product = None if self.product is None else self.product.negated()
         return made
 
     def __abs__(self) -> Bounded:
@@ -306,8 +271,8 @@ def remembered(lane: Any) -> Any:
     """A lane whose error is shared by all that is computed from it."""
     if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
         return lane
-    made = Bounded(lane.value, lane.low, lane.high, shared(lane.radius))
-    made._sum, made._product = lane._sum, lane._product
+    made = Bounded(lane.value, lane.low, lane.high, carried(lane.form, lane.radius))
+    made.sum, made.product = lane.sum, lane.product
     return made
 
 
@@ -341,48 +306,11 @@ def widened(x: Bounded, by: Array) -> Bounded:
     """
     by = by + SUBNORMAL_STEP
     low, high = of_device(x.low - by, x.high + by)
-    form = None if x.form is None else x.form.widened(by + _lost(low, high))
+    form = None if x.form is None else x.form.widened(by + lost(low, high))
     return Bounded(x.value, low, high, form)
 
 
-def _tighter(choose: Callable[[Array, Array], Array], end: Array, limit: Array) -> Array:
-    """An end of an interval, limited further unless one of the two numbers says nothing."""
-    found = choose(end, limit)
-    unknown = np.isnan(end)
-    return np.where(unknown, end, found) if unknown.any() else found
-
-
-def _lost(low: Array, high: Array) -> Array:
-    """What a form has to allow for besides rounding: subnormal numbers, and those too large."""
-    if np.isfinite(low).all() and np.isfinite(high).all():
-        return SMALLEST_NORMAL
-    return np.where(np.isfinite(low) & np.isfinite(high), SMALLEST_NORMAL, np.inf)
-
-
 # --- operations -----------------------------------------------------------------------------------
-
-
-def products(x: Bounded, y: Bounded) -> tuple[Array, Array]:
-    """The ends of all products; NaN where one may be infinite and the other one zero."""
-    return _products((x.low, x.high), (y.low, y.high))
-
-
-def _products(x: whole.Ends, y: whole.Ends) -> tuple[Array, Array]:
-    a, b, c, d = (one * other for one in x for other in y)
-    low = np.minimum(np.minimum(a, b), np.minimum(c, d))
-    high = np.maximum(np.maximum(a, b), np.maximum(c, d))
-    if np.isfinite(low).all() and np.isfinite(high).all():
-        return low, high
-    nothing = (_is_infinite(*x) & _has_zero(*y)) | (_has_zero(*x) & _is_infinite(*y))
-    return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
-
-
-def _is_infinite(low: Array, high: Array) -> Array:
-    return ~(np.isfinite(low) & np.isfinite(high))
-
-
-def _has_zero(low: Array, high: Array) -> Array:
-    return (low <= 0) & (high >= 0)
 
 
 def negated(condition: Bounded) -> Bounded:
@@ -407,17 +335,12 @@ def _rounded(value: Array, low: Array, high: Array, form: Form | None = None) ->
         return exact(value)
     low, high = outward(low, high)
     if form is not None:
-        form = form.widened(ULP * np.maximum(np.abs(low), np.abs(high)) + _lost(low, high))
+        form = form.widened(ULP * np.maximum(np.abs(low), np.abs(high)) + lost(low, high))
     return Bounded(value, low, high, form)
 
 
 def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
-    """A sum, with the error that any order of its terms may have.
-
-    GLSL and HLSL let a compiler reassociate what is not ``precise``, and WGSL does so as well
-    ("Reassociation and Fusion"). Each of n additions rounds a partial sum, which no order makes
-    larger than the sum of all magnitudes (Higham, "Accuracy and Stability", section 4.2).
-    """
+    """A sum, with the error that any order of its terms may have."""
     value = x.value + y.value
     if x.is_exact and y.is_exact:
         low = high = value
@@ -425,57 +348,33 @@ def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
     made = _rounded(value, low, high, form)
     if made.kind != "f":
         return made
-    before = [lane._sum for lane in (x, y) if lane._sum is not None]
-    sum_ = _Sum(1 + sum(each.additions for each in before), x, y, _in_any_order(x, y, made))
-    if before and not sum_.is_exact:
-        sum_.widened = sum_.additions * (ULP * sum_.magnitude + SMALLEST_NORMAL)
-        more = sum_.widened - sum([each.widened for each in before])
+    found, more = summed(x, y, made)
+    if more is not None:
         form = None if form is None else form.widened(more)
-        made = Bounded(
-            value, np.minimum(made.low, low - more), np.maximum(made.high, high + more), form
-        )
-    made._sum = sum_
+        low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
+        made = Bounded(value, low, high, form)
+    made.sum = found
     return made
 
 
 def _multiplied(x: Bounded, y: Bounded) -> Bounded:
-    """A product, with the error that any order of its factors may have.
-
-    In another order other products round, on either side. Orders with partial products that are
-    no normal numbers, where those of the written order are, are not allowed for.
-    """
+    """A product, with the error that any order of its factors may have."""
     value = x.value * y.value
     if x.is_exact and y.is_exact:
         ends = value, value
         made = _rounded(value, value, value)
     else:
-        ends = _square(x) if x is y else products(x, y)
+        ends = square(x.ends) if x is y else products(x.ends, y.ends)
         made = _rounded(value, *ends, _product_form(x, y))
     if made.kind != "f":
         return made
-    before = [lane._product for lane in (x, y) if lane._product is not None]
-    if not before:
-        made._product = _Product(1, *ends)
-        return made
-    total = 1 + sum(each.multiplications for each in before)
-    product = _Product(total, *_products(_unrounded(x), _unrounded(y)))
-    low, high = product.rounded()
-    form = None if made.form is None else made.form.widened(product.error)
-    again = Bounded(value, np.minimum(made.low, low), np.maximum(made.high, high), form)
-    again._product = product
-    return again
-
-
-def _unrounded(lane: Bounded) -> tuple[Array, Array]:
-    """The ends of a lane; of a product, before its multiplications rounded."""
-    product = lane._product
-    return (lane.low, lane.high) if product is None else (product.low, product.high)
-
-
-def _square(x: Bounded) -> tuple[Array, Array]:
-    nearest = np.minimum(np.abs(x.low), np.abs(x.high))
-    near = np.where((x.low <= 0) & (x.high >= 0), 0.0, nearest)
-    return near * near, x.magnitude**2
+    found, matters = multiplied(x, y, ends)
+    if matters:
+        low, high = found.rounded()
+        form = None if made.form is None else made.form.widened(found.error)
+        made = Bounded(value, np.minimum(made.low, low), np.maximum(made.high, high), form)
+    made.product = found
+    return made
 
 
 def _product_form(x: Bounded, y: Bounded) -> Form | None:
@@ -485,29 +384,11 @@ def _product_form(x: Bounded, y: Bounded) -> Form | None:
     return form.widened(x.radius * y.radius)
 
 
-def _in_any_order(x: Bounded, y: Bounded, made: Bounded) -> bool:
-    """Whether adding the terms in any order is exact: they are small multiples of a fraction."""
-    if not (x.is_exact and y.is_exact and made.is_exact):
-        return False
-    return all(_is_coarse(lane) for lane in (x, y))
-
-
-def _is_coarse(lane: Bounded) -> bool:
-    if lane._sum is not None:
-        return lane._sum.is_exact
-    scaled = lane.value * _EXACT_SUM
-    return bool((np.abs(lane.value) < _EXACT_SUM / 64).all() and (np.rint(scaled) == scaled).all())
-
-
-def _terms(lane: Bounded) -> Array:
-    return lane.magnitude if lane._sum is None else lane._sum.magnitude
-
-
 def _whole(operation: whole.Operation, x: Bounded, other: Any) -> Bounded:
     """An operation on whole numbers, which does not round."""
     y = as_bounded(other)
     value = operation.of(x.value, y.value)
     if x.is_exact and y.is_exact:
         return exact(value)
-    low, high = operation.ends((x.low, x.high), (y.low, y.high))
+    low, high = operation.ends(x.ends, y.ends)
     return Bounded(value, low, high)

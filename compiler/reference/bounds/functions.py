@@ -19,10 +19,9 @@ from .bounded import (
     exact,
     hull,
     negated,
-    products,
     widened,
 )
-from .rounding import Array, outward
+from .rounding import ROUNDED_UP, Array, outward, products
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
@@ -31,8 +30,6 @@ of its operand and of its result."""
 
 _TURN = 2.0 * math.pi
 _LN2 = math.log(2.0)
-_AFTER_ROUNDING = 1.0 + 2.0**-50
-"""Corrects float64's own rounding of a magnitude upwards."""
 
 
 class Bounds:
@@ -148,7 +145,7 @@ class Bounds:
         value = np.divide(x.value, y.value)
         crosses = (y.low <= 0) & (y.high >= 0)
         with np.errstate(all="ignore"):
-            low, high = products(x, Bounded(y.value, 1.0 / y.high, 1.0 / y.low))
+            low, high = products(x.ends, (1.0 / y.high, 1.0 / y.low))
             form = _quotient_form(x, y)
         nothing = (x.low == 0) & (x.high == 0)
         low = np.where(crosses, np.where(nothing, 0.0, -np.inf), low)
@@ -287,7 +284,7 @@ class Bounds:
 
     def _with_error(self, name: str, operand: Bounded, result: Bounded) -> Bounded:
         # A result just below a power of two has half the step of the power itself.
-        largest = result.magnitude * _AFTER_ROUNDING
+        largest = result.magnitude * ROUNDED_UP
         return widened(result, self._errors(name, operand.magnitude, largest))
 
 

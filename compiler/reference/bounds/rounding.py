@@ -1,7 +1,8 @@
-"""Directed rounding of float64 arrays to float32; ``bounded.py`` widens intervals with it."""
+"""Ends of intervals: rounded outward to float32, multiplied, and limited, for ``bounded.py``."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -10,12 +11,17 @@ from ....stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
 
 Array = Any
 """A NumPy array, or one of NumPy's numbers."""
+Ends = tuple[Array, Array]
+"""The least and the largest of what may be; NaN where nothing is known."""
 
 _LARGEST = np.float32(LARGEST_FLOAT)
 
 ULP = 2.0**-23
 """The largest unit in the last place of a float32, relative to the number; so far the two float32
 numbers around a result may be from it."""
+
+ROUNDED_UP = 1.0 + 2.0**-50
+"""A factor for magnitudes that float64 may have rounded down."""
 
 SUBNORMAL_STEP = 2.0**-149
 """The distance of subnormal float32 numbers."""
@@ -83,3 +89,46 @@ def _flushed_up(low: Array) -> Array:
 def _flushed_down(high: Array) -> Array:
     tiny = (high < 0) & (high > -SMALLEST_NORMAL)
     return np.where(tiny, 0.0, high) if tiny.any() else high
+
+
+# --- ends of intervals ----------------------------------------------------------------------------
+
+
+def products(x: Ends, y: Ends) -> Ends:
+    """The ends of all products; NaN where one may be infinite and the other one zero."""
+    a, b, c, d = (one * other for one in x for other in y)
+    low = np.minimum(np.minimum(a, b), np.minimum(c, d))
+    high = np.maximum(np.maximum(a, b), np.maximum(c, d))
+    if np.isfinite(low).all() and np.isfinite(high).all():
+        return low, high
+    nothing = (_is_infinite(*x) & _has_zero(*y)) | (_has_zero(*x) & _is_infinite(*y))
+    return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
+
+
+def square(x: Ends) -> Ends:
+    """The ends of the squares of an interval's numbers."""
+    low, high = np.abs(x[0]), np.abs(x[1])
+    nearest = np.where(_has_zero(*x), 0.0, np.minimum(low, high))
+    return nearest * nearest, np.maximum(low, high) ** 2
+
+
+def tighter(choose: Callable[[Array, Array], Array], end: Array, limit: Array) -> Array:
+    """An end of an interval, limited further unless one of the two numbers says nothing."""
+    found = choose(end, limit)
+    unknown = np.isnan(end)
+    return np.where(unknown, end, found) if unknown.any() else found
+
+
+def lost(low: Array, high: Array) -> Array:
+    """What an error has to allow for besides rounding: subnormal numbers, and those too large."""
+    if np.isfinite(low).all() and np.isfinite(high).all():
+        return SMALLEST_NORMAL
+    return np.where(_is_infinite(low, high), np.inf, SMALLEST_NORMAL)
+
+
+def _is_infinite(low: Array, high: Array) -> Array:
+    return ~(np.isfinite(low) & np.isfinite(high))
+
+
+def _has_zero(low: Array, high: Array) -> Array:
+    return (low <= 0) & (high >= 0)

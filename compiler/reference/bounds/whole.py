@@ -14,9 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from .rounding import Array
-
-Ends = tuple[Array, Array]
+from .rounding import Array, Ends
 
 LEAST, LARGEST = -(2**31), 2**32 - 1
 """What an integer of 32 bits can be, with a sign or without one."""
