@@ -90,8 +90,10 @@ class RasterRules:
     subtexel_bits: int | None = None
     """The binary places of a linear filter's weights; ``None``: they are exact."""
     varying_bits: int | None = None
-    """The exact binary places of interpolated values, relative to the largest corner; ``None``:
-    all."""
+    """The exact binary places of the planes from which values are interpolated, relative to the
+    largest number with which these are computed; ``None``: all."""
+    frag_coord_bits: int | None = None
+    """The same of the planes of a fragment's depth, and of its 1 / w."""
     mip_bits: int | None = None
     """The binary places of the level of detail; ``None``: exact."""
     mixing_bits: int | None = None
