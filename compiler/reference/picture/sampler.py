@@ -62,7 +62,7 @@ class TextureReader:
         *where, (lane,) = operands
         number = int(as_bounded(lane).value)
         if self._image.only is not None:
-            return (exact(self._image.only[number]),) * 4
+            return (self._image.only[number],) * 4
         return self._read(Filter(self._image, "gather", slice(number, number + 1)), where)
 
     def _compare(self, *operands: Lanes) -> Lanes:
