@@ -19,7 +19,6 @@ from .affine import Form, alone, chosen
 from .orders import Single, Sum, Term, in_any_order, is_coarse
 from .rounding import SUBNORMAL_STEP, ULP, Array, constant_ends, is_float32, of_device, outward
 
-
 _STEP = 2.0**-52
 """The largest error of a float64, relative to the number."""
 

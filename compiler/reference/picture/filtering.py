@@ -89,11 +89,11 @@ class Filter:
 
         return hull_of_choices([place.layer, self._number(level)], compute, anything)
 
-    def of_equal(self, texel: float) -> Bounded:
-        """A read of a texture all of whose texels are equal in a lane."""
+    def of_equal(self, texel: Bounded) -> Bounded:
+        """A read of a texture all of whose texels are the same, lane by lane."""
         if self._image.is_exact or self._kind == "nearest":
-            return exact(texel)
-        return widened(exact(texel), (self._image.axes + 1) * BLENDING * abs(texel))
+            return texel
+        return widened(texel, (self._image.axes + 1) * BLENDING * texel.magnitude)
 
     # --- levels -----------------------------------------------------------------------------------
 
