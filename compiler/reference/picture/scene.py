@@ -97,7 +97,8 @@ class RasterRules:
     mip_bits: int | None = None
     """The binary places of the level of detail; ``None``: exact."""
     mixing_bits: int | None = None
-    """The binary places of a mean of single texels of two levels; ``None``: exact."""
+    """The binary places of a mean of single texels of two levels, one of which may have no weight;
+    ``None``: exact."""
     level_power: int | None = None
     """A device reads the logarithm of this power of a footprint roughly, from a float's bits;
     ``None``: it is exact."""
