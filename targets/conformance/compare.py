@@ -192,7 +192,8 @@ def shares(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
 def _larger_of(values: Floats, seen: Bools) -> Floats:
     """The magnitude of each lane, or if that is larger, what is usual in its target."""
     usual = [np.quantile(np.abs(value[seen]), USUAL[1]) if seen.any() else 0.0 for value in values]
-    return np.maximum(np.abs(values), np.reshape(usual, (-1, 1, 1, 1)))
+    larger: Floats = np.maximum(np.abs(values), np.reshape(usual, (-1, 1, 1, 1)))
+    return larger
 
 
 def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bools:
@@ -227,5 +228,5 @@ def _sample(
     per_pixel = np.where(where, amount.max(axis=(0, 3)), -1.0)
     y, x = np.unravel_index(int(per_pixel.argmax()), per_pixel.shape)
     target = int(amount[:, y, x].max(axis=1).argmax())
-    got, *ends = (tuple(picture[target, y, x].tolist()) for picture in (got, *pictures))
-    return Sample(int(x), int(y), target, got, *ends)
+    drawn, *ends = (tuple(picture[target, y, x].tolist()) for picture in (got, *pictures))
+    return Sample(int(x), int(y), target, drawn, *ends)

@@ -89,7 +89,7 @@ class Plan:
             emitted = self._emitted_for(route.profile)
         for bounds in questions:
             program, source = (
-                _drawn(shader, exact=series.exact) for shader in (emitted, self.subject.shader)
+                to_targets(shader, exact=series.exact) for shader in (emitted, self.subject.shader)
             )
             expected = self._wanted(program, state, bounds.rules, bounds.errors)
             meant = self._wanted(source, state, _precise(bounds.rules), None)
@@ -194,8 +194,8 @@ def _precise(rules: RasterRules) -> RasterRules:
     )
 
 
-def _drawn(shader: Shader, *, exact: bool) -> Shader:
-    """The shader with the targets that a series draws to."""
+def to_targets(shader: Shader, *, exact: bool) -> Shader:
+    """The shader with the targets that a series draws to; ``exact`` ones hold every float."""
     return changed(shader, results=tuple(_to_target(one, exact=exact) for one in shader.results))
 
 

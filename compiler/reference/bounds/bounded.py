@@ -9,68 +9,15 @@ may round them.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
-from .affine import Form, alone, chosen, shared
-from .rounding import (
-    SUBNORMAL_STEP,
-    ULP,
-    Array,
-    constant_ends,
-    is_float32,
-    of_device,
-    outward,
-)
-
-_EXACT_SUM = 2.0**12
-"""Sums of multiples of its reciprocal are exact in any order while they stay below it."""
-
-
-@dataclass(slots=True, eq=False)
-class _Sum:
-    """That a lane is a sum, whose terms a compiler may add in another order."""
-
-    additions: int
-    left: Bounded
-    right: Bounded
-    is_exact: bool
-    """Whether every partial sum of its terms is a float32."""
-    widened: Array = 0.0
-    """By how much the lane was widened because of the order of its terms."""
-    _magnitude: Array | None = None
-
-    @property
-    def magnitude(self) -> Array:
-        """The sum of the magnitudes of all terms, which limits every partial sum."""
-        if self._magnitude is None:
-            self._magnitude = _terms(self.left) + _terms(self.right)
-        return self._magnitude
-
-
-@dataclass(slots=True, eq=False)
-class _Product:
-    """That a lane is a product, whose factors a compiler may multiply in another order."""
-
-    multiplications: int
-    low: Array
-    high: Array
-    """The ends of the product, if no multiplication of its factors rounded."""
-
-    def rounded(self) -> tuple[Array, Array]:
-        """The ends of the product, rounded after each multiplication in any order."""
-        error = self.error
-        return of_device(self.low - error, self.high + error)
-
-    @property
-    def error(self) -> Array:
-        """How much all roundings together may change."""
-        largest = np.maximum(np.abs(self.low), np.abs(self.high))
-        return self.multiplications * (ULP * largest + SUBNORMAL_STEP)
+from .affine import Form, alone, chosen
+from .orders import Single, Sum, Term, in_any_order, is_coarse
+from .rounding import SUBNORMAL_STEP, ULP, Array, constant_ends, is_float32, of_device, outward
 
 
 class Bounded:
@@ -81,7 +28,7 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_product", "_radius", "_sum", "form", "high", "low", "value")
+    __slots__ = ("_factors", "_radius", "_sum", "form", "high", "low", "value")
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
@@ -89,13 +36,14 @@ class Bounded:
     def __init__(self, value: Array, low: Array, high: Array, form: Form | None = None) -> None:
         """``form`` limits the interval further, if it is known how errors are shared."""
         self.value, self.low, self.high, self.form = value, low, high, form
+        self._radius: Array | None = None
+        self._sum: Sum | None = None
+        self._factors = 0
+        """How many multiplications made it."""
         if form is not None:
             radius = form.radius
-            self.low = _tighter(np.fmax, low, value - radius)
-            self.high = _tighter(np.fmin, high, value + radius)
-        self._radius: Array | None = None
-        self._sum: _Sum | None = None
-        self._product: _Product | None = None
+            self.low = np.maximum(low, value - radius)
+            self.high = np.minimum(high, value + radius)
 
     @property
     def is_exact(self) -> bool:
@@ -164,8 +112,7 @@ class Bounded:
     # --- sums and products ------------------------------------------------------------------------
 
     def __add__(self, other: Any) -> Bounded:
-        other = as_bounded(other)
-        return _added(self, other, self.low + other.low, self.high + other.high)
+        return _added(self, as_bounded(other))
 
     def __sub__(self, other: Any) -> Bounded:
         if self is other:
@@ -186,9 +133,7 @@ class Bounded:
         if not self.is_exact:
             form = None if self.form is None else self.form.scaled(-1.0)
             made = Bounded(made.value, -self.high, -self.low, form)
-        made._sum = self._sum
-        if (product := self._product) is not None:
-            made._product = _Product(product.multiplications, -product.high, -product.low)
+        made._sum, made._factors = self._sum, self._factors
         return made
 
     def __abs__(self) -> Bounded:
@@ -306,8 +251,8 @@ def remembered(lane: Any) -> Any:
     """A lane whose error is shared by all that is computed from it."""
     if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
         return lane
-    made = Bounded(lane.value, lane.low, lane.high, shared(lane.radius))
-    made._sum, made._product = lane._sum, lane._product
+    made = Bounded(lane.value, lane.low, lane.high, lane.any_form.shared())
+    made._sum, made._factors = lane._sum, lane._factors
     return made
 
 
@@ -337,22 +282,15 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 def widened(x: Bounded, by: Array) -> Bounded:
     """The lane of a device whose function has an absolute error of its own."""
     low, high = of_device(x.low - by, x.high + by)
-    form = None if x.form is None else x.form.widened(by + _lost(low, high))
+    form = x.form
+    if form is not None:
+        form = form.widened(by + _lost(np.maximum(np.abs(low), np.abs(high))))
     return Bounded(x.value, low, high, form)
 
 
-def _tighter(choose: Callable[[Array, Array], Array], end: Array, limit: Array) -> Array:
-    """An end of an interval, limited further unless one of the two numbers says nothing."""
-    found = choose(end, limit)
-    unknown = np.isnan(end)
-    return np.where(unknown, end, found) if unknown.any() else found
-
-
-def _lost(low: Array, high: Array) -> Array:
-    """What a form has to allow for besides rounding: subnormal numbers, and those too large."""
-    if np.isfinite(low).all() and np.isfinite(high).all():
-        return SMALLEST_NORMAL
-    return np.where(np.isfinite(low) & np.isfinite(high), SMALLEST_NORMAL, np.inf)
+def _lost(magnitude: Array) -> Array:
+    """What a form has to allow for besides rounding: what is flushed to zero, or infinite."""
+    return np.where(np.isfinite(magnitude), np.minimum(magnitude, SMALLEST_NORMAL), np.inf)
 
 
 # --- operations -----------------------------------------------------------------------------------
@@ -360,25 +298,26 @@ def _lost(low: Array, high: Array) -> Array:
 
 def products(x: Bounded, y: Bounded) -> tuple[Array, Array]:
     """The ends of all products; NaN where one may be infinite and the other one zero."""
-    return _products((x.low, x.high), (y.low, y.high))
-
-
-def _products(x: whole.Ends, y: whole.Ends) -> tuple[Array, Array]:
-    a, b, c, d = (one * other for one in x for other in y)
+    if y.is_exact:
+        one, other = x.low * y.value, x.high * y.value
+        return np.minimum(one, other), np.maximum(one, other)
+    if x.is_exact:
+        return products(y, x)
+    a, b, c, d = x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high
     low = np.minimum(np.minimum(a, b), np.minimum(c, d))
     high = np.maximum(np.maximum(a, b), np.maximum(c, d))
-    if np.isfinite(low).all() and np.isfinite(high).all():
+    if np.isfinite((high - low).sum()):
         return low, high
-    nothing = (_is_infinite(*x) & _has_zero(*y)) | (_has_zero(*x) & _is_infinite(*y))
+    nothing = (_is_infinite(x) & _has_zero(y)) | (_has_zero(x) & _is_infinite(y))
     return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
 
 
-def _is_infinite(low: Array, high: Array) -> Array:
-    return ~(np.isfinite(low) & np.isfinite(high))
+def _is_infinite(x: Bounded) -> Array:
+    return ~(np.isfinite(x.low) & np.isfinite(x.high))
 
 
-def _has_zero(low: Array, high: Array) -> Array:
-    return (low <= 0) & (high >= 0)
+def _has_zero(x: Bounded) -> Array:
+    return (x.low <= 0) & (x.high >= 0)
 
 
 def negated(condition: Bounded) -> Bounded:
@@ -395,41 +334,50 @@ def _condition(x: Bounded, y: Bounded, compare: Any, holds: Array, fails: Array)
     return Bounded(value, holds, np.logical_not(fails))
 
 
-def _rounded(value: Array, low: Array, high: Array, form: Form | None = None) -> Bounded:
-    """The result of a correctly rounded operation, from the ends of its exact results."""
+def _rounded(
+    value: Array, low: Array, high: Array, form: Form | None = None, times: int = 1
+) -> Bounded:
+    """The result of a correctly rounded operation, from the ends of its exact results.
+
+    ``times`` says how often it may be rounded: in another order, results that are less than half
+    as large are, too, whose steps are not finer beside them.
+    """
     if np.asarray(value).dtype.kind != "f":
         return exact(value) if low is high else Bounded(value, low, high)
-    if low is high and is_float32(value):
+    if low is high and times == 1 and is_float32(value):
         return exact(value)
-    low, high = outward(low, high)
+    if times > 1:
+        magnitude = np.maximum(np.abs(low), np.abs(high))
+        error = times * (ULP * magnitude + np.minimum(magnitude, SUBNORMAL_STEP))
+        low, high = of_device(low - error, high + error)
+    else:
+        low, high = outward(low, high)
+        if form is None:
+            return Bounded(value, low, high)
+        magnitude = np.maximum(np.abs(low), np.abs(high))
+        error = ULP * magnitude
     if form is not None:
-        form = form.widened(ULP * np.maximum(np.abs(low), np.abs(high)) + _lost(low, high))
+        form = form.widened(error + _lost(magnitude))
     return Bounded(value, low, high, form)
 
 
-def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
-    """A sum, with the error that any order of its terms may have.
-
-    GLSL and HLSL let a compiler reassociate what is not ``precise``, and WGSL does so as well
-    ("Reassociation and Fusion"). Each of n additions rounds a partial sum, which no order makes
-    larger than the sum of all magnitudes (Higham, "Accuracy and Stability", section 4.2).
-    """
+def _added(x: Bounded, y: Bounded) -> Bounded:
+    """A sum, with the error that any order of its terms may have."""
     value = x.value + y.value
-    if x.is_exact and y.is_exact:
-        low = high = value
+    are_exact = x.is_exact and y.is_exact
+    low, high = (value, value) if are_exact else (x.low + y.low, x.high + y.high)
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
     made = _rounded(value, low, high, form)
     if made.kind != "f":
         return made
-    before = [lane._sum for lane in (x, y) if lane._sum is not None]
-    sum_ = _Sum(1 + sum(each.additions for each in before), x, y, _in_any_order(x, y, made))
-    if before and not sum_.is_exact:
-        sum_.widened = sum_.additions * (ULP * sum_.magnitude + SMALLEST_NORMAL)
-        more = sum_.widened - sum([each.widened for each in before])
-        form = None if form is None else form.widened(more)
-        made = Bounded(
-            value, np.minimum(made.low, low - more), np.maximum(made.high, high + more), form
-        )
+    terms = _term(x), _term(y)
+    before = [term.additions for term in terms if isinstance(term, Sum)]
+    is_exact = are_exact and made.is_exact and all(map(_is_coarse, (x, y)))
+    sum_ = Sum(1 + sum(before), terms, is_exact)
+    if before and not is_exact:
+        more = in_any_order(sum_)
+        low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
+        made = Bounded(value, low, high, None if made.form is None else made.form.widened(more))
     made._sum = sum_
     return made
 
@@ -441,31 +389,19 @@ def _multiplied(x: Bounded, y: Bounded) -> Bounded:
     no normal numbers, where those of the written order are, are not allowed for.
     """
     value = x.value * y.value
+    factors = x._factors + y._factors + 1
     if x.is_exact and y.is_exact:
-        ends = value, value
-        made = _rounded(value, value, value)
+        made = _rounded(value, value, value, times=factors)
     else:
         ends = _square(x) if x is y else products(x, y)
-        made = _rounded(value, *ends, _product_form(x, y))
-    if made.kind != "f":
-        return made
-    before = [lane._product for lane in (x, y) if lane._product is not None]
-    if not before:
-        made._product = _Product(1, *ends)
-        return made
-    total = 1 + sum(each.multiplications for each in before)
-    product = _Product(total, *_products(_unrounded(x), _unrounded(y)))
-    low, high = product.rounded()
-    form = None if made.form is None else made.form.widened(product.error)
-    again = Bounded(value, np.minimum(made.low, low), np.maximum(made.high, high), form)
-    again._product = product
-    return again
+        made = _rounded(value, *ends, _product_form(x, y), times=factors)
+    if made.kind == "f":
+        made._factors = factors
+    return made
 
 
-def _unrounded(lane: Bounded) -> tuple[Array, Array]:
-    """The ends of a lane; of a product, before its multiplications rounded."""
-    product = lane._product
-    return (lane.low, lane.high) if product is None else (product.low, product.high)
+def _term(lane: Bounded) -> Term:
+    return Single(lane.low, lane.high) if lane._sum is None else lane._sum
 
 
 def _square(x: Bounded) -> tuple[Array, Array]:
@@ -477,26 +413,17 @@ def _square(x: Bounded) -> tuple[Array, Array]:
 def _product_form(x: Bounded, y: Bounded) -> Form | None:
     if x.form is None and y.form is None:
         return None
+    if y.is_exact:
+        assert x.form is not None
+        return x.form.scaled(y.value)
+    if x.is_exact:
+        return _product_form(y, x)
     form = x.any_form.scaled(y.value).plus(y.any_form.scaled(x.value))
     return form.widened(x.radius * y.radius)
 
 
-def _in_any_order(x: Bounded, y: Bounded, made: Bounded) -> bool:
-    """Whether adding the terms in any order is exact: they are small multiples of a fraction."""
-    if not (x.is_exact and y.is_exact and made.is_exact):
-        return False
-    return all(_is_coarse(lane) for lane in (x, y))
-
-
 def _is_coarse(lane: Bounded) -> bool:
-    if lane._sum is not None:
-        return lane._sum.is_exact
-    scaled = lane.value * _EXACT_SUM
-    return bool((np.abs(lane.value) < _EXACT_SUM / 64).all() and (np.rint(scaled) == scaled).all())
-
-
-def _terms(lane: Bounded) -> Array:
-    return lane.magnitude if lane._sum is None else lane._sum.magnitude
+    return is_coarse(lane.value) if lane._sum is None else lane._sum.is_exact
 
 
 def _whole(operation: whole.Operation, x: Bounded, other: Any) -> Bounded:

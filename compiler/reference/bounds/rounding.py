@@ -11,8 +11,6 @@ from ....stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
 Array = Any
 """A NumPy array, or one of NumPy's numbers."""
 
-_LARGEST = np.float32(LARGEST_FLOAT)
-
 ULP = 2.0**-23
 """The largest unit in the last place of a float32, relative to the number; so far the two float32
 numbers around a result may be from it."""
@@ -28,7 +26,13 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
     this is where it may lie. A number that float32 has stays as it is. A device may flush a
     subnormal result to zero (Vulkan, "Denormalized values"; WGSL, "floating point evaluation").
     """
-    return _flushed_up(_below(low)), _flushed_down(_above(high))
+    below = np.asarray(low, np.float32).astype(np.float64)
+    above = below if high is low else np.asarray(high, np.float32).astype(np.float64)
+    if not np.isfinite((below - above).sum()):
+        return _flushed_up(_below_infinity(below, low)), _flushed_down(_above_infinity(above, high))
+    below = below - (below > low) * _step(below)
+    above = above + (above < high) * _step(above)
+    return _flushed_up(below), _flushed_down(above)
 
 
 def of_device(low: Array, high: Array) -> tuple[Array, Array]:
@@ -56,17 +60,15 @@ def is_float32(value: Array) -> bool:
     return bool(((nearest == value) & normal).all())
 
 
-def _below(x: Array) -> Array:
-    """The nearest float32 that is not above, or one less than two steps below."""
-    nearest = np.array(np.minimum(np.asarray(x, np.float32), _LARGEST), np.float64)
-    np.subtract(nearest, _step(nearest), out=nearest, where=nearest > x)
-    return nearest
+def _below_infinity(nearest: Array, low: Array) -> Array:
+    """The same where the nearest float32 may be infinite, or where nothing is known."""
+    nearest = np.minimum(nearest, LARGEST_FLOAT)
+    return np.where(nearest > low, nearest - _step(nearest), nearest)
 
 
-def _above(x: Array) -> Array:
-    nearest = np.array(np.maximum(np.asarray(x, np.float32), -_LARGEST), np.float64)
-    np.add(nearest, _step(nearest), out=nearest, where=nearest < x)
-    return nearest
+def _above_infinity(nearest: Array, high: Array) -> Array:
+    nearest = np.maximum(nearest, -LARGEST_FLOAT)
+    return np.where(nearest < high, nearest + _step(nearest), nearest)
 
 
 def _step(x: Array) -> Array:

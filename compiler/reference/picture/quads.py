@@ -17,6 +17,10 @@ from .faces import Faces
 from .scene import Floats, Ints, RasterRules
 
 
+_FLUSHED = 2.0**-120
+"""The error of a mean where a device may take small numbers of the computation for zero."""
+
+
 @dataclass(frozen=True, slots=True)
 class Quads:
     """Squares of ``side`` × ``side`` pixels of a face: 2 if there are derivatives, otherwise 1."""
@@ -55,6 +59,7 @@ class Barycentric:
         self._faces = faces
         self._face = quads.face
         self._nudge = _error(rules.varying_bits)
+        self._flushed = 0.0 if rules.varying_bits is None else _FLUSHED
         steps = np.arange(quads.side) + 0.5
         self.x = (quads.x[:, None] + steps)[:, None, :]
         self.y = (quads.y[:, None] + steps)[:, :, None]
@@ -119,7 +124,7 @@ class Barycentric:
         near = self._faces.per_w[self._face]
         largest = np.abs(corners).max(axis=1) * np.abs(near).max(axis=1)
         planes = self._nudge * self._largest(parts * near, largest) / np.abs(self.per_w.value)
-        off = planes + self._far * np.abs(value)
+        off = planes + self._far * np.abs(value) + self._flushed
         a, b, c = parts.T[:, :, None, None]
         off = off + self._moved * (
             self._slopes[0] * np.abs(b - a) + self._slopes[1] * np.abs(c - a)
