@@ -1,9 +1,10 @@
 """Defines what builtins mean for floats, lane by lane.
 
 ``functions.py`` has them in its table. The names are those of the builtins, with an underscore if
-Python already has the name. What bounds errors has some
-functions of its own, where devices compute otherwise than by these formulas. An operand outside of the domain of Python's or NumPy's function is
-replaced *before* the function is called, as in the shaders, so that NaN never occurs.
+Python already has the name. An operand outside of the domain of Python's or NumPy's function is
+replaced *before* the function is called, as in the shaders, so that NaN never occurs. What bounds
+errors (``bounds/functions.py``) has some of these as functions of its own, where devices compute
+otherwise than by the formula here.
 """
 
 from __future__ import annotations

@@ -19,7 +19,6 @@ from .affine import Form, alone, chosen
 from .orders import Single, Sum, Term, in_any_order, is_coarse
 from .rounding import SUBNORMAL_STEP, ULP, Array, constant_ends, is_float32, of_device, outward
 
-
 _STEP = 2.0**-52
 """The largest error of a float64, relative to the number."""
 
@@ -371,7 +370,7 @@ def _added(x: Bounded, y: Bounded) -> Bounded:
     are_exact = x.is_exact and y.is_exact and _is_whole_sum(value, x.value, y.value)
     low = high = value
     if not are_exact:
-        absorbed = _STEP * np.abs(value) if x.is_exact and y.is_exact else 0.0
+        absorbed = _STEP * np.abs(value) if x.is_exact and y.is_exact else 0
         low, high = x.low + y.low - absorbed, x.high + y.high + absorbed
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
     made = _rounded(value, low, high, form)

@@ -55,7 +55,7 @@ class TextureReader:
         steps = Steps(*([finite(lane) for lane in lanes] for lanes in (across, down)))
         if self._moves_on_surface:
             coordinate = [finite(lane) for lane in where[0]]
-            steps = levels.scaled(coordinate, steps, self._image.rules.bottom_up)
+            steps = levels.scaled(coordinate, steps, self._image.rules)
         return self._colours(where, steps)
 
     def _gather(self, *operands: Lanes) -> Lanes:

@@ -109,7 +109,7 @@ class RasterRules:
     """Whether the device is known to take differences between pixels in a quad's first row and
     column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
+    """Whether a quad's first pixel is the lower left one, which matters only for levels."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
     Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""
