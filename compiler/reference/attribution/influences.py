@@ -21,7 +21,7 @@ from ..operations import apply
 from ..picture.scene import Floats
 from .jumps import Jump, by_lane, coordinates, jump_at, rule_of
 from .local_errors import LocalErrors, flat
-from .pixel import Occurrence, PixelShader
+from .pixel import Occurrence, PixelShader, Reader
 
 AT_ONCE = 256
 """How many ways are evaluated at once: few enough for their values to stay in the CPU's cache."""
@@ -59,6 +59,11 @@ class Site:
     """The error of each lane: its own, and those of everything before it."""
     effect: Floats
     """(lanes, lanes of the picture): by how much the error that was tried changes the picture."""
+
+    @property
+    def reads(self) -> bool:
+        """Whether it reads a texture."""
+        return bool(self.given) and isinstance(self.given[0][0], Reader)
 
     @property
     def contribution(self) -> Floats:
