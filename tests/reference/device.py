@@ -234,7 +234,7 @@ class Device:
         found = np.where(np.abs(found - exact) > allowed, _next(found, inward), found)
         # Where no float32 number is that close, the correctly rounded one is right.
         found = np.where(np.abs(found - exact) > allowed, _nearest(exact), found)
-        return Chosen(self, self._flushed(found))
+        return Chosen(self, self._flushed(np.where(np.isfinite(exact), found, exact)))
 
     # --- sums and products ------------------------------------------------------------------------
 

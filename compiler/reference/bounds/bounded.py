@@ -19,6 +19,9 @@ from .affine import Form, alone, chosen
 from .orders import Single, Sum, Term, in_any_order, is_coarse
 from .rounding import SUBNORMAL_STEP, ULP, Array, constant_ends, is_float32, of_device, outward
 
+_STEP = 2.0**-52
+"""The largest error of a float64, relative to the number."""
+
 
 class Bounded:
     """One lane: arrays of the same kind (float64, int64 or bool) that broadcast together.
@@ -348,7 +351,7 @@ def _rounded(
         return exact(value)
     if times > 1:
         magnitude = np.maximum(np.abs(low), np.abs(high))
-        error = times * (ULP * magnitude + np.minimum(magnitude, SUBNORMAL_STEP))
+        error = times * (ULP * magnitude + (magnitude > 0) * SUBNORMAL_STEP)
         low, high = of_device(low - error, high + error)
     else:
         low, high = outward(low, high)
@@ -364,8 +367,11 @@ def _rounded(
 def _added(x: Bounded, y: Bounded) -> Bounded:
     """A sum, with the error that any order of its terms may have."""
     value = x.value + y.value
-    are_exact = x.is_exact and y.is_exact
-    low, high = (value, value) if are_exact else (x.low + y.low, x.high + y.high)
+    are_exact = x.is_exact and y.is_exact and _is_whole_sum(value, x.value, y.value)
+    low = high = value
+    if not are_exact:
+        absorbed = _STEP * np.abs(value) if x.is_exact and y.is_exact else 0.0
+        low, high = x.low + y.low - absorbed, x.high + y.high + absorbed
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
     made = _rounded(value, low, high, form)
     if made.kind != "f":
@@ -398,6 +404,11 @@ def _multiplied(x: Bounded, y: Bounded) -> Bounded:
     if made.kind == "f":
         made._factors = factors
     return made
+
+
+def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
+    """Whether float64 holds a sum exactly; else a device may round it to either side."""
+    return bool(((value - x == y) & (value - y == x)).all())
 
 
 def _term(lane: Bounded) -> Term:

@@ -82,6 +82,15 @@ class Bounds:
         """The greater number."""
         return _of_ends(np.maximum, np.greater_equal, x, y)
 
+    def mix(self, x: Any, y: Any, a: Any, /) -> Bounded:
+        """A blend, computed as ``x * (1 - a) + y * a`` or as ``x + (y - x) * a``.
+
+        WGSL and Vulkan name the first formula, Direct3D's ``lerp`` the second, and drivers of both
+        use either.
+        """
+        x, y, a = as_bounded(x), as_bounded(y), as_bounded(a)
+        return hull(x * (1.0 - a) + y * a, x + (y - x) * a)
+
     # --- conversions ------------------------------------------------------------------------------
 
     def float64(self, x: Any, /) -> Bounded:
