@@ -175,9 +175,11 @@ def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
 def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
     """The rows, with what the source has to do with it where they differ or prove little."""
     from ..targets.conformance.explaining import with_reasons
+    from ..targets.conformance.summary import by_material
 
     materials = dict(subjects)
-    return [with_reasons(materials[row.material], row, seed) for row in rows]
+    groups = by_material(rows).items()
+    return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
 
 
 def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
