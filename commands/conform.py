@@ -60,7 +60,8 @@ class Request(NamedTuple):
 )  # fmt: skip
 @click.option(
     "--case", metavar="NAME",
-    help="The scene of the pixel to explain; by default the one where it is the least certain.",
+    help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`; by default the one where "
+    "it is the least certain.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,
@@ -78,7 +79,7 @@ def conform(**chosen: Any) -> None:
     file declares, unless --rig and --pass name one.
 
     The exit code is 1 if any route differs from the reference or fails, or if a value overflows.
-    `proves little` is a warning: the material magnifies rounding so much that most of its pixels
+    `proves little` is a warning: the material magnifies rounding so much that too many of its pixels
     may have nearly any value; with --strict it counts as well. A route that lacks its tools, or a
     feature that the material needs, is `not run`. The exit code is also 1 if such a route was named
     on the command line, or if no route was run.
