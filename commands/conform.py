@@ -79,10 +79,10 @@ def conform(**chosen: Any) -> None:
     file declares, unless --rig and --pass name one.
 
     The exit code is 1 if any route differs from the reference or fails, or if a value overflows.
-    `proves little` is a warning: the material magnifies rounding so much that too many of its pixels
-    may have nearly any value; with --strict it counts as well. A route that lacks its tools, or a
-    feature that the material needs, is `not run`. The exit code is also 1 if such a route was named
-    on the command line, or if no route was run.
+    `proves little` is a warning: the material magnifies rounding so much that too many of its
+    pixels may have nearly any value; with --strict it counts as well. A route that lacks its tools,
+    or a feature that the material needs, is `not run`. The exit code is also 1 if such a route was
+    named on the command line, or if no route was run.
 
     --explain shows the way of the error at one pixel: its value and its bounds, what each route has
     drawn, which operations contribute how much, and where precision is lost. Pixels are counted
