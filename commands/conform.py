@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,7 +11,7 @@ import click
 
 from .console import remark, show
 from .failures import fail, told
-from .options import hoist_option, pass_option, rig_option, search_option
+from .options import hoist_option, pass_option, pixel, rig_option, search_option
 from .terminal import FAILED, wants_color
 
 if TYPE_CHECKING:
@@ -42,18 +41,6 @@ class Request(NamedTuple):
     hoist: bool
 
 
-def _pixel(
-    _context: click.Context, _option: click.Parameter, given: str | None
-) -> tuple[int, int] | None:
-    """Two numbers such as ``36,28``."""
-    if given is None:
-        return None
-    found = re.fullmatch(r"\s*([0-9]+)\s*,\s*([0-9]+)\s*", given)
-    if not found:
-        raise click.BadParameter(f"'{given}' is no pixel, which would be like 36,28")
-    return int(found[1]), int(found[2])
-
-
 @click.command()
 @click.argument("files", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="FILE…")
 @click.option(
@@ -68,12 +55,13 @@ def _pixel(
     "--strict", is_flag=True, help="Also exit with 1 where a row proves little.",
 )  # fmt: skip
 @click.option(
-    "--explain", metavar="X,Y", callback=_pixel,
+    "--explain", metavar="X,Y", callback=pixel,
     help="Instead of the table, say how inexact this pixel is, and why.",
 )  # fmt: skip
 @click.option(
     "--case", metavar="NAME",
-    help="The scene of the pixel to explain; by default the one where it is the least certain.",
+    help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`; by default the one where "
+    "it is the least certain.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,
@@ -91,10 +79,10 @@ def conform(**chosen: Any) -> None:
     file declares, unless --rig and --pass name one.
 
     The exit code is 1 if any route differs from the reference or fails, or if a value overflows.
-    `proves little` is a warning: the material magnifies rounding so much that most of its pixels
-    may have nearly any value; with --strict it counts as well. A route that lacks its tools, or a
-    feature that the material needs, is `not run`. The exit code is also 1 if such a route was named
-    on the command line, or if no route was run.
+    `proves little` is a warning: the material magnifies rounding so much that too many of its
+    pixels may have nearly any value; with --strict it counts as well. A route that lacks its tools,
+    or a feature that the material needs, is `not run`. The exit code is also 1 if such a route was
+    named on the command line, or if no route was run.
 
     --explain shows the way of the error at one pixel: its value and its bounds, what each route has
     drawn, which operations contribute how much, and where precision is lost. Pixels are counted
@@ -188,9 +176,11 @@ def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
 def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
     """The rows, with what the source has to do with it where they differ or prove little."""
     from ..targets.conformance.explaining import with_reasons
+    from ..targets.conformance.summary import by_material
 
     materials = dict(subjects)
-    return [with_reasons(materials[row.material], row, seed) for row in rows]
+    groups = by_material(rows).items()
+    return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
 
 
 def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
@@ -258,8 +248,8 @@ def _tell(rows: Sequence[Row], *, strict: bool) -> None:
         for said, lines in messages(own):
             routes = ", ".join(row.route.name for row in said)
             heading = f"{material}, {routes}: {said[0].status}"
-            severity = "error" if is_failure(said[0], strict=strict) else "warning"
-            remark(severity, "\n  ".join([heading, *lines]))
+            failed = is_failure(said[0], strict=strict)
+            remark("error" if failed else "warning", "\n  ".join([heading, *lines]))
     click.echo(counted(rows))
 
 

@@ -29,8 +29,8 @@ DECIDED = 0.4
 """The part of the samples of an overload whose results have to be known."""
 
 _ON_SWIFTSHADER = ("swiftshader", "webgpu", "webgl2")
-DEFECTS: Mapping[str, tuple[str, ...]] = dict.fromkeys(("exp", "degrees", "atan2"), _ON_SWIFTSHADER)
-"""The drivers on which a builtin leaves its bounds; docs/conformance.md lists these bugs."""
+DEFECTS: Mapping[str, tuple[str, ...]] = dict.fromkeys(("exp", "degrees"), _ON_SWIFTSHADER)
+"""The drivers on which a builtin leaves its bounds; docs/drivers.md lists these bugs."""
 
 PARTS = ("ulp", "ulp_by_operand", "absolute", "absolute_by_operand")
 

@@ -116,7 +116,7 @@ def _drawn(
 
 if __name__ == "__main__":
     try:
-        found = main(*map(Path, sys.argv[1:3]), *sys.argv[3:])
+        found = main(Path(sys.argv[1]), Path(sys.argv[2]), *sys.argv[3:])
     except Exception as error:
         where = traceback.extract_tb(error.__traceback__)[-1]
         place = f"{Path(where.filename).name}:{where.lineno}"

@@ -16,6 +16,7 @@ from .affine import Derivative, Form, chosen, curved
 from .bounded import (
     Bounded,
     as_bounded,
+    either,
     exact,
     hull,
     negated,
@@ -83,13 +84,13 @@ class Bounds:
         return _of_ends(np.maximum, np.greater_equal, x, y)
 
     def mix(self, x: Any, y: Any, a: Any, /) -> Bounded:
-        """The blend of two numbers. Direct3D defines it as ``x + (y - x) * a``, and drivers of
-        other APIs compute it so, too, although their specifications say ``x * (1 - a) + y * a``.
+        """A blend, computed as ``x * (1 - a) + y * a`` or as ``x + (y - x) * a``.
+
+        WGSL and Vulkan name the first formula, Direct3D's ``lerp`` the second, and drivers of both
+        use either.
         """
         x, y, a = as_bounded(x), as_bounded(y), as_bounded(a)
-        one, other = x * (1.0 - a) + y * a, x + (y - x) * a
-        beyond = np.maximum(one.low - other.low, other.high - one.high)
-        return widened(one, np.where(np.isnan(beyond), np.inf, np.maximum(beyond, 0.0)))
+        return either(x * (1.0 - a) + y * a, x + (y - x) * a)
 
     # --- conversions ------------------------------------------------------------------------------
 

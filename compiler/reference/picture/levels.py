@@ -15,7 +15,7 @@ import numpy as np
 from ..bounds import Bounded, between, exact
 from .choices import Part, lane_at
 from .intervals import difference, increasing, largest, quotient, widened
-from .scene import Floats, Ints
+from .scene import Floats, Ints, RasterRules
 from .texels import Image
 
 _TINY = 2.0**-60
@@ -52,7 +52,7 @@ def named(image: Image, level: Bounded) -> Bounded:
 
 
 def differences(coordinate: Sequence[Bounded], image: Image) -> Steps:
-    """The steps between the pixels of quads, (quads, 1, 1); the exact ones are at the upper left.
+    """The steps between the pixels of quads, (quads, 1, 1); the exact ones are at the first pixel.
 
     Without quads (…, 2, 2) nothing changes.
     """
@@ -68,10 +68,12 @@ def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
     step = difference(second, first)
     if not image.is_exact:
         step = widened(step, _ROUNDING * np.maximum(first.magnitude, second.magnitude))
+    row = first_row(image.rules)
+    first_step = step.mapped(lambda array: array[..., row, :1])
     if image.has_known_steps:
-        return step.mapped(lambda array: array[..., :1, :1])
+        return first_step
     low, high = step.low.min(axis=(-2, -1)), step.high.max(axis=(-2, -1))
-    return Bounded(step.value[..., :1, :1], low[..., None, None], high[..., None, None])
+    return Bounded(first_step.value, low[..., None, None], high[..., None, None])
 
 
 def of_steps(image: Image, steps: Steps) -> Bounded:
@@ -109,11 +111,16 @@ def on_cube(direction: Sequence[Bounded]) -> list[Bounded]:
     return [quotient(lane, out) for lane in direction]
 
 
-def scaled(direction: Sequence[Bounded], steps: Steps, bottom_up: bool) -> Steps:
+def first_row(rules: RasterRules) -> slice:
+    """The row of a quad whose first pixel a device knows as the quad's first."""
+    return slice(-1, None) if rules.bottom_up else slice(1)
+
+
+def scaled(direction: Sequence[Bounded], steps: Steps, rules: RasterRules) -> Steps:
     """The steps of a direction, as a quad's first pixel scales them onto a cube's surface."""
     out = increasing(lambda x: 2 * _at_least_tiny(x), largest([abs(lane) for lane in direction]))
     if out.ndim == 3:
-        row = slice(-1, None) if bottom_up else slice(1)
+        row = first_row(rules)
         out = out.mapped(lambda array: array[..., row, :1])
     return steps.mapped(lambda lane: quotient(lane, out))
 

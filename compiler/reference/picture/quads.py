@@ -16,7 +16,6 @@ from .coverage import Fragments
 from .faces import Faces
 from .scene import Floats, Ints, RasterRules
 
-
 _FLUSHED = 2.0**-120
 """The error of a mean where a device may take small numbers of the computation for zero."""
 
