@@ -348,11 +348,11 @@ def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
     made = _rounded(value, low, high, form)
     if made.kind != "f":
         return made
-    found, more = summed(x, y, made)
-    if more is not None:
-        form = None if form is None else form.widened(more)
-        low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
-        made = Bounded(value, low, high, form)
+    found, wider = summed(x, y, made)
+    if wider is not None:
+        low, high = wider.ends
+        form = None if made.form is None else made.form.widened(wider.error)
+        made = Bounded(value, np.minimum(made.low, low), np.maximum(made.high, high), form)
     made.sum = found
     return made
 

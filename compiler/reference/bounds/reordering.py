@@ -14,6 +14,7 @@ from typing import Protocol
 import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
+from .affine import Form
 from .rounding import SUBNORMAL_STEP, ULP, Array, Ends, of_device, products
 
 _EXACT_SUM = 2.0**12
@@ -26,6 +27,7 @@ class Lane(Protocol):
     value: Array
     low: Array
     high: Array
+    form: Form | None
     sum: Sum | None
     product: Product | None
 
@@ -40,13 +42,14 @@ class Lane(Protocol):
 class Sum:
     """That a lane is a sum, whose terms a compiler may add in another order."""
 
-    additions: int
+    roundings: int
+    """How many operations round in any order; taking out a common factor is one more."""
     parts: Sequence[Lane]
     """The two terms of a first addition; of a longer sum, ``magnitudes`` are known instead."""
     magnitudes: Array
     is_exact: bool
     """Whether every partial sum of its terms is a float32."""
-    widened: Array
+    error: Array
     """By how much the lane was widened because of the order of its terms."""
 
     @property
@@ -56,6 +59,15 @@ class Sum:
             return self.magnitudes
         left, right = self.parts
         return left.magnitude + right.magnitude
+
+
+@dataclass(frozen=True, slots=True)
+class Wider:
+    """What a sum has to contain besides itself, because of other orders."""
+
+    ends: Ends
+    error: Array
+    """How much its form is off in addition."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,23 +95,37 @@ class Product:
         return self.multiplications * (ULP * largest + SUBNORMAL_STEP)
 
 
-def summed(x: Lane, y: Lane, made: Lane) -> tuple[Sum, Array | None]:
-    """The sum of two lanes, and by how much it has to be wider than the ``made`` one.
+def summed(x: Lane, y: Lane, made: Lane) -> tuple[Sum, Wider | None]:
+    """The sum of two lanes, which is ``made`` in the written order, and what others make of it.
 
     Each of n additions rounds a partial sum, which no order makes larger than the sum of all
-    magnitudes (Higham, "Accuracy and Stability of Numerical Algorithms", section 4.2).
+    magnitudes (Higham, "Accuracy and Stability of Numerical Algorithms", section 4.2). Of terms
+    that are products, drivers take out common factors: ``a * c + b * c`` becomes ``c * (a + b)``.
     """
     before = [lane.sum for lane in (x, y) if lane.sum is not None]
     is_exact = x.is_exact and y.is_exact and made.is_exact and _is_coarse(x) and _is_coarse(y)
-    if not before:
+    if not before and (x.product is None or y.product is None):
         return Sum(1, (x, y), 0.0, is_exact, 0.0), None
-    additions = 1 + sum(each.additions for each in before)
+    roundings = sum((each.roundings for each in before), 1 if before else 2)
     magnitudes = _terms(x) + _terms(y)
     if is_exact:
-        return Sum(additions, (), magnitudes, True, 0.0), None
-    widened = additions * (ULP * magnitudes + SMALLEST_NORMAL)
-    more = widened - sum(each.widened for each in before)
-    return Sum(additions, (), magnitudes, False, widened), more
+        return Sum(roundings, (), magnitudes, True, 0.0), None
+    error = roundings * (ULP * magnitudes + SMALLEST_NORMAL)
+    found = Sum(roundings, (), magnitudes, False, error)
+    if not before:
+        return found, _factored(x, y, error)
+    more = error - sum(each.error for each in before)
+    return found, Wider((x.low + y.low - more, x.high + y.high + more), more)
+
+
+def _factored(x: Lane, y: Lane, error: Array) -> Wider:
+    """The sum of two products with a common factor that is taken out.
+
+    It rounds as often as the products do, but not on the same side. Forms allow for both sides.
+    """
+    (x_low, x_high), (y_low, y_high) = _unrounded(x), _unrounded(y)
+    rounded = [lane.product.error for lane in (x, y) if lane.form is None and lane.product]
+    return Wider((x_low + y_low - error, x_high + y_high + error), sum(rounded, 0.0))
 
 
 def multiplied(x: Lane, y: Lane, ends: Ends) -> tuple[Product, bool]:
