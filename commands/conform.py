@@ -238,11 +238,12 @@ def _label(path: Path, paths: Sequence[Path], material: CompiledMaterial, varian
 
 def _tell(rows: Sequence[Row], *, strict: bool) -> None:
     from ..targets.conformance.summary import (
+        by_material,
         counted,
-        details,
         devices,
         is_failure,
         lacking,
+        messages,
         tools,
     )  # fmt: skip
 

@@ -676,6 +676,13 @@ NO_TARGET = _error(
     "A pass has at least one target: `target color : rgba8 = vec4(color, alpha)`.",
 )
 
+NO_ALPHA = _error(
+    "B0506",
+    "blending `{blend}` needs an alpha, and `{format}` has none",
+    "`alpha` and `premultiplied` mix by the fourth lane of what is written. A target of fewer "
+    "lanes can be added or multiplied.",
+)
+
 # --- B06: rigs and lights ------------------------------------------------------------------------
 
 OUTSIDE_LIGHT = _error(

@@ -25,7 +25,7 @@ SAYS_NOTHING = 1 / 8
 USUAL = (0.02, 0.98)
 """The quantiles between which the picture's range is measured, so that a few pixels, such as a
 highlight, cannot make it larger."""
-CONSTANT = 2.0**-10
+CONSTANT = 2.0**-4
 """The least range, relative to the largest value: that of a picture of one colour is 0."""
 
 PROVEN_SHARE = 0.95
@@ -192,7 +192,8 @@ def shares(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
 def _larger_of(values: Floats, seen: Bools) -> Floats:
     """The magnitude of each lane, or if that is larger, what is usual in its target."""
     usual = [np.quantile(np.abs(value[seen]), USUAL[1]) if seen.any() else 0.0 for value in values]
-    return np.maximum(np.abs(values), np.reshape(usual, (-1, 1, 1, 1)))
+    larger: Floats = np.maximum(np.abs(values), np.reshape(usual, (-1, 1, 1, 1)))
+    return larger
 
 
 def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bools:
@@ -210,6 +211,8 @@ def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bool
 
 def _bite(low: Floats, high: Floats, steps: Floats, seen: Bools) -> float:
     """The median of the bounds in steps, over the lanes that are seen and not exact."""
+    usual = [np.median(step[seen]) if seen.any() else 0.0 for step in steps]
+    steps = np.maximum(steps, np.reshape(usual, (-1, 1, 1, 1)))
     with np.errstate(invalid="ignore"):
         bounds = ((high - low) / 2 / steps)[:, seen]
     bounds = bounds[bounds > 0]
@@ -225,5 +228,5 @@ def _sample(
     per_pixel = np.where(where, amount.max(axis=(0, 3)), -1.0)
     y, x = np.unravel_index(int(per_pixel.argmax()), per_pixel.shape)
     target = int(amount[:, y, x].max(axis=1).argmax())
-    got, *ends = (tuple(picture[target, y, x].tolist()) for picture in (got, *pictures))
-    return Sample(int(x), int(y), target, got, *ends)
+    drawn, *ends = (tuple(picture[target, y, x].tolist()) for picture in (got, *pictures))
+    return Sample(int(x), int(y), target, drawn, *ends)

@@ -8,9 +8,7 @@ leaves them, it is held against what specifications guarantee.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-
-from ...stdlib.builtins.accuracy import Bound
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,22 +16,20 @@ class Hardware:
     """How precise the fixed functions of a device are, in binary places."""
 
     varying_bits: int
-    """Of interpolated values, relative to the largest corner."""
+    """Of the planes from which values are interpolated, relative to the largest number with which
+    these are computed."""
+    frag_coord_bits: int
+    """The same of a fragment's depth, and of its 1 / w."""
     subtexel_bits: int
     """Of the weights of filters."""
     mip_bits: int
     """Of the level of detail."""
     mixing_bits: int | None = None
     """Of the weights of two levels whose texels are not filtered; ``None``: they are floats."""
-
-
-@dataclass(frozen=True, slots=True)
-class Measured:
-    """The largest errors that were found on a driver, and some more."""
-
-    hardware: Hardware
-    functions: Mapping[str, Bound] = field(default_factory=dict)
-    """Builtins that are more accurate than the specifications demand."""
+    own_derivatives: bool = False
+    """Whether differences are those of each pixel's own row and column, and not any of its quad."""
+    euclidean_steps: bool = False
+    """Whether levels follow from a quad's first row and column, by Euclidean lengths."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +37,11 @@ class Driver:
     """A driver's properties."""
 
     assumed: Hardware
-    """What is guaranteed, where the API does not report it. No API promises ``varying_bits``."""
-    measured: Measured | None = None
+    """What is guaranteed, where the API does not report it. No API promises anything of
+    interpolated values."""
+    measured: Hardware | None = None
+    """What was found, less some places, as other pictures may have larger errors. ``measured.py``
+    has what was found of its functions."""
     interpolates_snapped: bool = False
     """Whether attributes are interpolated between snapped vertices, as coverage always is."""
     clips_sides: bool = False
@@ -58,19 +57,27 @@ class Driver:
 
 
 _LLVM = Driver(
-    Hardware(varying_bits=18, subtexel_bits=8, mip_bits=8),
+    Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
+    Hardware(
+        varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
+        own_derivatives=True, euclidean_steps=True,
+    ),
     clips_sides=True,
     edge_slack=2.0**-11,
     level_power=2,
-)
+)  # fmt: skip
 _SWIFTSHADER = Driver(
     # It blends levels in 16 bits, with several roundings.
-    Hardware(varying_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
+    Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
+    Hardware(
+        varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
+        own_derivatives=True, euclidean_steps=True,
+    ),
     interpolates_snapped=True,
     clips_sides=True,
     level_power=4,
     projects_cubes=False,
-)
+)  # fmt: skip
 # OpenGL does not define which triangle owns a pixel that is exactly on an edge, and rows from the
 # bottom up invert the top-left rule. Such pixels are undecided.
 _WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)

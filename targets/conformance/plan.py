@@ -13,6 +13,7 @@ from ...compiler.ir.shader import Result, Shader
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, RasterRules, formats
 from ...frozen import changed
+from ...stdlib.builtins.accuracy import Platform
 from ..runner.binding import FORMATS
 from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
@@ -24,10 +25,14 @@ from ..runner.subject import Subject
 from .cases import Series, series_of
 from .compare import Comparison, Level, compare
 from .drivers import DRIVERS, Driver, Hardware
+from .measured import ENVELOPES
 from .rows import CaseResult
 
 Floats = NDArray[np.float64]
 
+_ANY: tuple[Platform, ...] = ("vulkan",)
+"""The errors of functions that were not measured follow from those that were, on any platform. So
+all routes to a driver share one picture."""
 _EXACT = "rgba32f"
 """A format that holds every float, for series that show what shaders write."""
 
@@ -84,7 +89,7 @@ class Plan:
             emitted = self._emitted_for(route.profile)
         for bounds in questions:
             program, source = (
-                _drawn(shader, exact=series.exact) for shader in (emitted, self.subject.shader)
+                to_targets(shader, exact=series.exact) for shader in (emitted, self.subject.shader)
             )
             expected = self._wanted(program, state, bounds.rules, bounds.errors)
             meant = self._wanted(source, state, _precise(bounds.rules), None)
@@ -137,11 +142,11 @@ def bounds_of(state: SceneState, route: Route, device: Device) -> tuple[Bounds, 
     )
     if driver.measured is None:
         return (guaranteed,)
-    functions = tuple(sorted(driver.measured.functions.items()))
+    functions = ENVELOPES[route.driver].allowed()
     measured = Bounds(
         "measured",
-        rules_of(state, device, driver, driver.measured.hardware),
-        Errors(route.platforms, functions),
+        rules_of(state, device, driver, driver.measured),
+        Errors(_ANY, tuple(sorted(functions.items()))),
     )
     return measured, guaranteed
 
@@ -166,8 +171,11 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
         edge_slack=driver.edge_slack,
         subtexel_bits=hardware.subtexel_bits,
         varying_bits=hardware.varying_bits,
+        frag_coord_bits=hardware.frag_coord_bits,
         mip_bits=hardware.mip_bits,
         mixing_bits=hardware.mixing_bits,
+        own_derivatives=hardware.own_derivatives,
+        euclidean_steps=hardware.euclidean_steps,
         level_power=driver.level_power,
         bottom_up=driver.bottom_up,
         projects_cubes=driver.projects_cubes,
@@ -176,11 +184,18 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
 
 def _precise(rules: RasterRules) -> RasterRules:
     """The rules of a device that covers the same pixels, but rounds nothing."""
-    return replace(rules, subtexel_bits=None, varying_bits=None, mip_bits=None, mixing_bits=None)
+    return replace(
+        rules,
+        subtexel_bits=None,
+        varying_bits=None,
+        frag_coord_bits=None,
+        mip_bits=None,
+        mixing_bits=None,
+    )
 
 
-def _drawn(shader: Shader, *, exact: bool) -> Shader:
-    """The shader with the targets that a series draws to."""
+def to_targets(shader: Shader, *, exact: bool) -> Shader:
+    """The shader with the targets that a series draws to; ``exact`` ones hold every float."""
     return changed(shader, results=tuple(_to_target(one, exact=exact) for one in shader.results))
 
 

@@ -33,6 +33,8 @@ def share(row: Row) -> str:
 
 def bite(row: Row) -> str:
     """How tight the bounds were: the median of their width, in steps of the target's format."""
+    if not math.isfinite(row.bite):
+        return "infinite"
     if row.bite >= 1e5:
         return f"{row.bite:.0e}"
     return f"{row.bite:.0f}" if row.bite >= 10 else f"{row.bite:.1f}"
@@ -128,8 +130,8 @@ def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
     if (change := comparison.change) is not None:
         yield (
             f"the compiler has changed the meaning of {comparison.changed} of {covered} pixels: "
-            f"{_place(change, result)} the material means {_lanes(change.got)}, and its emitted "
-            f"program {_range(change)}"
+            f"{_place(change, result)} the material means {_lanes(change.got)}, but what was "
+            f"emitted gives a value {_range(change)}"
         )
     if comparison.wrong and (worst := comparison.worst) is not None:
         yield (
@@ -143,11 +145,10 @@ def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
             f"{_lanes(overflow.expected)}"
         )
     elif weak and (comparison.wide or comparison.undecided):
-        parts = [
-            f"nearly nothing is known of {comparison.wide}" if comparison.wide else "",
-            f"{comparison.undecided} hang on rounding" if comparison.undecided else "",
-        ]
-        yield f"of {covered} pixels {' and '.join(filter(None, parts))}"
+        yield (
+            f"nearly nothing is known of {comparison.wide} of {covered} pixels, and what is drawn "
+            f"hangs on rounding at {comparison.undecided}"
+        )
     if (beyond := comparison.beyond) is not None:
         yield (
             f"{_place(beyond, result)} it is {_lanes(beyond.got)}, which is within what is "

@@ -21,7 +21,7 @@ from .programs import program
 from .shrink import shrunk
 from .tree import Node
 
-SHARES = {"accepted": 0.3, "drawn": 0.4}
+SHARES = {"rewritten": 0.3, "accepted": 0.3, "drawn": 0.3}
 """The shares of the whole time that these questions may take, at most; the others come first."""
 
 TELL_EVERY = 15.0
@@ -76,7 +76,7 @@ class Run:
         tree = program(name)
         for oracle in self._due():
             begin = time.monotonic()
-            case = Case(str(tree), seed_of(name), self._tools)
+            case = Case(str(tree), seed_of(name), self._tools, tree)
             answers = ask(case, oracle)
             self._spent[oracle] += time.monotonic() - begin
             self._asked_of[oracle] += 1
@@ -107,7 +107,9 @@ class Run:
         again = f"python -m burnish.tests.fuzz --program {name} --oracles {finding.oracle}"
         if finding.oracle == "drawn":
             again += f" --routes {finding.place}"
-        print(f"{finding.detail}\n\n{small}\nagain: {again}", flush=True)
+        case = Case(str(small), seed_of(name), self._tools, small, finding.place)
+        told = [each for each in ask(case, finding.oracle).findings if finding.is_like(each)]
+        print(f"{(told or [finding])[0].detail}\n\n{small}\nagain: {again}", flush=True)
         self._asked.output.mkdir(parents=True, exist_ok=True)
         file = f"{finding.oracle}-{name.replace(':', '-')}.burnish"
         (self._asked.output / file).write_text(
@@ -123,7 +125,7 @@ def seed_of(name: str) -> int:
 
 def shows(tree: Node, name: str, finding: Finding, tools: Tools) -> bool:
     """Whether a smaller program shows the same as the program of a name."""
-    case = Case(str(tree), seed_of(name), tools, finding.place)
+    case = Case(str(tree), seed_of(name), tools, tree, finding.place)
     return any(finding.is_like(other) for other in ask(case, finding.oracle).findings)
 
 

@@ -35,8 +35,6 @@ STEEP = frozenset(
 )  # fmt: skip
 """What makes large numbers of small ones."""
 
-NONZERO = "{}(3)"
-
 
 def is_constant(node: Node) -> bool:
     """Whether the compiler can compute the value: nothing from outside of the program is in it."""
@@ -173,7 +171,7 @@ class Writer:
         parts = [self.expression(operand, scope, share) for operand in rule.operands]
         if rule.role in ("div", "mod") and is_constant(parts[1]):
             # A divisor that is always zero is an error.
-            parts[1] = expression(parts[1].type, NONZERO.format(parts[1].type), role="literal")
+            parts[1] = expression(parts[1].type, f"{parts[1].type}(3)", role="constructor")
         if rule.role == "index" and len(parts) > 1 and is_constant(parts[1]):
             parts[1] = expression("int", self.chance.choice("01"), role="literal")
         if self.wild or rule.role not in STEEP:

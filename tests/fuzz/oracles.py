@@ -35,6 +35,8 @@ from ..passes.agreement import disagreements
 from ..passes.hardware import flat
 from ..passes.kit import World, shaders
 from ..passes.value_ranges import LARGEST, broken
+from .equivalence import differences
+from .tree import Node as Tree
 
 ALLOWED = {each.code for each in (rules.ZERO_DIVISOR, rules.OUT_OF_BOUNDS, rules.NUMBER_TOO_LARGE)}
 """The mistakes in some programs: their constants are random, and their values can be computed."""
@@ -81,6 +83,8 @@ class Case:
     text: str
     seed: int
     tools: Tools
+    tree: Tree | None = None
+    """The program as it was made, if it is to be rewritten."""
     only: str = ""
     """The place of the finding that is looked for; all places are asked if this is empty."""
 
@@ -144,6 +148,26 @@ def _passes(case: Case) -> Iterator[Finding]:
             yield Finding("passes", each.partition(",")[0], "", f"hoist={hoist}: {each}")
 
 
+def _rewritten(case: Case) -> Iterator[Finding]:
+    """Another program that means the same has the same value."""
+    if case.tree is None:
+        return
+    for traps in (False, True):
+        world = World(case.seed, traps)
+        if not is_defined(case, world):
+            continue
+        for turn in range(SEARCHED if case.only else 1):
+            seed = f"{case.seed} {traps} {turn}"
+            for name, sort, story in differences(
+                case.tree, case.shader, case.variant, world, seed, case.only
+            ):
+                yield Finding("rewritten", name, sort, story)
+
+
+SEARCHED = 6
+"""At how many places a rewriting is tried again in a program that was shrunk."""
+
+
 def is_defined(case: Case, world: World) -> bool:
     """Whether the program has a value: everything is within float32, and hardware is not asked."""
     if "unguarded(" in case.text:
@@ -181,7 +205,9 @@ def _drawn(case: Case) -> Iterator[Finding]:
     for row in rows:
         tools.statuses[row.status] = tools.statuses.get(row.status, 0) + 1
         if row.status in ("differs", "failed"):
-            yield Finding("drawn", row.route.name, row.status, "\n".join(_story(row)))
+            wrong = [result.case for result in row.results if result.comparison.wrong]
+            sort = f"{row.status} {wrong[0] if wrong else _sort(row.problem)}"
+            yield Finding("drawn", row.route.name, sort, "\n".join(_story(row)))
 
 
 def _story(row: Row) -> Iterator[str]:
@@ -195,6 +221,7 @@ ORACLES: Mapping[str, Question] = {
     "compiles": _compiles,
     "facts": _facts,
     "passes": _passes,
+    "rewritten": _rewritten,
     "accepted": _accepted,
     "drawn": _drawn,
 }

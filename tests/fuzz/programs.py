@@ -18,7 +18,9 @@ FORMATS = {
     "vec2": ("rg8", "rg16f", "rg32f"),
     "vec4": ("rgba8", "rgba8_srgb", "bgra8", "rgb10a2", "rgba16f", "rgba32f"),
 }
-BLENDS = ("none", "none", "alpha", "premultiplied", "add", "multiply")
+BLENDS = ("none", "none", "add", "multiply")
+BLENDS_BY_ALPHA = ("alpha", "premultiplied")
+"""How targets of four lanes are blended besides."""
 LIBRARY_MIXINS = {
     "VertexColors": "vertices", "SecondUv": "vertices", "Tangents": "tangents",
     "Skinned": "skinning", "Instanced": "instancing", "Morphed": "morphing",
@@ -213,12 +215,16 @@ class _Program:
             type_ = writer.chance.choice([*FORMATS])
             value = self._tamed(writer.expression(type_, scope, FUEL // 2))
             text = f"target o{number} : {writer.chance.choice(FORMATS[type_])} = {{}}"
-            if writer.maybe(0.3):
-                text += f" blend {writer.chance.choice(BLENDS)}"
+            if writer.maybe(0.3) or type_ != "vec4":
+                text += f" blend {self._blend(type_)}"
             items.append(Node(text, (value,), role="target", optional=True))
         if writer.maybe(0.3):
             condition = writer.expression("bool", scope, FUEL // 2)
             items.append(Node("discard when {}", (condition,), role="discard", optional=True))
-        blend = f" blend {writer.chance.choice(BLENDS)}" if writer.maybe(0.4) else ""
+        blend = f" blend {self._blend('vec4')}" if writer.maybe(0.4) else ""
         form = f"pass Drawn : Forward{blend} {{{{\n    {{}}\n}}}}"
         return replace(listed(form, items, "\n    ", "pass"), optional=True)
+
+    def _blend(self, type_: str) -> str:
+        """How a target of a type is blended."""
+        return self.writer.chance.choice(BLENDS + BLENDS_BY_ALPHA * (type_ == "vec4"))

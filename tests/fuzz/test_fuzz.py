@@ -13,8 +13,10 @@ from pathlib import Path
 import pytest
 
 from ..suite.processes import run
+from . import rewritings
 from .oracles import Case, Tools, ask
 from .programs import program
+from .rewritings import REWRITINGS, rewritten
 from .shrink import shrunk
 from .tree import Node, walk
 
@@ -31,23 +33,50 @@ def tools() -> Iterator[Tools]:
 
 @pytest.mark.parametrize("number", range(60))
 def test_the_compiler_keeps_the_meaning(number: int, tools: Tools) -> None:
-    _pass(str(program(f"test:{number}")), number, tools, *INSIDE)
+    _pass(number, tools, *INSIDE)
 
 
 @pytest.mark.parametrize("number", range(60, 66))
 def test_the_texts_are_accepted(number: int, tools: Tools) -> None:
-    _pass(str(program(f"test:{number}")), number, tools, "accepted")
+    _pass(number, tools, "accepted")
+
+
+@pytest.mark.parametrize("number", range(66, 86))
+def test_programs_that_mean_the_same_have_the_same_value(number: int, tools: Tools) -> None:
+    _pass(number, tools, "rewritten")
 
 
 @pytest.mark.parametrize("file", REGRESSIONS, ids=lambda file: file.stem)
 def test_what_was_found_once_is_mended(file: Path, tools: Tools) -> None:
-    _pass(file.read_text("utf-8"), 0, tools, *INSIDE, "accepted")
+    _find_nothing(Case(file.read_text("utf-8"), 0, tools), *INSIDE, "accepted")
 
 
-def _pass(text: str, seed: int, tools: Tools, *oracles: str) -> None:
+def _pass(number: int, tools: Tools, *oracles: str) -> None:
+    tree = program(f"test:{number}")
+    _find_nothing(Case(str(tree), number, tools, tree), *oracles)
+
+
+def _find_nothing(case: Case, *oracles: str) -> None:
     for oracle in oracles:
-        for finding in ask(Case(text, seed, tools), oracle).findings:
-            pytest.fail(f"{finding.oracle} {finding.place}\n{finding.detail}\n{text}")
+        for finding in ask(case, oracle).findings:
+            pytest.fail(f"{finding.oracle} {finding.place}\n{finding.detail}\n{case.text}")
+
+
+@pytest.mark.parametrize("name", [*REWRITINGS])
+def test_every_rewriting_finds_a_place(name: str) -> None:
+    places = [found for n in range(30) for found in rewritten(program(f"place:{n}"), "", name)]
+    assert places
+
+
+def test_a_program_that_means_something_else_is_seen(
+    tools: Tools, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(rewritings, "COMMUTATIVE", {"sub"})
+    found = []
+    for number in range(30):
+        tree = program(f"swap:{number}")
+        found += ask(Case(str(tree), number, tools, tree, "swap operands"), "rewritten").findings
+    assert found
 
 
 def test_nearly_all_programs_are_correct(tools: Tools) -> None:

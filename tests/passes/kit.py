@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -104,6 +104,8 @@ class World:
     derived: Sequence[Derived] = ()
     noise: float = 0.0
     """By how much parameters called ``noise.*`` may differ from 1."""
+    fixed: Mapping[str, Lanes] = field(default_factory=dict)
+    """The values of parameters that are not random."""
 
     def __call__(self, node: Node) -> Lanes | None:
         """The value of a leaf."""
@@ -121,6 +123,8 @@ class World:
         for value in self.derived:
             if value.parameter == leaf:
                 return derived_value(value, Evaluator(self))
+        if leaf.name in self.fixed:
+            return self.fixed[leaf.name]
         if leaf.name.startswith("noise."):
             return (1.0 + self.noise * self._random(leaf.name).uniform(-1.0, 1.0),)
         return self._drawn(leaf.name, leaf.type, leaf.fact, dict(leaf.member_facts))

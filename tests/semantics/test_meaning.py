@@ -240,6 +240,17 @@ def test_every_rule_finds_something(name: str, monkeypatch: pytest.MonkeyPatch) 
     assert not _told(source)
 
 
+@pytest.mark.parametrize(
+    "difference",
+    ["(vec3(0.5) as point<object>) - object_position", "object_position - middle",
+     "mix(middle, object_position, 0.5) - object_position"],
+)  # fmt: skip
+def test_what_was_declared_keeps_its_meaning_whatever_its_lanes_are(difference: str) -> None:
+    """Three equal lanes are also how a bare number looks that was made as wide as a vector."""
+    source = f"material M {{ middle : point<object> = 0  color = vec3(({difference}) in world) }}"
+    assert not _told(source)
+
+
 def _fits_colours(found: Meaning | None, wanted: Meaning | None) -> bool:
     """As ``fits``, but anything is a colour; the library itself relies on the rest."""
     return wanted == RGB or meaning_rules.fits(found, wanted)

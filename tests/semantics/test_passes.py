@@ -77,12 +77,12 @@ def test_several_targets() -> None:
 
 def test_an_heir_replaces_a_target_and_adds_others() -> None:
     heir = """
-        abstract pass B blend alpha { target one : r8 = 1  target two : r8 = 2 }
+        abstract pass B blend add { target one : r8 = 1  target two : r8 = 2 }
         pass P : B { target three : r8 = 3  target one : r16f = 4 blend multiply
                      clip_position = vec4(position, 1) }
     """
     rows = states(drawn(heir))
-    assert rows == [("one", "r16f", "multiply"), ("two", "r8", "alpha"), ("three", "r8", "alpha")]
+    assert rows == [("one", "r16f", "multiply"), ("two", "r8", "add"), ("three", "r8", "add")]
     assert outputs(heir) == [(4,), (2,), (3,)]
 
 

@@ -74,7 +74,7 @@ FLOORS: dict[str, str] = {
     "targets.runner": (
         "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
     ),
-    "targets.conformance": "frozen diagnostics ir reference runner toolchain",
+    "targets.conformance": "frozen stdlib diagnostics ir reference runner toolchain",
     # The door.
     "compiled": (
         "frozen garbage inputs diagnostics ir passes reflection description legalise emit "

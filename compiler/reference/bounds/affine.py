@@ -13,8 +13,9 @@ Concepts and Applications", 2004; terms here are few, and all else goes into ``r
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import count
 
 import numpy as np
@@ -23,84 +24,80 @@ from .rounding import Array
 
 _numbers = count()
 
-KEPT = 8
-"""How many terms a state keeps from one turn of a loop to the next; each costs time."""
-_WIDER = 1.25
-"""A form that is that much wider than the interval is given up for it."""
+
+Errors = tuple[int, ...]
+"""The numbers of shared errors, in ascending order."""
+
+MOST = 12
+"""How many errors of its own a stored lane keeps; all others become one."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Form:
     """The errors of one lane."""
 
-    terms: Mapping[int, Array]
-    """By the number of a shared error: how much it contributes at most, with its sign."""
+    errors: Errors
+    terms: Array
+    """(errors, …): how much each shared error contributes at most, with its sign."""
     rest: Array
     """The largest magnitude of all other errors together."""
 
     @property
     def radius(self) -> Array:
         """By how much the lane may differ from its value."""
-        return sum(map(np.abs, self.terms.values()), self.rest)
+        return np.abs(self.terms).sum(axis=0) + self.rest if self.errors else self.rest
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
-        terms = {error: term * factor for error, term in self.terms.items()}
-        return Form(terms, self.rest * np.abs(factor))
+        terms = _for(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
+        return Form(self.errors, terms, self.rest * np.abs(factor))
 
     def plus(self, other: Form) -> Form:
         """The form of the sum of two lanes."""
-        terms = dict(self.terms)
-        for error, term in other.terms.items():
-            terms[error] = terms[error] + term if error in terms else term
-        return Form(terms, self.rest + other.rest)
+        rest = self.rest + other.rest
+        if self.errors == other.errors or not other.errors:
+            terms = _sum(self.terms, other.terms) if other.errors else self.terms
+            return Form(self.errors, terms, rest)
+        if not self.errors:
+            return Form(other.errors, other.terms, rest)
+        errors, one, two = _together(self.errors, other.errors)
+        return Form(errors, _sum(_placed(self.terms, one), _placed(other.terms, two)), rest)
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
-        return Form(self.terms, self.rest + by)
+        return Form(self.errors, self.terms, self.rest + by)
 
+    def shared(self) -> Form:
+        """The form of a lane whose whole error is shared from now on.
 
-def shared(radius: Array) -> Form:
-    """The form of a lane whose whole error is shared from now on."""
-    return Form({next(_numbers): radius}, np.zeros_like(radius))
-
-
-def carried(form: Form | None, radius: Array) -> Form:
-    """The form of a state in the next turn of its loop, from its form and its radius.
-
-    All of its error is shared then: it keeps its largest terms, so that two states do not forget
-    what they share (the lanes of a vector that is rotated in each turn, for instance), and the rest
-    becomes one new error. Where its interval is known to be narrower, all of it becomes one.
-    """
-    if form is None or not form.terms:
-        return shared(radius)
-    largest = sorted(form.terms, key=lambda error: -_size(form.terms[error]))
-    rest = sum((np.abs(form.terms[error]) for error in largest[KEPT:]), form.rest)
-    terms = {error: form.terms[error] for error in largest[:KEPT]}
-    narrower = ~(form.radius <= _WIDER * radius)
-    if narrower.any():
-        terms = {error: np.where(narrower, 0.0, term) for error, term in terms.items()}
-        rest = np.where(narrower, radius, rest)
-    return Form({**terms, next(_numbers): rest}, np.zeros_like(rest))
-
-
-def _size(term: Array) -> float:
-    """How large a term is at some elements; each element alone would cost too much."""
-    return float(np.nansum(np.abs(np.ravel(term)[:: max(1, np.size(term) // 64)])))
+        It keeps the errors that it shares with others, and the rest becomes one more. Of too many,
+        the oldest join the rest.
+        """
+        kept = self.errors[-MOST:]
+        merged = len(self.errors) - len(kept)
+        rest = self.rest + np.abs(self.terms[:merged]).sum(axis=0) if merged else self.rest
+        terms = [*np.broadcast_arrays(rest, *self.terms[merged:])]
+        return Form(
+            (*kept, next(_numbers)), np.stack([*terms[1:], terms[0]]), np.zeros_like(terms[0])
+        )
 
 
 def alone(radius: Array) -> Form:
     """The form of a lane whose error nobody shares."""
-    return Form({}, radius)
+    return Form((), _NO_TERMS, radius)
 
 
 def chosen(is_first: Array, is_second: Array, x: Form, y: Form, otherwise: Array) -> Form:
     """The form of the first lane, or of the second, or of neither with this radius."""
-    terms: dict[int, Array] = {}
-    for error in dict.fromkeys((*x.terms, *y.terms)):
-        first, second = x.terms.get(error, 0.0), y.terms.get(error, 0.0)
-        terms[error] = np.where(is_first, first, np.where(is_second, second, 0.0))
-    return Form(terms, np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise)))
+    errors, one, two = _together(x.errors, y.errors)
+    axes = max(np.ndim(is_first), np.ndim(x.rest), np.ndim(y.rest))
+    first, second = (
+        _for(_placed(form.terms, place), axes) if form.errors else 0.0
+        for form, place in ((x, one), (y, two))
+    )
+    terms = np.where(is_first, first, np.where(is_second, second, 0.0))
+    rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
+    return Form(errors, terms, rest)
 
 
 def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius: Array) -> Form:
@@ -108,11 +105,51 @@ def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius
 
     The function's mean value theorem: its change is the derivative at some place between, times the
     change of the operand; so what the derivative at the value leaves out is within the derivative's
-    change.
+    change. A lane without an error has none afterwards, however steep the function is.
     """
     first, last = slopes_at_ends
     bend = np.maximum(np.abs(first - slope), np.abs(last - slope))
+    certain = radius == 0
+    if certain.any():
+        slope, bend = np.where(certain, 0.0, slope), np.where(certain, 0.0, bend)
     return form.scaled(slope).widened(bend * radius)
+
+
+def _for(terms: Array, axes: int) -> Array:
+    """Terms that broadcast with a lane of so many axes; their own first axis is not one of them."""
+    missing = axes + 1 - terms.ndim
+    return (
+        terms.reshape(terms.shape[:1] + (1,) * missing + terms.shape[1:]) if missing > 0 else terms
+    )
+
+
+def _sum(x: Array, y: Array) -> Array:
+    axes = max(x.ndim, y.ndim) - 1
+    return _for(x, axes) + _for(y, axes)
+
+
+_NO_TERMS = np.zeros((0,))
+
+_Places = tuple[int, tuple[int, ...]]
+"""How many terms there are together, and where those of one form are among them."""
+
+
+@lru_cache(maxsize=1024)
+def _together(x: Errors, y: Errors) -> tuple[Errors, _Places, _Places]:
+    errors = tuple(sorted({*x, *y}))
+    place = {error: i for i, error in enumerate(errors)}
+    one, two = (tuple(place[error] for error in some) for some in (x, y))
+    return errors, (len(errors), one), (len(errors), two)
+
+
+def _placed(terms: Array, places: _Places) -> Array:
+    """Terms in their places among more terms, which are zero."""
+    count, where = places
+    if count == len(where):
+        return terms
+    placed = np.zeros((count, *terms.shape[1:]))
+    placed[list(where)] = terms
+    return placed
 
 
 Derivative = Callable[[Array], Array]

@@ -13,23 +13,19 @@ from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
-from .affine import Form, alone, carried, chosen
-from .reordering import Product, Sum, multiplied, summed
+from .affine import Form, alone, chosen
+from .orders import Factors, Single, Sum, Term, added, in_any_order, is_coarse
 from .rounding import (
     ROUNDED_UP,
     SUBNORMAL_STEP,
     ULP,
     Array,
-    Ends,
     constant_ends,
     is_float32,
-    lost,
     of_device,
     outward,
-    products,
-    square,
-    tighter,
 )
 
 
@@ -41,7 +37,7 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_radius", "form", "high", "low", "product", "sum", "value")
+    __slots__ = ("_factors", "_number", "_of", "_radius", "_sum", "form", "high", "low", "value")
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
@@ -49,13 +45,19 @@ class Bounded:
     def __init__(self, value: Array, low: Array, high: Array, form: Form | None = None) -> None:
         """``form`` limits the interval further, if it is known how errors are shared."""
         self.value, self.low, self.high, self.form = value, low, high, form
+        self._radius: Array | None = None
+        self._sum: Sum | None = None
+        self._factors = 0
+        """How many multiplications made it."""
+        self._of: Factors = frozenset()
+        """The factors of a product."""
+        self._number = id(self)
+        """What tells which lanes are the same factor. A number that is used again after its lane
+        is gone only widens a sum that need not be."""
         if form is not None:
             radius = form.radius
-            self.low = tighter(np.fmax, low, value - radius)
-            self.high = tighter(np.fmin, high, value + radius)
-        self._radius: Array | None = None
-        self.sum: Sum | None = None
-        self.product: Product | None = None
+            self.low = np.maximum(low, value - radius)
+            self.high = np.minimum(high, value + radius)
 
     @property
     def is_exact(self) -> bool:
@@ -76,11 +78,6 @@ class Bounded:
     def shape(self) -> tuple[int, ...]:
         """The shape that all three arrays broadcast to."""
         return np.broadcast_shapes(np.shape(self.value), np.shape(self.low), np.shape(self.high))
-
-    @property
-    def ends(self) -> Ends:
-        """Between which numbers a device's value is."""
-        return self.low, self.high
 
     @property
     def magnitude(self) -> Array:
@@ -130,8 +127,7 @@ class Bounded:
     # --- sums and products ------------------------------------------------------------------------
 
     def __add__(self, other: Any) -> Bounded:
-        other = as_bounded(other)
-        return _added(self, other, self.low + other.low, self.high + other.high)
+        return _added(self, as_bounded(other))
 
     def __sub__(self, other: Any) -> Bounded:
         if self is other:
@@ -144,7 +140,7 @@ class Bounded:
     def __truediv__(self, divisor: float) -> Bounded:
         """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, "Accuracy of
         Concrete Floating Point Expressions"); ``Bounds.divide`` divides by other lanes."""
-        quotient = Bounded(self.value / divisor, *products(self.ends, exact(1.0 / divisor).ends))
+        quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 
     def __neg__(self) -> Bounded:
@@ -152,8 +148,8 @@ class Bounded:
         if not self.is_exact:
             form = None if self.form is None else self.form.scaled(-1.0)
             made = Bounded(made.value, -self.high, -self.low, form)
-        made.sum = self.sum
-        made.product = None if self.product is None else self.product.negated()
+        made._sum, made._factors = self._sum, self._factors
+        made._of, made._number = self._of, self._number
         return made
 
     def __abs__(self) -> Bounded:
@@ -271,8 +267,8 @@ def remembered(lane: Any) -> Any:
     """A lane whose error is shared by all that is computed from it."""
     if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
         return lane
-    made = Bounded(lane.value, lane.low, lane.high, carried(lane.form, lane.radius))
-    made.sum, made.product = lane.sum, lane.product
+    made = Bounded(lane.value, lane.low, lane.high, lane.any_form.shared())
+    made._sum, made._factors, made._of = lane._sum, lane._factors, lane._of
     return made
 
 
@@ -286,7 +282,11 @@ def as_bounded(lane: Any) -> Bounded:
     """A lane as it is; a Python float as a constant of a text; anything else as exact."""
     if isinstance(lane, Bounded):
         return lane
-    return constant(lane) if isinstance(lane, float) else exact(lane)
+    if not isinstance(lane, float):
+        return exact(lane)
+    made = constant(lane)
+    made._number = hash(abs(lane))
+    return made
 
 
 def between(value: Array, low: Array, high: Array) -> Bounded:
@@ -302,15 +302,47 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 def widened(x: Bounded, by: Array) -> Bounded:
     """The lane of a device whose function has an absolute error of its own.
 
-    The error may be less than the distance of subnormal numbers, of which it is the nearest one.
+    Among subnormal numbers, the nearest one may be farther away than the error.
     """
     by = by + SUBNORMAL_STEP
     low, high = of_device(x.low - by, x.high + by)
-    form = None if x.form is None else x.form.widened(by + lost(low, high))
+    form = x.form
+    if form is not None:
+        form = form.widened(by + _lost(np.maximum(np.abs(low), np.abs(high))))
     return Bounded(x.value, low, high, form)
 
 
+def _lost(magnitude: Array) -> Array:
+    """What a form has to allow for besides rounding: what is flushed to zero, or infinite."""
+    tiny = np.minimum(magnitude, SMALLEST_NORMAL) + (magnitude > 0) * SUBNORMAL_STEP
+    return np.where(np.isfinite(magnitude), tiny, np.inf)
+
+
 # --- operations -----------------------------------------------------------------------------------
+
+
+def products(x: Bounded, y: Bounded) -> tuple[Array, Array]:
+    """The ends of all products; NaN where one may be infinite and the other one zero."""
+    if y.is_exact:
+        one, other = x.low * y.value, x.high * y.value
+        return np.minimum(one, other), np.maximum(one, other)
+    if x.is_exact:
+        return products(y, x)
+    a, b, c, d = x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high
+    low = np.minimum(np.minimum(a, b), np.minimum(c, d))
+    high = np.maximum(np.maximum(a, b), np.maximum(c, d))
+    if np.isfinite((high - low).sum()):
+        return low, high
+    nothing = (_is_infinite(x) & _has_zero(y)) | (_has_zero(x) & _is_infinite(y))
+    return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
+
+
+def _is_infinite(x: Bounded) -> Array:
+    return ~(np.isfinite(x.low) & np.isfinite(x.high))
+
+
+def _has_zero(x: Bounded) -> Array:
+    return (x.low <= 0) & (x.high >= 0)
 
 
 def negated(condition: Bounded) -> Bounded:
@@ -327,61 +359,96 @@ def _condition(x: Bounded, y: Bounded, compare: Any, holds: Array, fails: Array)
     return Bounded(value, holds, np.logical_not(fails))
 
 
-def _rounded(value: Array, low: Array, high: Array, form: Form | None = None) -> Bounded:
-    """The result of a correctly rounded operation, from the ends of its exact results."""
+def _rounded(
+    value: Array, low: Array, high: Array, form: Form | None = None, times: int = 1
+) -> Bounded:
+    """The result of a correctly rounded operation, from the ends of its exact results.
+
+    ``times`` says how often it may be rounded: in another order, results that are less than half
+    as large are, too, whose steps are not finer beside them.
+    """
     if np.asarray(value).dtype.kind != "f":
         return exact(value) if low is high else Bounded(value, low, high)
-    if low is high and is_float32(value):
+    if low is high and times == 1 and is_float32(value):
         return exact(value)
-    low, high = outward(low, high)
+    if times > 1:
+        magnitude = np.maximum(np.abs(low), np.abs(high))
+        error = times * (ULP * magnitude + (magnitude > 0) * SUBNORMAL_STEP)
+        low, high = of_device(low - error, high + error)
+    else:
+        low, high = outward(low, high)
+        if form is None:
+            return Bounded(value, low, high)
+        magnitude = np.maximum(np.abs(low), np.abs(high))
+        error = ULP * magnitude
     if form is not None:
-        form = form.widened(ULP * np.maximum(np.abs(low), np.abs(high)) + lost(low, high))
+        form = form.widened(error + _lost(magnitude))
     return Bounded(value, low, high, form)
 
 
-def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
+def _added(x: Bounded, y: Bounded) -> Bounded:
     """A sum, with the error that any order of its terms may have."""
     value = x.value + y.value
-    if x.is_exact and y.is_exact:
-        low = high = value
+    are_exact = x.is_exact and y.is_exact
+    low, high = (value, value) if are_exact else (x.low + y.low, x.high + y.high)
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
     made = _rounded(value, low, high, form)
     if made.kind != "f":
         return made
-    found, wider = summed(x, y, made)
-    if wider is not None:
-        low, high = wider.ends
-        form = None if made.form is None else made.form.widened(wider.error)
-        made = Bounded(value, np.minimum(made.low, low), np.maximum(made.high, high), form)
-    made.sum = found
+    terms = _term(x), _term(y)
+    is_exact = are_exact and made.is_exact and all(map(_is_coarse, (x, y)))
+    sum_ = added(*terms, is_exact=is_exact)
+    if sum_.additions > 1 and not is_exact:
+        more = in_any_order(sum_)
+        low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
+        made = Bounded(value, low, high, None if made.form is None else made.form.widened(more))
+    made._sum = sum_
     return made
 
 
 def _multiplied(x: Bounded, y: Bounded) -> Bounded:
-    """A product, with the error that any order of its factors may have."""
+    """A product, with the error that any order of its factors may have.
+
+    In another order other products round, on either side. Orders with partial products that are
+    no normal numbers, where those of the written order are, are not allowed for.
+    """
     value = x.value * y.value
+    factors = x._factors + y._factors + 1
     if x.is_exact and y.is_exact:
-        ends = value, value
-        made = _rounded(value, value, value)
+        made = _rounded(value, value, value, times=factors)
     else:
-        ends = square(x.ends) if x is y else products(x.ends, y.ends)
-        made = _rounded(value, *ends, _product_form(x, y))
-    if made.kind != "f":
-        return made
-    found, matters = multiplied(x, y, ends)
-    if matters:
-        low, high = found.rounded()
-        form = None if made.form is None else made.form.widened(found.error)
-        made = Bounded(value, np.minimum(made.low, low), np.maximum(made.high, high), form)
-    made.product = found
+        ends = _square(x) if x is y else products(x, y)
+        made = _rounded(value, *ends, _product_form(x, y), times=factors)
+    if made.kind == "f":
+        made._factors = factors
+        made._of = x._of | y._of | {x._number, y._number}
     return made
+
+
+def _term(lane: Bounded) -> Term:
+    return Single(lane.low, lane.high, lane._of) if lane._sum is None else lane._sum
+
+
+def _square(x: Bounded) -> tuple[Array, Array]:
+    nearest = np.minimum(np.abs(x.low), np.abs(x.high))
+    near = np.where((x.low <= 0) & (x.high >= 0), 0.0, nearest)
+    return near * near, x.magnitude**2
 
 
 def _product_form(x: Bounded, y: Bounded) -> Form | None:
     if x.form is None and y.form is None:
         return None
+    if y.is_exact:
+        assert x.form is not None
+        return x.form.scaled(y.value)
+    if x.is_exact:
+        return _product_form(y, x)
     form = x.any_form.scaled(y.value).plus(y.any_form.scaled(x.value))
     return form.widened(x.radius * y.radius)
+
+
+def _is_coarse(lane: Bounded) -> bool:
+    return is_coarse(lane.value) if lane._sum is None else lane._sum.is_exact
 
 
 def _whole(operation: whole.Operation, x: Bounded, other: Any) -> Bounded:
@@ -390,5 +457,5 @@ def _whole(operation: whole.Operation, x: Bounded, other: Any) -> Bounded:
     value = operation.of(x.value, y.value)
     if x.is_exact and y.is_exact:
         return exact(value)
-    low, high = operation.ends(x.ends, y.ends)
+    low, high = operation.ends((x.low, x.high), (y.low, y.high))
     return Bounded(value, low, high)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.accuracy import Bound, Error, Exact, Platform, Rounded, Within
+from ....stdlib.builtins.facts import LARGEST_FLOAT
 
 Floats = NDArray[np.float64]
 
@@ -68,13 +69,21 @@ class _OfPlatform:
 
     def bound(self, name: str) -> Bound:
         """What holds of a builtin."""
-        if name in self._measured:
-            return self._measured[name]
-        return BUILTINS[name].accuracy.on(self._platform).bound
+        return self._measured.get(name) or self._promise(name)
 
     def error(self, name: str, operand: Floats, result: Floats) -> Floats:
         """The largest error for magnitudes up to these."""
-        bound = self.bound(name)
+        if name not in self._measured:
+            return self._by(self._promise(name), name, operand, result)
+        # What is allowed besides what was measured must not be more than what is promised.
+        bounds = self._measured[name], self._promise(name)
+        return np.minimum(*(self._by(bound, name, operand, result) for bound in bounds))
+
+    def _promise(self, name: str) -> Bound:
+        return BUILTINS[name].accuracy.on(self._platform).bound
+
+    def _by(self, bound: Bound, name: str, operand: Floats, result: Floats) -> Floats:
+        """The largest error that a bound allows."""
         if isinstance(bound, Exact):
             return np.zeros_like(result)
         if isinstance(bound, Rounded):
@@ -159,14 +168,14 @@ def _arc(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
 
 def _hyperbolic_sine(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``(exp(x) - exp(-x)) * 0.5``: the sum of both exponentials is twice the cosine."""
-    error = of.relative("exp", operand) * np.sqrt(1.0 + result * result)
-    return error + STEP * (result + error)
+    return _hyperbolic_cosine(of, operand, np.sqrt(1.0 + result * result))
 
 
 def _hyperbolic_cosine(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
-    """``(exp(x) + exp(-x)) * 0.5``."""
+    """``(exp(x) + exp(-x)) * 0.5``, of which the sum may be too large for float32."""
     error = of.relative("exp", operand) * result
-    return error + STEP * (result + error)
+    error = error + STEP * (result + error)
+    return np.where(2.0 * (result + error) < LARGEST_FLOAT, error, np.inf)
 
 
 def _hyperbolic_tangent(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:

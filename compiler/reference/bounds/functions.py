@@ -19,9 +19,10 @@ from .bounded import (
     exact,
     hull,
     negated,
+    products,
     widened,
 )
-from .rounding import ROUNDED_UP, Array, outward, products
+from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
@@ -145,7 +146,7 @@ class Bounds:
         value = np.divide(x.value, y.value)
         crosses = (y.low <= 0) & (y.high >= 0)
         with np.errstate(all="ignore"):
-            low, high = products(x.ends, (1.0 / y.high, 1.0 / y.low))
+            low, high = products(x, Bounded(y.value, 1.0 / y.high, 1.0 / y.low))
             form = _quotient_form(x, y)
         nothing = (x.low == 0) & (x.high == 0)
         low = np.where(crosses, np.where(nothing, 0.0, -np.inf), low)

@@ -1,8 +1,7 @@
-"""Ends of intervals: rounded outward to float32, multiplied, and limited, for ``bounded.py``."""
+"""Directed rounding of float64 arrays to float32; ``bounded.py`` widens intervals with it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,10 +10,6 @@ from ....stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
 
 Array = Any
 """A NumPy array, or one of NumPy's numbers."""
-Ends = tuple[Array, Array]
-"""The least and the largest of what may be; NaN where nothing is known."""
-
-_LARGEST = np.float32(LARGEST_FLOAT)
 
 ULP = 2.0**-23
 """The largest unit in the last place of a float32, relative to the number; so far the two float32
@@ -34,7 +29,13 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
     this is where it may lie. A number that float32 has stays as it is. A device may flush a
     subnormal result to zero (Vulkan, "Denormalized values"; WGSL, "floating point evaluation").
     """
-    return _flushed_up(_below(low)), _flushed_down(_above(high))
+    below = np.asarray(low, np.float32).astype(np.float64)
+    above = below if high is low else np.asarray(high, np.float32).astype(np.float64)
+    if not np.isfinite((below - above).sum()):
+        return _flushed_up(_below_infinity(below, low)), _flushed_down(_above_infinity(above, high))
+    below = below - (below > low) * _step(below)
+    above = above + (above < high) * _step(above)
+    return _flushed_up(below), _flushed_down(above)
 
 
 def of_device(low: Array, high: Array) -> tuple[Array, Array]:
@@ -62,17 +63,15 @@ def is_float32(value: Array) -> bool:
     return bool(((nearest == value) & normal).all())
 
 
-def _below(x: Array) -> Array:
-    """The nearest float32 that is not above, or one less than two steps below."""
-    nearest = np.array(np.minimum(np.asarray(x, np.float32), _LARGEST), np.float64)
-    np.subtract(nearest, _step(nearest), out=nearest, where=nearest > x)
-    return nearest
+def _below_infinity(nearest: Array, low: Array) -> Array:
+    """The same where the nearest float32 may be infinite, or where nothing is known."""
+    nearest = np.minimum(nearest, LARGEST_FLOAT)
+    return np.where(nearest > low, nearest - _step(nearest), nearest)
 
 
-def _above(x: Array) -> Array:
-    nearest = np.array(np.maximum(np.asarray(x, np.float32), -_LARGEST), np.float64)
-    np.add(nearest, _step(nearest), out=nearest, where=nearest < x)
-    return nearest
+def _above_infinity(nearest: Array, high: Array) -> Array:
+    nearest = np.maximum(nearest, -LARGEST_FLOAT)
+    return np.where(nearest < high, nearest + _step(nearest), nearest)
 
 
 def _step(x: Array) -> Array:
@@ -89,46 +88,3 @@ def _flushed_up(low: Array) -> Array:
 def _flushed_down(high: Array) -> Array:
     tiny = (high < 0) & (high > -SMALLEST_NORMAL)
     return np.where(tiny, 0.0, high) if tiny.any() else high
-
-
-# --- ends of intervals ----------------------------------------------------------------------------
-
-
-def products(x: Ends, y: Ends) -> Ends:
-    """The ends of all products; NaN where one may be infinite and the other one zero."""
-    a, b, c, d = (one * other for one in x for other in y)
-    low = np.minimum(np.minimum(a, b), np.minimum(c, d))
-    high = np.maximum(np.maximum(a, b), np.maximum(c, d))
-    if np.isfinite(low).all() and np.isfinite(high).all():
-        return low, high
-    nothing = (_is_infinite(*x) & _has_zero(*y)) | (_has_zero(*x) & _is_infinite(*y))
-    return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
-
-
-def square(x: Ends) -> Ends:
-    """The ends of the squares of an interval's numbers."""
-    low, high = np.abs(x[0]), np.abs(x[1])
-    nearest = np.where(_has_zero(*x), 0.0, np.minimum(low, high))
-    return nearest * nearest, np.maximum(low, high) ** 2
-
-
-def tighter(choose: Callable[[Array, Array], Array], end: Array, limit: Array) -> Array:
-    """An end of an interval, limited further unless one of the two numbers says nothing."""
-    found = choose(end, limit)
-    unknown = np.isnan(end)
-    return np.where(unknown, end, found) if unknown.any() else found
-
-
-def lost(low: Array, high: Array) -> Array:
-    """What an error has to allow for besides rounding: subnormal numbers, and those too large."""
-    if np.isfinite(low).all() and np.isfinite(high).all():
-        return SMALLEST_NORMAL
-    return np.where(_is_infinite(low, high), np.inf, SMALLEST_NORMAL)
-
-
-def _is_infinite(low: Array, high: Array) -> Array:
-    return ~(np.isfinite(low) & np.isfinite(high))
-
-
-def _has_zero(low: Array, high: Array) -> Array:
-    return (low <= 0) & (high >= 0)

@@ -14,7 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from .rounding import Array, Ends
+from .rounding import Array
+
+Ends = tuple[Array, Array]
 
 LEAST, LARGEST = -(2**31), 2**32 - 1
 """What an integer of 32 bits can be, with a sign or without one."""

@@ -116,7 +116,7 @@ class _Drawing:
 
         discarded = as_bounded(shaded.discarded)
         corners = self._vertices.undecided[self._faces.corners[quads.face]].any(axis=1)
-        unsure = (corners | self._faces.loose[quads.face]).reshape(-1, 1, 1) | shaded.undecided
+        unsure = corners.reshape(-1, 1, 1) | shaded.undecided
         # A fragment that is certainly discarded has no colour that could be undecided.
         doubtful = discarded.low != discarded.high
         into.undecided[members] = chosen(np.where(discarded.low, False, unsure) | doubtful)

@@ -35,9 +35,10 @@ class Faces:
     unsure: Floats
     """(faces, 3): by how many pixels rounding to float32 may move a corner."""
     moved: Floats
-    """(faces,): by how many pixels a device's corners may be elsewhere before they are snapped."""
-    loose: Bools
-    """(faces,): whether rounding may move the positions between which values are interpolated."""
+    """(faces,): by how many pixels the corners may be elsewhere between which a device
+    interpolates."""
+    extent: Floats
+    """(faces,): the largest coordinate of a place in the picture, or of a corner, in pixels."""
     plane_x: Floats
     plane_y: Floats
     """(faces, 3): the positions between which values are interpolated."""
@@ -79,9 +80,10 @@ def assemble(
         np.zeros_like(places) if off is None else np.abs(clipped.weights) @ off[corners],
         rules,
     )
-    whole = _window(positions[corners], rules)
-    unsure = _unsure(*whole, moved[:, None], rules)
-    loose = (unsure > rules.edge_slack) & rules.interpolates_snapped
+    unsure = _unsure(across, down, moved[:, None], rules)
+    if rules.interpolates_snapped:
+        whole = _window(positions[corners], rules)
+        moved = moved + _unsure(*whole, moved[:, None], rules).max(axis=1)
     faces = Faces(
         corners=corners,
         weights=clipped.weights,
@@ -89,9 +91,9 @@ def assemble(
         x=snapped_x,
         y=snapped_y,
         area=area,
-        unsure=_unsure(across, down, moved[:, None], rules),
+        unsure=unsure,
         moved=moved,
-        loose=np.asarray(loose.any(axis=1)),
+        extent=_extent(planes, rules),
         plane_x=np.where(turned, snapped_x, planes[0]),
         plane_y=np.where(turned, snapped_y, planes[1]),
         z=places[..., 2] / places[..., 3],
@@ -155,6 +157,13 @@ def _moved(places: Floats, off: Floats, rules: RasterRules) -> Floats:
     return moved
 
 
+def _extent(planes: tuple[Floats, Floats], rules: RasterRules) -> Floats:
+    """The largest coordinate with which the plane through a face's corners is computed."""
+    corners = np.abs(np.stack(planes)).max(axis=(0, 2))
+    extent: Floats = np.maximum(corners, max(rules.width, rules.height))
+    return extent
+
+
 def _unsure(x: Floats, y: Floats, moved: Floats, rules: RasterRules) -> Floats:
     """By how many pixels a vertex at (x, y) may be elsewhere on a device after snapping."""
     if rules.subpixel_bits is None:
@@ -164,4 +173,5 @@ def _unsure(x: Floats, y: Floats, moved: Floats, rules: RasterRules) -> Floats:
     for places in (x, y):
         units = np.ldexp(places, rules.subpixel_bits)
         ambiguous |= np.abs(units - np.floor(units) - 0.5) < margin
-    return np.where(ambiguous, np.ldexp(np.sqrt(2.0), -rules.subpixel_bits), rules.edge_slack)
+    elsewhere = np.sqrt(2.0) * (2.0**-rules.subpixel_bits + moved)
+    return np.where(ambiguous, elsewhere, rules.edge_slack)

@@ -75,7 +75,8 @@ def step(name: str, colours: Floats) -> Floats:
         kind: type[np.float16 | np.float32] = np.float16 if form.bits == 16 else np.float32
         least = _SMALLEST_HALF if form.bits == 16 else 2.0**-126
         with np.errstate(all="ignore"):
-            return np.spacing(np.maximum(np.abs(colours), least).astype(kind)).astype(np.float64)
+            spacing = np.spacing(np.maximum(np.abs(colours), least).astype(kind))
+        return np.asarray(spacing, np.float64)
     if not form.is_srgb:
         return np.broadcast_to(1.0 / form.steps, colours.shape)
     encoded = _bent(encode_srgb, np.clip(colours, 0.0, 1.0))

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..bounds import Bounded, as_bounded, between, exact
-from ..bounds.rounding import products
+from ..bounds.bounded import products
 from ..namespace import Lane
 from .scene import Floats
 
@@ -55,7 +55,7 @@ def product(x: Bounded, y: Bounded) -> Bounded:
     """``x * y``."""
     if x.is_exact and y.is_exact:
         return exact(x.value * y.value)
-    return Bounded(x.value * y.value, *products(x.ends, y.ends))
+    return Bounded(x.value * y.value, *products(x, y))
 
 
 def quotient(x: Bounded, y: Bounded) -> Bounded:

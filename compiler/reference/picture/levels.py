@@ -51,27 +51,25 @@ def named(image: Image, level: Bounded) -> Bounded:
     return _limited(image, Bounded(level.value, low, high))
 
 
-def differences(coordinate: Sequence[Bounded], exactly: bool) -> Steps:
+def differences(coordinate: Sequence[Bounded], image: Image) -> Steps:
     """The steps between the pixels of quads, (quads, 1, 1); the exact ones are at the upper left.
 
-    ``exactly`` says that the device does not round. Without quads (…, 2, 2) nothing changes.
+    Without quads (…, 2, 2) nothing changes.
     """
-    return Steps(
-        [_difference(lane, -1, exactly) for lane in coordinate],
-        [_difference(lane, -2, exactly) for lane in coordinate],
-    )
+    across, down = ([_difference(lane, axis, image) for lane in coordinate] for axis in (-1, -2))
+    return Steps(across, down)
 
 
-def _difference(lane: Bounded, axis: int, exactly: bool) -> Bounded:
+def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
     """The difference between the two columns (axis -1) or rows (axis -2) of a quad."""
     if lane.ndim != 3 or lane.shape[axis] != 2:
         return exact(np.float64(0))
     first, second = (lane.take([i], axis) for i in (0, 1))
     step = difference(second, first)
-    if lane.is_exact and exactly:
+    if not image.is_exact:
+        step = widened(step, _ROUNDING * np.maximum(first.magnitude, second.magnitude))
+    if image.has_known_steps:
         return step.mapped(lambda array: array[..., :1, :1])
-    off = _ROUNDING * np.maximum(first.magnitude, second.magnitude)
-    step = widened(step, off)
     low, high = step.low.min(axis=(-2, -1)), step.high.max(axis=(-2, -1))
     return Bounded(step.value[..., :1, :1], low[..., None, None], high[..., None, None])
 
@@ -126,11 +124,11 @@ def _length(lanes: Sequence[Bounded], sizes: Sequence[Ints], image: Image) -> Bo
         increasing(lambda x, size=size: x * size, abs(lane))
         for lane, size in zip(lanes, sizes, strict=True)
     ]
-    value = np.sqrt(sum(lane.value * lane.value for lane in texels))
-    if image.is_exact and all(lane.is_exact for lane in texels):
-        return exact(value)
+    euclidean = increasing(lambda *x: np.sqrt(sum(size * size for size in x)), *texels)
+    if image.has_known_steps:
+        return euclidean
     low = np.max(np.broadcast_arrays(*(lane.low for lane in texels)), axis=0)
-    return between(value, low, sum(lane.high for lane in texels))
+    return between(euclidean.value, low, sum(lane.high for lane in texels))
 
 
 def _logarithm(footprint: Floats, power: int | None) -> Floats:

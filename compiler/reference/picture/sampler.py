@@ -44,7 +44,7 @@ class TextureReader:
         coordinate = [finite(lane) for lane in where[0]]
         if self._moves_on_surface:
             coordinate = levels.on_cube(coordinate)
-        return self._colours(where, levels.differences(coordinate, self._image.is_exact))
+        return self._colours(where, levels.differences(coordinate, self._image))
 
     def _sample_level(self, *operands: Lanes) -> Lanes:
         *where, (level,) = operands

@@ -92,8 +92,10 @@ class RasterRules:
     subtexel_bits: int | None = None
     """The binary places of a linear filter's weights; ``None``: they are exact."""
     varying_bits: int | None = None
-    """The exact binary places of interpolated values, relative to the largest corner; ``None``:
-    all."""
+    """The exact binary places of the planes from which values are interpolated, relative to the
+    largest number with which these are computed; ``None``: all."""
+    frag_coord_bits: int | None = None
+    """The same of the planes of a fragment's depth, and of its 1 / w."""
     mip_bits: int | None = None
     """The binary places of the level of detail; ``None``: exact."""
     mixing_bits: int | None = None
@@ -104,6 +106,9 @@ class RasterRules:
     own_derivatives: bool = False
     """Whether the device is known to take the difference in each pixel's own row or column, and not
     any of its quad."""
+    euclidean_steps: bool = False
+    """Whether the device is known to take differences between pixels in a quad's first row and
+    column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
     bottom_up: bool = False
     """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
     projects_cubes: bool = True

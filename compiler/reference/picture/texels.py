@@ -57,6 +57,11 @@ class Image:
         return self.rules.subtexel_bits is None
 
     @property
+    def has_known_steps(self) -> bool:
+        """Whether the device takes the steps of a quad as the reference does."""
+        return self.is_exact or (self.rules.euclidean_steps and self.type.dimension != "cube")
+
+    @property
     def levels(self) -> int:
         """The number of levels."""
         return len(self._starts)

@@ -34,6 +34,8 @@ FORMATS: Mapping[str, Type] = {
 """Render target formats and what a pass writes to one of them."""
 
 BLENDS = ("none", "alpha", "premultiplied", "add", "multiply")
+BLENDS_BY_ALPHA = ("alpha", "premultiplied")
+"""What mixes by the fourth lane of the value that is written."""
 
 
 def results_of(setting: Setting) -> tuple[Result, ...]:
@@ -139,10 +141,11 @@ def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]
 def _target(
     ctx: Context, drawn: Record, passing: Instance, target: ast.Target, owner: Symbol, level: int
 ) -> Result | None:
-    format_, blend = target.format.text, _blend(ctx, drawn, target)
+    format_ = target.format.text
     if format_ not in FORMATS:
         unknown(ctx, "format", format_, target.format.span, FORMATS)
         return None
+    blend = _blend(ctx, drawn, target)
     scope = _scope(owner, passing, level)
     type_ = FORMATS[format_]
     value = typed(ctx, target.value, scope, type_, f"{type_} for {format_}")
@@ -162,6 +165,11 @@ def _blend(ctx: Context, drawn: Record, target: ast.Target) -> str:
         return BLENDS[0]
     if chosen.text not in BLENDS:
         unknown(ctx, "blending", chosen.text, chosen.span, BLENDS)
+    elif chosen.text in BLENDS_BY_ALPHA and FORMATS[target.format.text] != VEC4:
+        ctx.report.add(
+            rules.NO_ALPHA, chosen.span, blend=chosen.text, format=target.format.text,
+            hint=f"say how `{target.name.text}` is blended: `… blend add`, or `… blend none`",
+        )  # fmt: skip
     return chosen.text
 
 

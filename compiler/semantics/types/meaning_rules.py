@@ -25,7 +25,8 @@ class Side:
     type: Type
     meaning: Meaning | None
     equal: bool = False
-    """Whether it is one number, or that number in every lane."""
+    """Whether it is a bare number, or that number in every lane: it may be a distance or a factor
+    as well as a vector. What was declared to have a meaning has it, whatever its lanes are."""
 
 
 @frozen
@@ -44,8 +45,8 @@ AlgebraRule = Callable[[tuple[Side, ...], Type], Found]
 
 def side(node: Node, meaning: Meaning | None) -> Side:
     """An operand for the rules."""
-    equal = isinstance(node.type, Scalar) or bare(node).op == "splat"
-    return Side(node.type, meaning, equal)
+    alike = isinstance(node.type, Scalar) or bare(node).op == "splat"
+    return Side(node.type, meaning, alike and meaning is None)
 
 
 # --- what several rules share --------------------------------------------------------------------

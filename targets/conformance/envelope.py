@@ -1,0 +1,43 @@
+"""How accurate the functions of a driver were found to be: its envelope.
+
+Specifications promise much less than most drivers keep, so a driver could become a thousand times
+less accurate and still conform. ``measured.py`` has the largest errors that were found on each
+driver, and ``MARGIN`` times as much is what a picture is first compared with.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ...frozen import changed
+from ...stdlib.builtins.accuracy import Bound, Error, Within
+
+MARGIN = 4.0
+"""How many times the measured error is allowed: samples need not have found the largest one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Envelope:
+    """The largest errors that were found on one version of a driver."""
+
+    device: str
+    """The device with its version, as its API names them."""
+    errors: Mapping[str, Error]
+    """By builtin."""
+
+    def allowed(self) -> dict[str, Bound]:
+        """The bounds with which a picture is compared, by builtin."""
+        return {name: Within(times(error, MARGIN)) for name, error in self.errors.items()}
+
+
+def times(error: Error, factor: float) -> Error:
+    """A larger error of the same form."""
+    return changed(
+        error,
+        ulp=error.ulp * factor,
+        ulp_by_operand=error.ulp_by_operand * factor,
+        relative=error.relative * factor,
+        absolute=error.absolute * factor,
+        absolute_by_operand=error.absolute_by_operand * factor,
+    )
