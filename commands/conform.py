@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,7 +11,7 @@ import click
 
 from .console import remark, show
 from .failures import fail, told
-from .options import hoist_option, pass_option, rig_option, search_option
+from .options import hoist_option, pass_option, pixel, rig_option, search_option
 from .terminal import FAILED, wants_color
 
 if TYPE_CHECKING:
@@ -42,18 +41,6 @@ class Request(NamedTuple):
     hoist: bool
 
 
-def _pixel(
-    _context: click.Context, _option: click.Parameter, given: str | None
-) -> tuple[int, int] | None:
-    """Two numbers such as ``36,28``."""
-    if given is None:
-        return None
-    found = re.fullmatch(r"\s*([0-9]+)\s*,\s*([0-9]+)\s*", given)
-    if not found:
-        raise click.BadParameter(f"'{given}' is no pixel, which would be like 36,28")
-    return int(found[1]), int(found[2])
-
-
 @click.command()
 @click.argument("files", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="FILE…")
 @click.option(
@@ -68,7 +55,7 @@ def _pixel(
     "--strict", is_flag=True, help="Also exit with 1 where a row proves little.",
 )  # fmt: skip
 @click.option(
-    "--explain", metavar="X,Y", callback=_pixel,
+    "--explain", metavar="X,Y", callback=pixel,
     help="Instead of the table, say how inexact this pixel is, and why.",
 )  # fmt: skip
 @click.option(
@@ -258,8 +245,8 @@ def _tell(rows: Sequence[Row], *, strict: bool) -> None:
         for said, lines in messages(own):
             routes = ", ".join(row.route.name for row in said)
             heading = f"{material}, {routes}: {said[0].status}"
-            severity = "error" if is_failure(said[0], strict=strict) else "warning"
-            remark(severity, "\n  ".join([heading, *lines]))
+            failed = is_failure(said[0], strict=strict)
+            remark("error" if failed else "warning", "\n  ".join([heading, *lines]))
     click.echo(counted(rows))
 
 

@@ -7,7 +7,7 @@ which block it lies, and the order of the declarations decides the order in the 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -38,12 +38,13 @@ def layout_blocks(
     own = [parameter for parameter in parameters if parameter.host is None]
     groups = dict.fromkeys((*group_order, *(parameter.group for parameter in own)))
     blocks = [_extern_block(extern) for extern in externs if extern.members]
-    taken = frozenset(block.name for block in blocks)
+    taken = {block.name for block in blocks}
     for group in groups:
         for derived in (False, True):
             held = [p for p in own if p.group == group and p.derived == derived]
             if held:
                 name = block_name(group, derived, taken)
+                taken.add(name)
                 told = tuple([docs.get(p.name, "") for p in held] if docs else [""] * len(held))
                 blocks.append(_block(name, group, derived, tuple(held), told))
     return tuple(blocks)
@@ -86,8 +87,11 @@ def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
         start += byte_size(filler)
 
 
-def block_name(group: str, derived: bool, taken: frozenset[str] = frozenset()) -> str:
-    """The suggested identifier of a group's block: ``Material``, ``MaterialDerived``."""
+def block_name(group: str, derived: bool, taken: Set[str] = frozenset()) -> str:
+    """The suggested identifier of a group's block: ``Material``, ``MaterialDerived``.
+
+    The groups ``wind`` and ``Wind`` would have the same one, so the second is ``WindGroup``.
+    """
     name = group[:1].upper() + group[1:] + ("Derived" if derived else "")
     while name in taken:
         name += "Group"

@@ -28,7 +28,7 @@ highlight, cannot make it larger."""
 CONSTANT = 2.0**-4
 """The least range, relative to the largest value: that of a picture of one colour is 0."""
 
-PROVEN_SHARE = 0.95
+PROVEN_SHARE = 0.9
 """The part of the object's pixels, of all cases together, that has to be proven."""
 FEW = 40
 """So many pixels may be unproven in any case: the outline of a small object has as many."""

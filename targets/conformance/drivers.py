@@ -51,7 +51,7 @@ class Driver:
     level_power: int | None = None
     """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
+    """Whether a quad's first pixel is the lower left one, which matters only for levels."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies."""
 
@@ -84,7 +84,7 @@ _WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)
 
 DRIVERS: Mapping[str, Driver] = {
     "lavapipe": _LLVM,
-    "llvmpipe": _LLVM,
+    "llvmpipe": replace(_LLVM, bottom_up=True),
     "swiftshader": _SWIFTSHADER,
     "webgpu": _SWIFTSHADER,
     "webgl2": _WEBGL,

@@ -8,13 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
+from typing import TypeVar
 
 import numpy as np
 
 from ...compiler.diagnostics.nearest import suggestion
 from ...compiler.reference.attribution import Explanation, UncoveredError
 from ...compiler.reference.picture import Expected
+from ..runner.drivers.draw import Device
 from ..runner.explanation import explained
+from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
 from .compare import Bools, ends_of, says_nothing
@@ -22,8 +26,13 @@ from .error_words import blamed, causes, lines
 from .plan import bounds_of
 from .rows import CaseResult, Row
 
+T = TypeVar("T")
 Pixel = tuple[int, int]
 """Its column and its row, from the upper left corner of the picture."""
+
+
+_ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
+"""Has the bits that nearly all devices have."""
 
 
 class PixelError(Exception):
@@ -85,6 +94,21 @@ def with_reasons(subject: Subject, row: Row, seed: int) -> Row:
     return replace(row, reasons=tuple(explain(subject, row, seed)))
 
 
+def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> Explanation:
+    """The explanation of a pixel by what a route guarantees, without having drawn anything.
+
+    Raises ``PixelError`` if there is no such case, or nothing at the pixel.
+    """
+    every = chain.from_iterable(series.cases for series in series_of(subject.reflection))
+    case = _named({one.name: one for one in every}, name)
+    bounds = bounds_of(case.state, route, _ANY_DEVICE)[-1]
+    try:
+        return explained(subject.shader, case.state, bounds.rules, bounds.errors, *pixel)
+    except UncoveredError:
+        x, y = pixel
+        raise PixelError(f"nothing is drawn at {x},{y} of `{name}`") from None
+
+
 def _of_little(subject: Subject, row: Row, seed: int) -> Iterator[str]:
     """Where precision is lost, in the case that proves the least, at a usual pixel of it."""
     cases = _seen(subject, [row], seed)
@@ -134,11 +158,14 @@ def _chosen(seen: Sequence[Seen], pixel: Pixel, name: str | None) -> Seen:
         raise PixelError("no route has drawn it, so there is no device whose rounding to explain")
     if name is None:
         return max(seen, key=lambda one: _width(one.result.expected)[pixel[1], pixel[0]])
-    by_name = {one.case.name: one for one in seen}
-    if name not in by_name:
-        hint = suggestion(name, by_name) or f"its cases are {', '.join(map(_quoted, by_name))}"
+    return _named({one.case.name: one for one in seen}, name)
+
+
+def _named(cases: Mapping[str, T], name: str) -> T:
+    if name not in cases:
+        hint = suggestion(name, cases) or f"its cases are {', '.join(map(_quoted, cases))}"
         raise PixelError(f"there is no case `{name}`; {hint}")
-    return by_name[name]
+    return cases[name]
 
 
 def _explained(subject: Subject, seen: Seen, pixel: Pixel) -> Explanation:

@@ -157,19 +157,34 @@ LONGEST_SEMANTIC = 54
 """Direct3D takes 64 characters; longer names are cut, and told apart by their location."""
 
 
+NEVER_NAMES = (
+    # The scalar types with a number of lanes, or of rows and columns: `dword4`, `min10float1`.
+    "(bool|dword|half|float|double|u?int|min1[026](float|int|uint)|u?int(16|32|64)_t|float(16|32|64)_t)"
+    "[1-4](x[1-4])?$",
+    # The macros of glslang, which reads HLSL as well.
+    "GL_",
+)
+"""Patterns of words that the compilers take for something else."""
+
+
+MACRO = re.compile("__|GL_|VULKAN$")
+"""Semantics that a compiler would replace."""
+
+
 def semantic(role: FieldRole, name: str, location: int) -> str:
     """The semantic by which a host or the next stage finds a field.
 
     An attribute has its own name in capitals, with trailing digits as the index: ``texcoord1`` is
     ``TEXCOORD1``, and a matrix's column ``bend.1`` is ``BEND_COLUMN1``. System values cannot be
-    attributes, so that prefix is kept apart.
+    attributes, so that prefix is kept apart. Where the capitals could be a macro of a compiler,
+    ``__LINE__`` or ``GL_ES``, something is added.
     """
     if role == "varying":
         return f"TEXCOORD{location}"
     if role == "render target":
         return f"SV_Target{location}"
     word = name.upper().replace(".", "_COLUMN")
-    if len(word) > LONGEST_SEMANTIC:
+    if len(word) > LONGEST_SEMANTIC or MACRO.match(word):
         word = f"{word[:40]}_AT{location}_"
     return f"ATTRIBUTE_{word}" if re.match("SV_", word) else word
 
@@ -212,7 +227,7 @@ LANGUAGE = Language(
     inputs=INPUTS,
     semantic=semantic,
     profiles=(SM6,),
-    reserved=partial(read_reserved, FOLDER / "reserved.txt"),
+    reserved=partial(read_reserved, FOLDER / "reserved.txt", *NEVER_NAMES),
     fixed_names=(
         *HELPERS, "main", *ENTRY_POINTS, "input", "output", "clip_position",
         *STAGE_STRUCTS,

@@ -166,7 +166,7 @@ template <typename T> struct alignas(4 * sizeof(T)) vec<T, 4> : operators<vec<T,
 };
 
 // A vector of three lanes without padding or alignment of its own.
-template <typename T> struct packed {
+template <typename T> struct __packed {
     T x, y, z;
     operator vec<T, 3>() const;
 };
@@ -183,9 +183,9 @@ VECTORS(int)
 VECTORS(uint)
 VECTORS(bool)
 
-typedef metal::packed<float> packed_float3;
-typedef metal::packed<int> packed_int3;
-typedef metal::packed<uint> packed_uint3;
+typedef metal::__packed<float> packed_float3;
+typedef metal::__packed<int> packed_int3;
+typedef metal::__packed<uint> packed_uint3;
 
 namespace metal {
 

@@ -86,7 +86,10 @@ def _derived(parameter: Parameter, found: Mapping[str, Any]) -> Any:
 
 def texels_of(instance: Instance) -> dict[str, Texels]:
     """The texels of all textures, by name."""
-    return {n: Texels(tuple(texture.linear())) for n, texture in instance.textures().items()}
+    return {
+        name: Texels(tuple(texture.linear()), texture.format.endswith("-srgb"))
+        for name, texture in instance.textures().items()
+    }
 
 
 def geometry_for(shader: Shader, geometry: Geometry) -> Geometry:

@@ -17,6 +17,7 @@ from playwright.sync_api import sync_playwright
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance import plan
 from burnish.targets.runner import routes
+from burnish.targets.runner.reference import remembered
 from burnish.targets.toolchain import tools
 from burnish.targets.toolchain.tools import Tool, ToolState, tool_named
 
@@ -151,10 +152,9 @@ def test_warnings_are_told_once() -> None:
 
 def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where a device may not round at all, some pixel is wrong; the report shows which."""
-    drawn = plan.remembered
 
     def exactly(*of: Any) -> Expected:
-        found = drawn(*of)
+        found = remembered(*of)
         return replace(found, low=found.targets, high=found.targets)
 
     monkeypatch.setattr(plan, "remembered", exactly)

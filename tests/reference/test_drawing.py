@@ -260,9 +260,10 @@ def test_a_phong_sphere_is_decided_nearly_everywhere() -> None:
         given, sphere(), rules, errors=few_ulps, view_projection=camera, eye=(0.0, 0.0, 4.0)
     )
     assert found.covered.mean() > 0.3
-    assert found.undecided.sum() < 0.001 * found.covered.sum()
+    assert found.undecided.sum() < 0.002 * found.covered.sum()
     off = (found.high[0] - found.low[0])[found.covered & ~found.undecided]
-    assert off.max() < 1e-3 and np.median(off) < 2e-5
+    # One step of the target's 8 bits, to either side.
+    assert off.max() < 2.1 / 255
     # The sphere is lit from above.
     assert found.targets[0][30, 64, 0] > 3 * found.targets[0][98, 64, 0]
 

@@ -189,6 +189,11 @@ def test_means_of_levels_have_so_many_bits() -> None:
     ]
     expected = [(0.4375, 0.5625), (0.5, 0.5)]
     assert [pytest.approx(each, abs=1e-5) for each in expected] == found
+    # A device may weigh a single level, too, and even the only texel that there is.
+    for levels in (steps(), [np.ones((1, 1, 4))]):
+        single = Read("2d", "float", *levels, mip="linear", rules=rules)
+        low, high = single.hull("sample_level", (0.5, 0.5), 0.0)
+        assert high - low == pytest.approx(2 / 16, abs=1e-5)
 
 
 def test_gradients_of_a_cube_on_a_device_that_does_not_project_them() -> None:

@@ -13,10 +13,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from burnish.compiler.ir.leaves import Resource
+from burnish.compiler.ir.types import Texture
 from burnish.compiler.reference.bounds import Bounded, exact
-from burnish.compiler.reference.picture.scene import RasterRules
+from burnish.compiler.reference.picture.sampler import TextureReader
+from burnish.compiler.reference.picture.scene import RasterRules, Texels
+from burnish.compiler.reference.picture.texels import Image
 
-from .reads import DEVICE, RULES, Read
+from .reads import DEFAULTS, DEVICE, RULES, Read
 
 Array = NDArray[np.float64]
 
@@ -213,8 +217,29 @@ def test_a_texture_of_one_colour() -> None:
     """The weights of a filter add up to 1, but for rounding; black and single texels are exact."""
     texel = np.array([1.0, 1.0, 0.5, 0.0])
     for filter_, off in (("linear", 1e-6), ("nearest", 0.0)):
-        plain = Read("2d", "float", np.tile(texel, (4, 4, 1)), rules=DEVICE, filter=filter_)
+        plain = Read(
+            "2d", "float", np.tile(texel, (4, 4, 1)), rules=DEVICE, filter=filter_, mip="none"
+        )
         lanes = plain.reader.read("sample", ((exact(np.full((5, 2, 2), 0.3)), exact(0.5)),))
         assert [float(lane.value) for lane in lanes] == texel.tolist()
         assert all(lane.high - lane.low <= 2 * off * lane.value for lane in lanes)
         assert all((lane.low < lane.high) == (off * lane.value > 0) for lane in lanes)
+
+
+def test_a_device_decodes_srgb_to_within_half_a_step() -> None:
+    """Encoded, the bounds are half a step to either side; alpha is not encoded."""
+    codes = np.arange(256) / 255
+    linear = np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)
+    resource = Resource("t", Texture("2d", "float"), "material", "white", tuple(DEFAULTS.items()))
+    for code in range(256):
+        texel = np.array([[[linear[code], 0.0, 1.0, codes[code]]]])
+        reader = TextureReader(Image(Texels((texel,), is_srgb=True), resource, DEVICE))
+        red, green, blue, alpha = reader.read("load", ((0, 0), (0,)))
+        half = 0.5 / 255
+        for lane, encoded in ((red, codes[code]), (green, 0.0), (blue, 1.0)):
+            ends = np.array([lane.low, lane.high]).ravel()
+            found = np.where(ends <= 0.0031308, ends * 12.92,
+                             1.055 * np.maximum(ends, 0) ** (1 / 2.4) - 0.055)  # fmt: skip
+            assert found[0] <= max(encoded - half, 0)
+            assert encoded + half <= found[1] <= encoded + 1.2 * half
+        assert alpha.high - alpha.low < 1e-6

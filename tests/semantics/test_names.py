@@ -53,6 +53,7 @@ def shaded(members: str, head: str = "") -> Lanes:
         "map pow : texture2d  map max : texture2d  map smoothstep : texture2d",
         "param cos : float = 0  param lit : float = 0  map reflect : texture2d",
         "sun = vec3(0)  lamp = vec3(0)  i = 7  vec3 = 0.0",
+        "map normalize : texture2d  map nonzero : texture2d",
     ],
 )
 def test_slots_of_a_material_do_not_change_the_library(members: str) -> None:
@@ -189,3 +190,25 @@ def test_a_base_of_another_file_keeps_its_own_names(files: Files) -> None:
         "material M : Base { level = k }",
     )
     assert color(main) == (200, 200, 200)
+
+
+BASE = """
+shade = 0.25
+fn paint(p: vec2) -> vec4 = vec4(0.5)
+abstract material Base {
+    tone = shade
+    coat = paint(uv).x
+}
+"""
+
+
+def test_names_of_a_derived_material_do_not_change_its_base() -> None:
+    """A base's text means what it meant before somebody derived from it."""
+    derived = "shade = 1.0  map paint : texture2d"
+    text = BASE + f"material M : Base {{ {derived}  color = vec3(tone, coat, shade) }}"
+    assert color(text) == (0.25, 0.5, 1.0)
+
+
+def test_what_a_mixin_needs_is_found_in_the_material() -> None:
+    text = "mixin Tinted { color = vec3(tint) }\nmaterial M : Surface + Tinted { tint = 0.5 }"
+    assert color(text) == (0.5, 0.5, 0.5)

@@ -56,6 +56,7 @@ LEFT_OUT: Mapping[str, str] = {
     "targets/test_branches.py": _COMPILERS,
     "targets/test_chosen_literals.py": _COMPILERS,
     "targets/test_constant_operands.py": _COMPILERS,
+    "targets/test_every_name.py": _COMPILERS,
     "targets/test_metal.py": _COMPILERS,
     "targets/test_operands_of_reads.py": _COMPILERS,
     "toolchain": _COMPILERS,

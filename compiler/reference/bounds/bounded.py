@@ -18,7 +18,6 @@ from . import whole
 from .affine import Form, alone, chosen
 from .orders import Factors, Single, Sum, Term, added, in_any_order, is_coarse
 from .rounding import (
-    ROUNDED_UP,
     SUBNORMAL_STEP,
     ULP,
     Array,
@@ -27,6 +26,9 @@ from .rounding import (
     of_device,
     outward,
 )
+
+_STEP = 2.0**-52
+"""The largest error of a float64, relative to the number."""
 
 
 class Bounded:
@@ -88,8 +90,7 @@ class Bounded:
     def radius(self) -> Array:
         """By how much a device's value may differ from the exact one, to the farther side."""
         if self._radius is None:
-            farther = np.maximum(self.high - self.value, self.value - self.low)
-            self._radius = farther * ROUNDED_UP
+            self._radius = np.maximum(self.high - self.value, self.value - self.low)
         return self._radius
 
     @property
@@ -299,6 +300,13 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
     return Bounded(x.value, np.minimum(x.low, y.low), np.maximum(x.high, y.high))
 
 
+def either(x: Bounded, y: Bounded) -> Bounded:
+    """The hull of two ways to compute the same. Its terms, whose order may change, are ``x``'s."""
+    made = hull(x, y)
+    made._sum = x._sum
+    return made
+
+
 def widened(x: Bounded, by: Array) -> Bounded:
     """The lane of a device whose function has an absolute error of its own.
 
@@ -389,8 +397,11 @@ def _rounded(
 def _added(x: Bounded, y: Bounded) -> Bounded:
     """A sum, with the error that any order of its terms may have."""
     value = x.value + y.value
-    are_exact = x.is_exact and y.is_exact
-    low, high = (value, value) if are_exact else (x.low + y.low, x.high + y.high)
+    are_exact = x.is_exact and y.is_exact and _is_whole_sum(value, x.value, y.value)
+    low = high = value
+    if not are_exact:
+        absorbed = _STEP * np.abs(value) if x.is_exact and y.is_exact else 0
+        low, high = x.low + y.low - absorbed, x.high + y.high + absorbed
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
     made = _rounded(value, low, high, form)
     if made.kind != "f":
@@ -423,6 +434,11 @@ def _multiplied(x: Bounded, y: Bounded) -> Bounded:
         made._factors = factors
         made._of = x._of | y._of | {x._number, y._number}
     return made
+
+
+def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
+    """Whether float64 holds a sum exactly; else a device may round it to either side."""
+    return bool(((value - x == y) & (value - y == x)).all())
 
 
 def _term(lane: Bounded) -> Term:

@@ -16,13 +16,14 @@ from .affine import Derivative, Form, chosen, curved
 from .bounded import (
     Bounded,
     as_bounded,
+    either,
     exact,
     hull,
     negated,
     products,
     widened,
 )
-from .rounding import ROUNDED_UP, Array, outward
+from .rounding import Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
@@ -31,6 +32,8 @@ of its operand and of its result."""
 
 _TURN = 2.0 * math.pi
 _LN2 = math.log(2.0)
+_AFTER_ROUNDING = 1.0 + 2.0**-50
+"""Corrects float64's own rounding of a magnitude upwards."""
 
 
 class Bounds:
@@ -79,6 +82,15 @@ class Bounds:
     def maximum(self, x: Any, y: Any, /) -> Bounded:
         """The greater number."""
         return _of_ends(np.maximum, np.greater_equal, x, y)
+
+    def mix(self, x: Any, y: Any, a: Any, /) -> Bounded:
+        """A blend, computed as ``x * (1 - a) + y * a`` or as ``x + (y - x) * a``.
+
+        WGSL and Vulkan name the first formula, Direct3D's ``lerp`` the second, and drivers of both
+        use either.
+        """
+        x, y, a = as_bounded(x), as_bounded(y), as_bounded(a)
+        return either(x * (1.0 - a) + y * a, x + (y - x) * a)
 
     # --- conversions ------------------------------------------------------------------------------
 
@@ -285,7 +297,7 @@ class Bounds:
 
     def _with_error(self, name: str, operand: Bounded, result: Bounded) -> Bounded:
         # A result just below a power of two has half the step of the power itself.
-        largest = result.magnitude * ROUNDED_UP
+        largest = result.magnitude * _AFTER_ROUNDING
         return widened(result, self._errors(name, operand.magnitude, largest))
 
 

@@ -87,13 +87,16 @@ class Filter:
         def anything(pixels: Ints) -> tuple[Floats, Floats]:
             return self._anything(place, np.zeros(len(pixels), dtype=np.int64), every_level=True)
 
-        return hull_of_choices([place.layer, self._number(level)], compute, anything)
+        found = hull_of_choices([place.layer, self._number(level)], compute, anything)
+        return found if place.reference is not None else self._weighed(found)
 
-    def of_equal(self, texel: float) -> Bounded:
-        """A read of a texture all of whose texels are equal in a lane."""
-        if self._image.is_exact or self._kind == "nearest":
-            return exact(texel)
-        return widened(exact(texel), (self._image.axes + 1) * BLENDING * abs(texel))
+    def of_equal(self, texel: Bounded) -> Bounded:
+        """A read of a texture all of whose texels are the same, lane by lane."""
+        blends = self._image.axes if self._kind == "linear" else 0
+        blends += self._image.state["mip"] == "linear"
+        if blends and not self._image.is_exact:
+            texel = widened(texel, blends * BLENDING * texel.magnitude)
+        return self._weighed(texel)
 
     # --- levels -----------------------------------------------------------------------------------
 
@@ -120,15 +123,21 @@ class Filter:
             return lower
         above = np.minimum(number + 1, self._image.levels - 1)
         if len(reached) == len(above):
-            return self._mixed(lower, self._in_level(place, layer, above), share)
+            upper = self._in_level(place, layer, above)
+            return blended((lower, upper), (share,), self._image.is_exact)
         upper = self._in_level(place.at(reached), at(reached, layer), at(reached, above))
-        mixed = self._mixed(lane_at(reached, lower), upper, lane_at(reached, share))
+        both = lane_at(reached, lower), upper
+        mixed = blended(both, (lane_at(reached, share),), self._image.is_exact)
         return replaced(lower, reached, mixed)
 
-    def _mixed(self, lower: Bounded, upper: Bounded, share: Bounded) -> Bounded:
-        found = blended((lower, upper), (share,), self._image.is_exact)
+    def _weighed(self, found: Bounded) -> Bounded:
+        """A read of single texels from a sampler that blends levels, as a device weighs them.
+
+        It may do so even where all of the weight belongs to one level.
+        """
         bits = self._image.rules.mixing_bits
-        return found if bits is None or self._kind == "linear" else widened(found, 2.0**-bits)
+        blends = self._kind == "nearest" and self._image.state["mip"] == "linear"
+        return widened(found, 2.0**-bits) if blends and bits is not None else found
 
     # --- texels -----------------------------------------------------------------------------------
 

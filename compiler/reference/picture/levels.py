@@ -15,7 +15,7 @@ import numpy as np
 from ..bounds import Bounded, between, exact
 from .choices import Part, lane_at
 from .intervals import difference, increasing, largest, quotient, widened
-from .scene import Floats, Ints
+from .scene import Floats, Ints, RasterRules
 from .texels import Image
 
 _TINY = 2.0**-60
@@ -69,7 +69,8 @@ def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
     if not image.is_exact:
         step = widened(step, _ROUNDING * np.maximum(first.magnitude, second.magnitude))
     if image.has_known_steps:
-        return step.mapped(lambda array: array[..., :1, :1])
+        row = first_row(image.rules)
+        return step.mapped(lambda array: array[..., row, :1])
     low, high = step.low.min(axis=(-2, -1)), step.high.max(axis=(-2, -1))
     return Bounded(step.value[..., :1, :1], low[..., None, None], high[..., None, None])
 
@@ -109,11 +110,16 @@ def on_cube(direction: Sequence[Bounded]) -> list[Bounded]:
     return [quotient(lane, out) for lane in direction]
 
 
-def scaled(direction: Sequence[Bounded], steps: Steps, bottom_up: bool) -> Steps:
+def first_row(rules: RasterRules) -> slice:
+    """The row of a quad whose first pixel a device knows as the quad's first."""
+    return slice(-1, None) if rules.bottom_up else slice(1)
+
+
+def scaled(direction: Sequence[Bounded], steps: Steps, rules: RasterRules) -> Steps:
     """The steps of a direction, as a quad's first pixel scales them onto a cube's surface."""
     out = increasing(lambda x: 2 * _at_least_tiny(x), largest([abs(lane) for lane in direction]))
     if out.ndim == 3:
-        row = slice(-1, None) if bottom_up else slice(1)
+        row = first_row(rules)
         out = out.mapped(lambda array: array[..., row, :1])
     return steps.mapped(lambda lane: quotient(lane, out))
 

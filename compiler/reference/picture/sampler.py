@@ -55,14 +55,14 @@ class TextureReader:
         steps = Steps(*([finite(lane) for lane in lanes] for lanes in (across, down)))
         if self._moves_on_surface:
             coordinate = [finite(lane) for lane in where[0]]
-            steps = levels.scaled(coordinate, steps, self._image.rules.bottom_up)
+            steps = levels.scaled(coordinate, steps, self._image.rules)
         return self._colours(where, steps)
 
     def _gather(self, *operands: Lanes) -> Lanes:
         *where, (lane,) = operands
         number = int(as_bounded(lane).value)
         if self._image.only is not None:
-            return (exact(self._image.only[number]),) * 4
+            return (self._image.only[number],) * 4
         return self._read(Filter(self._image, "gather", slice(number, number + 1)), where)
 
     def _compare(self, *operands: Lanes) -> Lanes:

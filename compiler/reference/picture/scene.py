@@ -58,11 +58,7 @@ def instanced(
 
 @dataclass(frozen=True, slots=True)
 class Texels:
-    """Each level has linear values (height, width, 4), or (height, width, 1) for depths.
-
-    The first row is the top one. With layers, faces or slices: (layers, height, width, 4). Every
-    level halves width and height, and the depth of a 3D texture, rounded down, but not below 1.
-    """
+    """A texture as a shader reads it."""
 
     levels: tuple[Floats | Ints, ...]
     """Each level has linear values (height, width, 4), first row at the top; depths (height, width,
@@ -71,6 +67,8 @@ class Texels:
     With layers, faces or slices: (layers, height, width, 4). Every level halves width and height,
     and the depth of a 3D texture, rounded down, but not below 1.
     """
+    is_srgb: bool = False
+    """Whether colours are stored in 8 bits of sRGB, which a device decodes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +97,8 @@ class RasterRules:
     mip_bits: int | None = None
     """The binary places of the level of detail; ``None``: exact."""
     mixing_bits: int | None = None
-    """The binary places of a mean of single texels of two levels; ``None``: exact."""
+    """The binary places of a mean of single texels of two levels, one of which may have no weight;
+    ``None``: exact."""
     level_power: int | None = None
     """A device reads the logarithm of this power of a footprint roughly, from a float's bits;
     ``None``: it is exact."""
@@ -110,7 +109,7 @@ class RasterRules:
     """Whether the device is known to take differences between pixels in a quad's first row and
     column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
+    """Whether a quad's first pixel is the lower left one, which matters only for levels."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
     Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""

@@ -139,11 +139,9 @@ class StageEvaluator:
         def leaves(node: Node) -> Lanes | None:
             if node.op == "cross":
                 values = vertices.crossings[node.id]
-                flat = CROSS.data(node).mode == "flat"
-                lanes = place.flat(values) if flat else place.perspective(values)
-                if flat:
-                    return lanes
-                return _remembered(self._given(lanes))
+                if CROSS.data(node).mode == "flat":
+                    return place.flat(values)
+                return _remembered(self._given(place.perspective(values)))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return inputs[INPUT.data(node).name] if node.op == "input" else self._parameter(node)
@@ -239,9 +237,11 @@ def _no_error(_name: str, _operand: Any, _result: Any) -> float:
     return 0.0
 
 
-def _remembered(value: Any) -> Any:
+def _remembered(value: Lanes) -> Lanes:
     """A value whose lanes' errors are shared by all that is computed from them."""
-    return tuple(map(_remembered, value)) if isinstance(value, tuple) else remembered(value)
+    return tuple(
+        _remembered(lane) if isinstance(lane, tuple) else remembered(lane) for lane in value
+    )
 
 
 def _any_difference(lane: Lane, axis: int) -> Lane:

@@ -25,6 +25,11 @@ _DECODING = 2.0**-22
 """The error of a texel that is not a float32, such as 1/255, relative to itself: a device computes
 it from the bits that are stored."""
 
+_SRGB_STEP = 1.05 * 0.5 / 255
+"""By how much a device may be off when it decodes sRGB, in encoded units: half a step of 8 bits
+(Direct3D 11.3 Functional Specification, "SRGB to FLOAT"; assumed elsewhere), and what the curve
+bends within it. Its slope is that of IEC 61966-2-1."""
+
 EVERY_LANE = slice(None)
 
 
@@ -43,13 +48,13 @@ class Image:
         self._starts = np.cumsum(counts) - counts
         rows = [level.reshape(-1, level.shape[-1]) for level in texels.levels]
         self._table = np.ascontiguousarray(np.concatenate(rows).T)
-        self._errors = None if self.is_exact else _errors_of(self._table)
+        self._errors = None if self.is_exact else _errors_of(self._table, texels.is_srgb)
         self._size = np.stack([widths, heights, layers])
         self.layers = int(layers[0])
         """The layers of an array, or the faces of a cube."""
         same = bool((self._table == self._table[:, :1]).all())
-        self.only: Lanes | None = tuple(self._table[:, 0].tolist()) if same else None
-        """The value of all texels, if they are the same."""
+        self.only = _lanes(self._texel_at(np.int64(0))) if same else None
+        """The lanes of all texels, if they are the same."""
 
     @property
     def is_exact(self) -> bool:
@@ -180,19 +185,35 @@ class Image:
         slice_ = place[2] if len(place) == 3 else layer
         row = slice_ * self._size[1][level] + row
         index = self._starts[level] + row * self._size[0][level] + column
+        return self._texel_at(index, lanes)
+
+    def _texel_at(self, index: Any, lanes: slice = EVERY_LANE) -> Bounded:
+        """Texels by their numbers in the table."""
         found = self._table[lanes].take(index, axis=1)
         if self._errors is None:
             return exact(found)
         off = self._errors[lanes].take(index, axis=1)
-        return Bounded(found, found - off, found + off)
+        return Bounded(found, np.maximum(found - off, np.minimum(found, 0.0)), found + off)
 
 
-def _errors_of(table: NDArray[Any]) -> Floats | None:
+def _errors_of(table: NDArray[Any], is_srgb: bool) -> Floats | None:
     """By how much devices may be off when they decode texels; ``None`` if all are float32."""
     if table.dtype.kind != "f":
         return None
     rounded = table != table.astype(np.float32)
-    return np.where(rounded, np.abs(table) * _DECODING, 0.0) if rounded.any() else None
+    if not rounded.any() and not is_srgb:
+        return None
+    errors = np.where(rounded, np.abs(table) * _DECODING, 0.0)
+    if is_srgb:
+        errors[:3] = np.maximum(2.4 / 1.055 * table[:3] ** (1.4 / 2.4), 1 / 12.92) * _SRGB_STEP
+    return errors
+
+
+def _lanes(texel: Bounded) -> Lanes:
+    """The lanes of a single texel."""
+    if texel.is_exact:
+        return tuple(map(exact, texel.value))
+    return tuple(Bounded(*ends) for ends in zip(texel.value, texel.low, texel.high, strict=True))
 
 
 def _wrapped(index: Ints, size: Ints, wrap: str) -> Ints:

@@ -113,8 +113,7 @@ def _named(
     failed: bool,
 ) -> Value:
     name = callee.name
-    own = scope.instance is not None and _is_map(scope.instance.record.definitions.get(name))
-    if own or name in scope.locals:
+    if name in scope.locals or _is_own_map(scope, name):
         texture = lookup.value(ctx, name, callee.span, scope)
         return FAILURE if failed else textures.read(ctx, texture, arguments, e)
     symbols = scope.module.find(name)
@@ -167,6 +166,16 @@ def _built_in(
 
 
 _TEXTURE_NAMES = frozenset(map(str, TEXTURES))
+
+
+def _is_own_map(scope: Scope, name: str) -> bool:
+    """Whether a name is a texture of the record that contains the text, or of its ancestors."""
+    instance = scope.instance
+    return (
+        instance is not None
+        and instance.declares(name, scope.level)
+        and _is_map(instance.record.definitions.get(name))
+    )
 
 
 def _is_map(definitions: tuple[Definition, ...] | None) -> bool:

@@ -37,11 +37,14 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
         return part_value(ctx, scope.parts, name, span)
     if name == "inherited" and scope.instance is not None:
         return Inherited(scope.instance, scope.level)
-    if scope.instance is not None and scope.instance.has(name):
-        return slot(ctx, scope.instance, name, span)
+    instance = scope.instance
+    if instance is not None and instance.declares(name, scope.level):
+        return slot(ctx, instance, name, span)
     symbols = scope.module.find(name)
     if symbols:
         return _symbol_value(ctx, symbols[0], span)
+    if instance is not None and instance.has(name):
+        return slot(ctx, instance, name, span)
     if scope.surface is not None and scope.surface.has(name):
         return slot(ctx, scope.surface, name, span)
     if name in INPUTS and scope.surface is not None:

@@ -51,6 +51,14 @@ class Instance:
         """Whether the record defines ``name``."""
         return name in self.record.definitions or name in self.replaced
 
+    def declares(self, name: str, level: int) -> bool:
+        """Whether ``name`` was declared at ``level`` of the chain, or by an ancestor of that level.
+
+        What only a more derived record declares was unknown to whoever wrote the text of ``level``.
+        """
+        found = self.record.definitions.get(name)
+        return found is not None and found[-1].level >= level
+
     def with_replaced(self, replaced: Mapping[str, Replacement]) -> Instance:
         """The same instance with slots given from outside, and nothing checked yet."""
         return changed(self, replaced={**self.replaced, **replaced}, values={})

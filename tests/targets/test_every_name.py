@@ -1,0 +1,105 @@
+"""Every word that a shading language could mind is a name like any other in Burnish.
+
+The words are those of ``words/``. Each is a name in each role, and the real compilers read the
+texts of all profiles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import pytest
+
+import burnish
+from burnish import api
+from burnish.compiler.passes.checkpoint import VARIABLE
+from burnish.targets.toolchain import Job, Toolchain, Verdict
+
+from .name_roles import RESERVED, ROLES, Role
+
+STAGES = {"vertex": "vert", "fragment": "frag"}
+FOLDER = Path(__file__).with_name("words")
+OTHERS = "glsl,glsl:gl330,glsl:es300,msl,wgsl"
+"""All targets but HLSL."""
+SAME_FRONT_END = "dxc-spirv"
+"""It reads the same text as ``dxc-dxil``, with the same front end, and takes very long."""
+MOST = 12
+"""How many messages on one text a failing test shows."""
+
+
+def words_of(name: str) -> list[str]:
+    """The words of a file of ``words/``."""
+    lines = (FOLDER / f"{name}.txt").read_text("utf-8").splitlines()
+    return [word for line in lines if not line.startswith("#") for word in line.split()]
+
+
+WORDS = sorted({word for file in FOLDER.glob("*.txt") for word in words_of(file.stem)} - RESERVED)
+
+
+@pytest.fixture(scope="module")
+def toolchain() -> Iterator[Toolchain]:
+    with Toolchain() as tools:
+        yield tools
+
+
+@pytest.fixture(autouse=True)
+def _large_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Programs have more textures and attributes than devices; compilers do not mind. To verify
+    their graphs would take most of the time, and says nothing about names."""
+    monkeypatch.setattr(api, "excesses", lambda _program, _profile: ())
+    monkeypatch.delenv(VARIABLE)
+
+
+def jobs(role: Role, words: Sequence[str], targets: str) -> Iterator[Job]:
+    """The texts of a program with these names, for each checker."""
+    (made,) = burnish.compile(role.program(words), targets).materials
+    for file in made.files:
+        for checker in file.checkers:
+            if checker != SAME_FRONT_END:
+                yield Job(checker, STAGES[file.stage], file.text, file.entry_points[file.stage])
+
+
+def batches(role: Role) -> Iterator[tuple[str, Sequence[str]]]:
+    """The words that a role takes, so many at a time, and the targets to compile them for."""
+    words = [word for word in WORDS if word not in role.refused]
+    if role.in_hlsl >= role.at_once:
+        yield from (("all", part) for part in cut(words, role.at_once))
+        return
+    yield from ((OTHERS, part) for part in cut(words, role.at_once))
+    if role.in_hlsl:
+        yield from (("hlsl", part) for part in cut(words, role.in_hlsl))
+
+
+def cut(words: Sequence[str], size: int) -> Iterator[Sequence[str]]:
+    return (words[at : at + size] for at in range(0, len(words), size))
+
+
+@pytest.mark.parametrize("name", ROLES)
+def test_every_word_is_accepted(name: str, toolchain: Toolchain) -> None:
+    role = ROLES[name]
+    found = [
+        complaint
+        for targets, words in batches(role)
+        for complaint in complaints(role, words, targets, toolchain)
+    ]
+    assert not found, "\n".join(found)
+
+
+def complaints(
+    role: Role, words: Sequence[str], targets: str, toolchain: Toolchain
+) -> Iterator[str]:
+    """What the checkers do not take, with the lines of the texts, which have the words."""
+    for verdict in toolchain.check(list(jobs(role, words, targets))):
+        if verdict.status != "accepted":
+            yield f"{verdict.job.checker}, {verdict.job.stage}, {verdict.status}: {told(verdict)}"
+
+
+def told(verdict: Verdict) -> str:
+    """The messages of a verdict, each with the line that it is about."""
+    lines = verdict.job.text.splitlines()
+    errors = [each for each in verdict.messages if each.severity == "error"] or verdict.messages
+    return "".join(
+        f"\n  {each.text}" + (f"\n    {lines[each.line - 1].strip()}" if each.line else "")
+        for each in errors[:MOST]
+    )
