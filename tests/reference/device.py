@@ -347,14 +347,8 @@ class Device:
         x, y = self.lane(x), self.lane(y)
         if x.value.dtype.kind == "i":
             return Chosen(self, np.remainder(x.value, y.value))
-        found: Chosen = x - y * self.floor(self.divide(x, y))
-        return found
-
-    def mix(self, x: Any, y: Any, a: Any, /) -> Chosen:
-        """A blend by either formula."""
-        x, y, a = self.lane(x), self.lane(y), self.lane(a)
-        one, other = x * (1.0 - a) + y * a, x + (y - x) * a
-        return Chosen(self, np.where(self._where(0.5, np.shape(one.value)), one.value, other.value))
+        left: Chosen = x - y * self.floor(self.divide(x, y))
+        return left
 
     def power(self, x: Any, y: Any, /) -> Chosen:
         return self.exp2(self.lane(y) * self.log2(x))

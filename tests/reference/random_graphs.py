@@ -131,10 +131,10 @@ class RandomGraph:
         return self.graph.node("call", BOOL, (self._value(FLOAT), self._value(FLOAT)), name)
 
     def _vector(self) -> Node:
-        choices: tuple[tuple[Type, ...], ...] = (
+        pairs: list[tuple[Type, Type]] = [
             (FLOAT, FLOAT), (FLOAT, VECTORS[0]), (VECTORS[1], FLOAT)
-        )  # fmt: skip
-        parts = self._chance.choice(choices)
+        ]  # fmt: skip
+        parts = self._chance.choice(pairs)
         return build.vector(self.graph, tuple(map(self._value, parts)))
 
     def _swizzle(self) -> Node:
@@ -144,7 +144,7 @@ class RandomGraph:
         return build.swizzle(self.graph, source, lanes)
 
     def _index(self) -> Node:
-        wholes: tuple[Vector | Matrix | Array, ...] = (*VECTORS, Matrix(3), Array(FLOAT, 3))
+        wholes: list[Vector | Matrix | Array] = [*VECTORS, Matrix(3), Array(FLOAT, 3)]
         whole = self._chance.choice(wholes)
         count = whole.count if isinstance(whole, Array) else whole.size
         bound = build.constant(self.graph, INT, count)

@@ -9,6 +9,7 @@ may round them.
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -16,8 +17,9 @@ import numpy as np
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen
-from .orders import Factors, Single, Sum, Term, added, in_any_order, is_coarse
+from .orders import Single, Sum, Term, in_any_order, is_coarse, of_either
 from .rounding import (
+    ROUNDED_UP,
     SUBNORMAL_STEP,
     ULP,
     Array,
@@ -26,6 +28,8 @@ from .rounding import (
     of_device,
     outward,
 )
+
+_numbers = count()
 
 _STEP = 2.0**-52
 """The largest error of a float64, relative to the number."""
@@ -51,11 +55,9 @@ class Bounded:
         self._sum: Sum | None = None
         self._factors = 0
         """How many multiplications made it."""
-        self._of: Factors = frozenset()
-        """The factors of a product."""
-        self._number = id(self)
-        """What tells which lanes are the same factor. A number that is used again after its lane
-        is gone only widens a sum that need not be."""
+        self._number = next(_numbers)
+        self._of: frozenset[int] = frozenset()
+        """The numbers of all its factors, if it is a product."""
         if form is not None:
             radius = form.radius
             self.low = np.maximum(low, value - radius)
@@ -90,7 +92,8 @@ class Bounded:
     def radius(self) -> Array:
         """By how much a device's value may differ from the exact one, to the farther side."""
         if self._radius is None:
-            self._radius = np.maximum(self.high - self.value, self.value - self.low)
+            farther = np.maximum(self.high - self.value, self.value - self.low)
+            self._radius = farther * ROUNDED_UP
         return self._radius
 
     @property
@@ -149,8 +152,8 @@ class Bounded:
         if not self.is_exact:
             form = None if self.form is None else self.form.scaled(-1.0)
             made = Bounded(made.value, -self.high, -self.low, form)
-        made._sum, made._factors = self._sum, self._factors
-        made._of, made._number = self._of, self._number
+        made._sum, made._factors, made._of = self._sum, self._factors, self._of
+        made._number = self._number
         return made
 
     def __abs__(self) -> Bounded:
@@ -283,11 +286,7 @@ def as_bounded(lane: Any) -> Bounded:
     """A lane as it is; a Python float as a constant of a text; anything else as exact."""
     if isinstance(lane, Bounded):
         return lane
-    if not isinstance(lane, float):
-        return exact(lane)
-    made = constant(lane)
-    made._number = hash(abs(lane))
-    return made
+    return constant(lane) if isinstance(lane, float) else exact(lane)
 
 
 def between(value: Array, low: Array, high: Array) -> Bounded:
@@ -301,10 +300,11 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 
 
 def either(x: Bounded, y: Bounded) -> Bounded:
-    """The hull of two ways to compute the same. Its terms, whose order may change, are ``x``'s."""
-    made = hull(x, y)
-    made._sum = x._sum
-    return made
+    """The result of one of two formulas for the same value, both of which are sums."""
+    found = hull(x, y)
+    assert x._sum is not None and y._sum is not None
+    found._sum = of_either(x._sum, y._sum)
+    return found
 
 
 def widened(x: Bounded, by: Array) -> Bounded:
@@ -322,8 +322,7 @@ def widened(x: Bounded, by: Array) -> Bounded:
 
 def _lost(magnitude: Array) -> Array:
     """What a form has to allow for besides rounding: what is flushed to zero, or infinite."""
-    tiny = np.minimum(magnitude, SMALLEST_NORMAL) + (magnitude > 0) * SUBNORMAL_STEP
-    return np.where(np.isfinite(magnitude), tiny, np.inf)
+    return np.where(np.isfinite(magnitude), np.minimum(magnitude, SMALLEST_NORMAL), np.inf)
 
 
 # --- operations -----------------------------------------------------------------------------------
@@ -397,19 +396,21 @@ def _rounded(
 def _added(x: Bounded, y: Bounded) -> Bounded:
     """A sum, with the error that any order of its terms may have."""
     value = x.value + y.value
-    are_exact = x.is_exact and y.is_exact and _is_whole_sum(value, x.value, y.value)
-    low = high = value
-    if not are_exact:
-        absorbed = _STEP * np.abs(value) if x.is_exact and y.is_exact else 0
-        low, high = x.low + y.low - absorbed, x.high + y.high + absorbed
+    are_exact = x.is_exact and y.is_exact
+    low, high = (value, value) if are_exact else (x.low + y.low, x.high + y.high)
+    if are_exact and x.kind == "f" and not _is_whole_sum(value, x.value, y.value):
+        low, high = value - _STEP * np.abs(value), value + _STEP * np.abs(value)
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
     made = _rounded(value, low, high, form)
     if made.kind != "f":
         return made
     terms = _term(x), _term(y)
+    before = [term.roundings for term in terms if isinstance(term, Sum)]
     is_exact = are_exact and made.is_exact and all(map(_is_coarse, (x, y)))
-    sum_ = added(*terms, is_exact=is_exact)
-    if sum_.additions > 1 and not is_exact:
+    # A common factor may be taken out: then the sum of the others is rounded, too.
+    roundings = 2 if (x._of | {x._number}) & (y._of | {y._number}) else 1
+    sum_ = Sum(roundings + sum(before), terms, is_exact)
+    if sum_.roundings > 1 and not is_exact:
         more = in_any_order(sum_)
         low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
         made = Bounded(value, low, high, None if made.form is None else made.form.widened(more))
@@ -442,7 +443,7 @@ def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
 
 
 def _term(lane: Bounded) -> Term:
-    return Single(lane.low, lane.high, lane._of) if lane._sum is None else lane._sum
+    return Single(lane.low, lane.high) if lane._sum is None else lane._sum
 
 
 def _square(x: Bounded) -> tuple[Array, Array]:

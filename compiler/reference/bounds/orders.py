@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
-from .rounding import SUBNORMAL_STEP, ULP, Array
+from .rounding import ULP, Array
 
 _FINEST = 2.0**-12
 _LARGEST = 2.0**6
@@ -20,21 +20,15 @@ _LARGEST = 2.0**6
 the other."""
 
 
-Factors = frozenset[int]
-"""Which lanes are factors of a product, by numbers that equal lanes have in common."""
-
-
 @dataclass(slots=True, eq=False)
 class Sum:
     """That a lane is a sum of several terms."""
 
-    additions: int
-    """How many of its operations round; taking out a common factor is one more."""
+    roundings: int
+    """How many operations may round a partial sum, in any order."""
     operands: tuple[Term, Term]
     is_exact: bool
     """Whether every partial sum of its terms is a float32."""
-    factors: Factors
-    """The factors of all its terms."""
     error: Array = 0.0
     """By how much its bounds are wider because of the order of its terms."""
     _magnitude: Array | None = None
@@ -54,7 +48,6 @@ class Single:
 
     low: Array
     high: Array
-    factors: Factors
 
     @property
     def magnitude(self) -> Array:
@@ -65,28 +58,27 @@ class Single:
 Term = Sum | Single
 
 
-def added(x: Term, y: Term, *, is_exact: bool) -> Sum:
-    """The sum of two terms.
-
-    If they have a common factor, a driver may take it out (``a * c + b * c`` becomes
-    ``(a + b) * c`` in Mesa), and then another operation rounds.
-    """
-    before = [term.additions for term in (x, y) if isinstance(term, Sum)]
-    additions = 1 + sum(before) + (not x.factors.isdisjoint(y.factors))
-    return Sum(additions, (x, y), is_exact, x.factors | y.factors)
-
-
 def in_any_order(sum_: Sum) -> Array:
     """By how much further the bounds of a sum have to be widened for any order of its terms.
 
-    Each of n additions rounds a partial sum, which no order makes larger than the sum of all
+    Each of n operations rounds a partial sum, which no order makes larger than the sum of all
     magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero.
     """
     step = ULP * sum_.magnitude + np.minimum(sum_.magnitude, SMALLEST_NORMAL)
-    step = step + (sum_.magnitude > 0) * SUBNORMAL_STEP
-    sum_.error = sum_.additions * step
+    sum_.error = sum_.roundings * step
     before = [term.error for term in sum_.operands if isinstance(term, Sum)]
     return sum_.error - sum(before)
+
+
+def of_either(x: Sum, y: Sum) -> Sum:
+    """What is known of a lane that is one of two sums."""
+    return Sum(
+        max(x.roundings, y.roundings),
+        x.operands,
+        x.is_exact and y.is_exact,
+        np.minimum(x.error, y.error),
+        np.maximum(x.magnitude, y.magnitude),
+    )
 
 
 def is_coarse(value: Array) -> bool:
