@@ -49,19 +49,19 @@ class Form:
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
-        terms = self.terms * factor if self.errors else self.terms
+        terms = _for(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
         return Form(self.errors, terms, self.rest * np.abs(factor))
 
     def plus(self, other: Form) -> Form:
         """The form of the sum of two lanes."""
         rest = self.rest + other.rest
         if self.errors == other.errors or not other.errors:
-            terms = self.terms + other.terms if other.errors else self.terms
+            terms = _sum(self.terms, other.terms) if other.errors else self.terms
             return Form(self.errors, terms, rest)
         if not self.errors:
             return Form(other.errors, other.terms, rest)
         errors, one, two = _together(self.errors, other.errors)
-        return Form(errors, _placed(self.terms, one) + _placed(other.terms, two), rest)
+        return Form(errors, _sum(_placed(self.terms, one), _placed(other.terms, two)), rest)
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
@@ -90,8 +90,10 @@ def alone(radius: Array) -> Form:
 def chosen(is_first: Array, is_second: Array, x: Form, y: Form, otherwise: Array) -> Form:
     """The form of the first lane, or of the second, or of neither with this radius."""
     errors, one, two = _together(x.errors, y.errors)
+    axes = max(np.ndim(is_first), np.ndim(x.rest), np.ndim(y.rest))
     first, second = (
-        _placed(form.terms, place) if form.errors else 0.0 for form, place in ((x, one), (y, two))
+        _for(_placed(form.terms, place), axes) if form.errors else 0.0
+        for form, place in ((x, one), (y, two))
     )
     terms = np.where(is_first, first, np.where(is_second, second, 0.0))
     rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
@@ -111,6 +113,19 @@ def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius
     if certain.any():
         slope, bend = np.where(certain, 0.0, slope), np.where(certain, 0.0, bend)
     return form.scaled(slope).widened(bend * radius)
+
+
+def _for(terms: Array, axes: int) -> Array:
+    """Terms that broadcast with a lane of so many axes; their own first axis is not one of them."""
+    missing = axes + 1 - terms.ndim
+    return (
+        terms.reshape(terms.shape[:1] + (1,) * missing + terms.shape[1:]) if missing > 0 else terms
+    )
+
+
+def _sum(x: Array, y: Array) -> Array:
+    axes = max(x.ndim, y.ndim) - 1
+    return _for(x, axes) + _for(y, axes)
 
 
 _NO_TERMS = np.zeros((0,))
