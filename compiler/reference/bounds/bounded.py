@@ -17,7 +17,7 @@ import numpy as np
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen
-from .orders import Single, Sum, Term, in_any_order, is_coarse, of_either
+from .orders import Single, Sum, Term, in_any_order, is_coarse
 from .rounding import SUBNORMAL_STEP, ULP, Array, constant_ends, is_float32, of_device, outward
 
 _numbers = count()
@@ -289,10 +289,11 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 
 
 def either(x: Bounded, y: Bounded) -> Bounded:
-    """The result of one of two formulas for the same value, both of which are sums."""
+    """The result of one of two formulas for the same value; its terms are those of the first."""
     found = hull(x, y)
-    assert x._sum is not None and y._sum is not None
-    found._sum = of_either(x._sum, y._sum)
+    if x.form is not None and y.form is not None:
+        found = Bounded(x.value, found.low, found.high, x.form.or_else(y.form))
+    found._sum = x._sum
     return found
 
 
