@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -38,3 +39,15 @@ format_option = click.option(
     show_default=True,
     help="Text for people or JSON for programs.",
 )
+
+
+def pixel(
+    _context: click.Context, _option: click.Parameter, given: str | None
+) -> tuple[int, int] | None:
+    """The callback of an option whose value is a pixel, such as ``36,28``."""
+    if given is None:
+        return None
+    found = re.fullmatch(r"\s*([0-9]+)\s*,\s*([0-9]+)\s*", given)
+    if not found:
+        raise click.BadParameter(f"'{given}' is no pixel, which would be like 36,28")
+    return int(found[1]), int(found[2])

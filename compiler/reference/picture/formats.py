@@ -1,0 +1,113 @@
+"""Rounds colours to the formats of render targets, as far as a device may round them.
+
+``resolve.py`` calls it for every fragment that is drawn. What a host or a shader reads of a target
+afterwards is a number that the format has.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+
+from ....frozen import frozen
+from ..transfer import decode_srgb, encode_srgb
+from .scene import Floats
+
+_SMALLEST_HALF = 2.0**-14
+"""Numbers of 16 bits below it may be flushed to zero."""
+_CURVED = 0.1
+"""By how much of a step a device's curve of sRGB may be off, besides rounding: Direct3D allows 0.6
+of a step in all."""
+_ON_STEP = 1e-9
+"""By how much of a step float64 may be off at a number that the format has."""
+_READ = 2.0**-22
+"""The error of a stored number that is read as a float32, relative to itself."""
+
+
+@frozen
+class Format:
+    """How a target stores numbers."""
+
+    bits: int
+    """Of a lane."""
+    alpha_bits: int
+    """Of the fourth lane."""
+    is_float: bool
+    is_srgb: bool
+
+    @property
+    def steps(self) -> Floats:
+        """The number of steps from 0 to 1 of each lane, where these are equal."""
+        return np.array([2.0**self.bits - 1] * 3 + [2.0**self.alpha_bits - 1])
+
+
+@cache
+def format_of(name: str) -> Format:
+    """A format by the language's name for it, such as ``rgba8_srgb`` or ``rg16f``."""
+    numbers = [int(number) for number in re.findall(r"\d+", name)]
+    return Format(numbers[0], numbers[-1], name.endswith("f"), name.endswith("srgb"))
+
+
+def clamped(name: str, colours: Floats) -> Floats:
+    """Colours (…, 4) in the range of a format."""
+    return colours if format_of(name).is_float else np.clip(colours, 0.0, 1.0)
+
+
+def rounded(name: str, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Between which numbers of a format those are that a device stores for colours (…, 4).
+
+    Vulkan allows both neighbours of a number ("Conversion from Floating-Point to Normalized
+    Fixed-Point"; for floats, "Representation and Computation").
+    """
+    form = format_of(name)
+    if not form.is_float:
+        return _fixed(form, low, high)
+    return (low, high) if form.bits == 32 else (_half(low, -np.inf), _half(high, np.inf))
+
+
+def step(name: str, colours: Floats) -> Floats:
+    """The distance of neighbouring numbers of a format at these colours (…, 4)."""
+    form = format_of(name)
+    if form.is_float:
+        kind: type[np.float16 | np.float32] = np.float16 if form.bits == 16 else np.float32
+        least = _SMALLEST_HALF if form.bits == 16 else 2.0**-126
+        with np.errstate(all="ignore"):
+            spacing = np.spacing(np.maximum(np.abs(colours), least).astype(kind))
+        return np.asarray(spacing, np.float64)
+    if not form.is_srgb:
+        return np.broadcast_to(1.0 / form.steps, colours.shape)
+    encoded = _bent(encode_srgb, np.clip(colours, 0.0, 1.0))
+    return _bent(decode_srgb, encoded + 1.0 / form.steps) - _bent(decode_srgb, encoded)
+
+
+def _fixed(form: Format, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Of NaN, which says that nothing is known, at least the ends of the range are."""
+    low = np.clip(np.nan_to_num(low, nan=0.0), 0.0, 1.0)
+    high = np.clip(np.nan_to_num(high, nan=1.0), 0.0, 1.0)
+    slack = np.full(4, -_ON_STEP)
+    if form.is_srgb:
+        slack[:3] = _CURVED
+        low, high = _bent(encode_srgb, low), _bent(encode_srgb, high)
+    low = np.clip(np.floor(low * form.steps - slack) / form.steps, 0.0, 1.0)
+    high = np.clip(np.ceil(high * form.steps + slack) / form.steps, 0.0, 1.0)
+    if form.is_srgb:
+        low, high = _bent(decode_srgb, low), _bent(decode_srgb, high)
+    return low * (1.0 - _READ), high * (1.0 + _READ)
+
+
+def _bent(curve: Callable[[Floats], Floats], colours: Floats) -> Floats:
+    """Colours with the transfer function applied to all lanes but alpha."""
+    return np.concatenate([curve(colours[..., :3]), colours[..., 3:]], axis=-1)
+
+
+def _half(end: Floats, outside: float) -> Floats:
+    """The next float of 16 bits that is not on the inner side of an interval's end."""
+    with np.errstate(all="ignore"):
+        near = end.astype(np.float16)
+        inner = near > end if outside < 0 else near < end
+        found = np.where(inner, np.nextafter(near, np.float16(outside)), near).astype(np.float64)
+    flushed = np.minimum(found, 0.0) if outside < 0 else np.maximum(found, 0.0)
+    return np.where(np.abs(found) < _SMALLEST_HALF, flushed, found)
