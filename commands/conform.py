@@ -70,7 +70,8 @@ class Request(NamedTuple):
 )  # fmt: skip
 @click.option(
     "--case", metavar="NAME",
-    help="The scene of the pixel to explain; by default the one where it is the least certain.",
+    help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`; by default the one where "
+    "it is the least certain.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,
@@ -88,10 +89,10 @@ def conform(**chosen: Any) -> None:
     file declares, unless --rig and --pass name one.
 
     The exit code is 1 if any route differs from the reference or fails, or if a value overflows.
-    `proves little` is a warning: the material magnifies rounding so much that most of its pixels
-    may have nearly any value; with --strict it counts as well. A route that lacks its tools, or a
-    feature that the material needs, is `not run`. The exit code is also 1 if such a route was named
-    on the command line, or if no route was run.
+    `proves little` is a warning: the material magnifies rounding so much that too many of its
+    pixels may have nearly any value; with --strict it counts as well. A route that lacks its tools,
+    or a feature that the material needs, is `not run`. The exit code is also 1 if such a route was
+    named on the command line, or if no route was run.
 
     --explain shows the way of the error at one pixel: its value and its bounds, what each route has
     drawn, which operations contribute how much, and where precision is lost. Pixels are counted
@@ -191,9 +192,11 @@ def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
 def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
     """The rows, with what the source has to do with it where they differ or prove little."""
     from ..targets.conformance.explaining import with_reasons
+    from ..targets.conformance.summary import by_material
 
     materials = dict(subjects)
-    return [with_reasons(materials[row.material], row, seed) for row in rows]
+    groups = by_material(rows).items()
+    return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
 
 
 def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:

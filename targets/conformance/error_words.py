@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.reference.attribution.explanation import (
     Explanation,
     Expression,
+    Kind,
     Loss,
     Tipping,
 )
@@ -21,6 +22,14 @@ _INACCURATE = 1024.0
 _ROUNDING = 2.0**-24
 _WHOLE_STEP = 0.5
 """An operand that is off by more than this may be on either side of a jump at whole numbers."""
+_OWN: Mapping[Kind, str] = {
+    "operation": "may itself be off by",
+    "read": "is filtered, and may be off by",
+    "interpolation": "is interpolated, and may be off by",
+    "constant": "is rounded by",
+    "input": "may be off by",
+}
+"""How an expression is said to be inexact by itself."""
 _NEARLY_ALL = 0.8
 """The part of the error from which on one operation is to blame."""
 
@@ -37,7 +46,7 @@ def causes(explanation: Explanation) -> Iterator[str]:
     for worst in explanation.contributions[:1]:
         size = max((abs(lane) for lane in worst.value), default=0.0)
         if worst.own > _INACCURATE * _ROUNDING * max(size, 1.0):
-            text = f"`{worst.text}` may itself be off by {_short(worst.own)}"
+            text = f"`{worst.text}` {_OWN[worst.kind]} {_short(worst.own)}"
             yield _with_place(text, worst.span)
 
 

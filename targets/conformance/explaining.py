@@ -86,12 +86,25 @@ def explanation_lines(
     yield from lines(found)
 
 
-def with_reasons(subject: Subject, row: Row, seed: int) -> Row:
-    """The row of a finished run, with what the source has to do with its verdict."""
-    explain = {"proves little": _of_little, "differs": _of_difference}.get(row.status)
-    if explain is None:
-        return row
-    return replace(row, reasons=tuple(explain(subject, row, seed)))
+def with_reasons(subject: Subject, rows: Sequence[Row], seed: int) -> list[Row]:
+    """The rows of one material, with what the source has to do with their verdicts.
+
+    What proves little does so for the same reason on all routes; it is worked out once.
+    """
+    weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
+    shared = tuple(_of_little(subject, weakest, seed)) if weakest else ()
+    return [
+        replace(row, reasons=shared)
+        if _is_weak(row)
+        else replace(row, reasons=tuple(_of_difference(subject, row, seed)))
+        if row.status == "differs"
+        else row
+        for row in rows
+    ]
+
+
+def _is_weak(row: Row) -> bool:
+    return row.status == "proves little"
 
 
 def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> Explanation:

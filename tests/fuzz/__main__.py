@@ -22,7 +22,8 @@ from .shrink import shrunk
 from .tree import Node
 
 SHARES = {"rewritten": 0.3, "accepted": 0.3, "drawn": 0.3}
-"""The shares of the whole time that these questions may take, at most; the others come first."""
+"""The shares of the whole time that these questions may take, at most. If no others are asked, they
+share all of it."""
 
 TELL_EVERY = 15.0
 """Seconds between two lines of progress."""
@@ -89,11 +90,14 @@ class Run:
     def _due(self) -> list[str]:
         """The questions to ask about the next program."""
         asked: list[str] = self._asked.oracles
+        if self._asked.program:
+            return asked
+        shares = {oracle: SHARES[oracle] for oracle in asked if oracle in SHARES}
+        whole = sum(shares.values()) if len(shares) == len(asked) else 1.0
         return [
             oracle
             for oracle in asked
-            if self._asked.program
-            or self._spent[oracle] <= SHARES.get(oracle, 1.0) * self._elapsed()
+            if self._spent[oracle] <= shares.get(oracle, whole) / whole * self._elapsed()
         ]
 
     def _found(self, name: str, tree: Node, finding: Finding) -> None:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from .expressions import FUEL, Writer
 from .rules import BOOLS, FLOATS, GEOMETRIC, INTS, MATRICES, NUMBERS, TYPES, UINTS
 from .scope import IN_TERM, LIGHT, Scope, Signature, local, variable
+from .textures import KINDS, all_reads
 from .tree import Node, expression, listed
 
 Callables = tuple[Signature, ...]
@@ -56,7 +57,7 @@ def functions(writer: Writer, outside: Scope) -> Iterator[tuple[Signature, Node]
     """Functions that call earlier ones; some are overloads, and some have type parameters."""
     known: Callables = ()
     for _ in range(writer.chance.choice((0, 1, 1, 2, 3))):
-        made = _generic if writer.maybe(0.25) else _function
+        (made,) = writer.chance.choices((_function, _generic, _reading), (6, 2, 1))
         signature, node = made(writer, replace(outside, callables=known), known)
         known = (*known, signature)
         yield signature, node
@@ -111,6 +112,45 @@ def _generic(writer: Writer, _outside: Scope, _known: Callables) -> tuple[Signat
     return Signature(name, (type_, type_), type_), node
 
 
+def _reading(writer: Writer, outside: Scope, _known: Callables) -> tuple[Signature, Node]:
+    """A function that reads a texture, which it is given."""
+    name, type_ = writer.fresh("f"), writer.chance.choice(("texture2d", *KINDS))
+    place = local(writer.fresh("a"), writer.chance.choice(("vec2", "vec3", "float", "int")))
+    reads = [read for read in all_reads(type_) if not read.needs]
+    read = writer.chance.choice(reads)
+    scope = outside.having(place)
+    operands = [writer.expression(operand, scope, FUEL // 4) for operand in read.operands]
+    body = expression(read.result, f"t{read.form}", operands, "read")
+    form = f"fn {name}(t: {type_}, {place.name}: {place.type}) -> {read.result} = {{}}{{}}"
+    node = Node(form, (body, Node("")), role="reading function", optional=True, name=name)
+    return Signature(name, (type_, place.type), read.result), node
+
+
+def extern_block(writer: Writer) -> tuple[Node, list[Node]]:
+    """A block of the host's own, with references to its members."""
+    kinds = writer.chance.choices(("vec4", "mat4", "float", "vec3", "ivec2", "uint"), k=3)
+    at, members, references = 0, [], []
+    for number, kind in enumerate(kinds):
+        members.append(f"e{number} : {kind} at {at}")
+        references.append(variable(f"e{number}", kind))
+        at += 64 if kind == "mat4" else 16
+    group = writer.chance.choice(("", " per view"))
+    text = f"extern block Host{group} at group 3, binding 2 {{{{ {', '.join(members)} }}}}"
+    return Node(text, role="extern", optional=True, name="Host"), references
+
+
+def light_mixin(writer: Writer) -> Node:
+    """A mixin for lights, which weakens them."""
+    scope = Scope((*LIGHT_LEAVES, variable("waning", "float")), can=IN_TERM)
+    share = writer.expression("float", scope, FUEL // 3)
+    items = [
+        Node("param waning : float in 0..1"),
+        Node("falloff = inherited.falloff * float({})", (share,), role="slot", optional=True),
+    ]
+    form = "mixin Waning for light {{\n    {}\n}}"
+    return replace(listed(form, items, "\n    ", "mixin"), optional=True)
+
+
 def parameters(writer: Writer, letter: str, most: int) -> Iterator[tuple[Node, Node]]:
     """Parameters of all types, with references to them."""
     kinds = (*TYPES, "float", "int", "vec3", "rgb", "angle", "point<world>", "direction<world>",
@@ -127,7 +167,7 @@ def parameters(writer: Writer, letter: str, most: int) -> Iterator[tuple[Node, N
         yield Node(text, role="parameter", optional=True, name=name), variable(name, type_)
 
 
-def light(writer: Writer, callables: Callables) -> Node:
+def light(writer: Writer, callables: Callables, *, mixed: bool) -> Node:
     """A light of the program's own, or one of the library's with other slots."""
     base = writer.chance.choice(("Light", "Point", "Spot", "Directional"))
     leaves = [*LIGHT_LEAVES, variable("q", "float")]
@@ -143,8 +183,10 @@ def light(writer: Writer, callables: Callables) -> Node:
     if base == "Light" or writer.maybe(0.3):
         towards = writer.expression("vec3", scope, FUEL // 3)
         items.append(Node("to_light = normalize(vec3({}))", (towards,), optional=base != "Light"))
-    form = f"light Own : {base} {{{{\n    {{}}\n}}}}"
-    return replace(listed(form, items, "\n    ", "light"), optional=True)
+    mixins = [Node("Waning", optional=True)] if mixed else []
+    header = listed("{}", [Node(base), *mixins], " + ")
+    members = listed("{{\n    {}\n}}", items, "\n    ")
+    return Node("light Own : {} {}", (header, members), role="light", optional=True)
 
 
 def terms(writer: Writer, outside: Scope) -> Iterator[tuple[Signature, Node]]:

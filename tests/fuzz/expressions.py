@@ -8,7 +8,7 @@ from random import Random
 
 from .rules import BOOLS, FLOATS, GEOMETRIC, INTS, MATRICES, NUMBERS, UINTS, Rule, rules_of
 from .scope import CROSSING, Map, Scope, element_of, local
-from .textures import Read, reads_of
+from .textures import KINDS, Read, reads_of
 from .tree import Node, expression, walk
 
 FUEL = 12
@@ -26,9 +26,11 @@ WILD_LITERALS = {
 USUAL = frozenset(
     {"add", "sub", "mul", "div", "mix", "min", "max", "clamp", "saturate", "dot", "abs", "floor",
      "fract", "length", "normalize", "smoothstep", "sqrt", "sin", "cos", "pow", "lt", "gt", "and",
-     "or", "meaning", "constructor", "swizzle"}
+     "or", "constructor", "swizzle"}
 )  # fmt: skip
 """What programs mostly consist of."""
+WEIGHTS = {"meaning": 12, "rare meaning": 12}
+"""How often roles are chosen that stand for many forms."""
 STEEP = frozenset(
     {"exp", "exp2", "sinh", "cosh", "pow", "tan", "ldexp", "float_of_bits", "inversesqrt", "div",
      "product", "inverse", "log", "log2", "log10", "mod", "determinant", "unpack_half2x16"}
@@ -157,7 +159,7 @@ class Writer:
         }
         if not by_role:
             return self.leaf(type_, scope)
-        weights = [4 if role in USUAL else 1 for role in by_role]
+        weights = [WEIGHTS.get(role, 4 if role in USUAL else 1) for role in by_role]
         (role,) = self.chance.choices([*by_role], weights)
         rule = self.chance.choice(by_role[role])
         parts = self._operands(rule, scope, fuel)
@@ -205,9 +207,22 @@ class Writer:
             return self.leaf(type_, scope)
         chosen = self.chance.choice(allowed)
         share = fuel // max(1, len(chosen.formals))
-        parts = [self.pinned(self.expression(each, scope, share)) for each in chosen.formals]
+        given = [self._argument(each, scope, share) for each in chosen.formals]
+        parts = [part for part in given if part is not None]
+        if len(parts) < len(given):
+            return self.leaf(type_, scope)
         made = _called(type_, chosen.name, parts, "call")
         return replace(made, needs=made.needs | chosen.needs, name=chosen.name)
+
+    def _argument(self, type_: str, scope: Scope, fuel: int) -> Node | None:
+        """An argument of a function; ``None`` if it has to be a texture, and there is none."""
+        if type_ not in KINDS:
+            return self.pinned(self.expression(type_, scope, fuel))
+        fitting = [each for each in scope.maps if each.type == type_]
+        if not fitting:
+            return None
+        chosen = self.chance.choice(fitting)
+        return expression(type_, chosen.name, role="read", name=chosen.name)
 
     def _member(self, type_: str, scope: Scope, fuel: int) -> Node:
         owners = [

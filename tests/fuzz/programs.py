@@ -9,7 +9,19 @@ from random import Random
 from . import declarations
 from .expressions import FUEL, Writer
 from .rules import GEOMETRIC, TYPES
-from .scope import FRAGMENT, IN_MATERIAL, LIT, SURFACE, UNIFORM, Map, Scope, Signature, variable
+from .scope import (
+    FRAGMENT,
+    IN_MATERIAL,
+    LIT,
+    SPACES,
+    SURFACE,
+    TRANSFORMS,
+    UNIFORM,
+    Map,
+    Scope,
+    Signature,
+    variable,
+)
 from .textures import DEFAULTS, KINDS, SETTINGS, settings_of
 from .tree import Node, expression, listed
 
@@ -26,6 +38,12 @@ LIBRARY_MIXINS = {
     "Skinned": "skinning", "Instanced": "instancing", "Morphed": "morphing",
     "Billboard": "billboards",
 }  # fmt: skip
+OVERRIDES = {
+    "float": ("0.5", "0.5 + 0.4 * saturate({})"), "int": ("1", "clamp({}, 1, 2)"), "uint": ("2u",),
+    "vec3": ("vec3(0.5)", "saturate({})"), "vec2": ("vec2(0.5)", "0.5 * {}"), "rgb": ("#808080",),
+    "vec4": ("{}.wzyx",), "bool": ("not {}",), "mat3": ("transpose({})",),
+}  # fmt: skip
+"""Other definitions of what a base declares, within all ranges that it may have."""
 _SURFACE = frozenset({SURFACE})
 _VARYING = (
     variable("uv", "vec2", _SURFACE), variable("uv.x", "float", _SURFACE),
@@ -52,6 +70,12 @@ class _Program:
     """The declarations in front of materials."""
     scope: Scope = field(default_factory=Scope)
     """What functions see."""
+    hosted: tuple[Node, ...] = ()
+    """References to the members of the host's block."""
+    has_bench: bool = False
+    """Whether there is a space of the program's own."""
+    inherited: list[Node] = field(default_factory=list)
+    """References to what the base declares, which the material may override."""
 
     def tree(self) -> Node:
         """The whole file."""
@@ -61,6 +85,7 @@ class _Program:
         for node, reference in declarations.constants(writer):
             self.file.append(node)
             self.scope = self.scope.having(reference)
+        self._surroundings()
         functions = list(declarations.functions(writer, self.scope))
         own_light = writer.maybe(0.4)
         callables = tuple(signature for signature, _ in functions)
@@ -68,7 +93,9 @@ class _Program:
         terms = list(declarations.terms(writer, outside))
         self.file += [node for _, node in (*functions, *terms)]
         if own_light:
-            self.file.append(declarations.light(writer, callables))
+            mixed = writer.maybe(0.2)
+            self.file += [declarations.light_mixin(writer)] * mixed
+            self.file.append(declarations.light(writer, callables, mixed=mixed))
         usable = (*callables, *(signature for signature, _ in terms))
         materials = list(self._materials(replace(outside, callables=usable)))
         passes = [self._pass(usable)] if writer.maybe(0.3) else []
@@ -79,12 +106,26 @@ class _Program:
             items.insert(0, Node("burnish 1", optional=True))
         return listed("{}\n", items, "\n", "file")
 
+    def _surroundings(self) -> None:
+        """What functions see besides: a block of the host, and the library's transforms."""
+        writer = self.writer
+        if writer.maybe(0.15):
+            block, members = declarations.extern_block(writer)
+            self.file.append(block)
+            self.hosted = tuple(members)
+        if writer.maybe(0.2):
+            self.imports.append("std.transforms")
+            self.scope = replace(self.scope, can=self.scope.can | {TRANSFORMS})
+        if writer.maybe(0.2):
+            self.file.append(Node("space bench", optional=True))
+            self.has_bench = True
+
     # --- materials -------------------------------------------------------------------------------
 
     def _materials(self, outside: Scope) -> Iterator[Node]:
         """A material, perhaps with a base and mixins."""
         writer = self.writer
-        scope = replace(outside, can=IN_MATERIAL).having(*_VARYING)
+        scope = replace(outside, can=IN_MATERIAL | self.scope.can).having(*_VARYING, *self.hosted)
         base, mixins = "Surface", []
         if writer.maybe(0.3):
             scope, node = self._base(scope)
@@ -100,6 +141,11 @@ class _Program:
         names = [Node(base, role="base"), *(Node(name, optional=True) for name in mixins)]
         header = listed(" : {}", names, " + ")
         scope, items = self._members(scope, "p", most=5)
+        if self.has_bench:
+            text = "param bench_to_world : transform<bench, world> per draw = mat4(1)"
+            items.append(Node(text, role="parameter", optional=True, name="bench_to_world"))
+            scope = replace(scope, can=scope.can | {SPACES})
+        items += self._overrides()
         items += self._places(scope)
         items += self._slots(scope, "s", most=3)[1]
         below = scope.having(*_OWN)
@@ -122,12 +168,22 @@ class _Program:
 
     def _base(self, scope: Scope) -> tuple[Scope, Node]:
         """An abstract material, and the scope of those that are derived from it."""
+        known = scope.leaves
         scope, items = self._members(scope, "b", most=2)
         scope, slots = self._slots(scope, "d", most=2)
+        self.inherited += [leaf for leaf in scope.leaves if leaf not in known]
         color = self.writer.expression("rgb", scope, FUEL // 2)
         items += [*slots, Node("color = {}", (color,), role="slot", optional=True)]
         form = "abstract material Base {{\n    {}\n}}"
         return scope, replace(listed(form, items, "\n    ", "base material"), optional=True)
+
+    def _overrides(self) -> Iterator[Node]:
+        """Parameters and slots of the base that the material defines in another way."""
+        for reference in self.inherited:
+            if reference.type in OVERRIDES and self.writer.maybe(0.3):
+                name, form = reference.name, self.writer.chance.choice(OVERRIDES[reference.type])
+                text = f"{name} = {form.format(f'inherited.{name}')}"
+                yield Node(text, role="override", optional=True, name=name)
 
     def _mixin(self, scope: Scope) -> Node:
         """A mixin that continues the colour that it finds."""

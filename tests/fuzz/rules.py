@@ -16,7 +16,7 @@ from burnish.compiler.ir.types import Matrix, Type
 from burnish.compiler.semantics.checking.expressions import OPERATORS
 from burnish.stdlib.builtins import BUILTINS
 
-from .scope import FRAGMENT, LIGHT, LIT, SURFACE, UNIFORM
+from .scope import FRAGMENT, LIGHT, LIT, SPACES, SURFACE, TRANSFORMS, UNIFORM
 
 SIZES = (2, 3, 4)
 FLOATS = ("float", "vec2", "vec3", "vec4")
@@ -169,6 +169,8 @@ def _swizzles() -> Iterator[Rule]:
 
 _N = frozenset[str]()
 _S, _F = frozenset({SURFACE}), frozenset({FRAGMENT})
+_BENCH, _TURNED = frozenset({SURFACE, SPACES}), frozenset({TRANSFORMS})
+_EVERYWHERE = frozenset({SURFACE, FRAGMENT, LIT, LIGHT})
 _LIT, _LIGHT = frozenset({SURFACE, LIT}), frozenset({SURFACE, LIGHT})
 
 _MEANINGS: Mapping[str, tuple[tuple[str, tuple[str, ...], frozenset[str]], ...]] = {
@@ -227,6 +229,7 @@ _MEANINGS: Mapping[str, tuple[tuple[str, tuple[str, ...], frozenset[str]], ...]]
     "float": (
         ("dot({}, {})", ("direction<world>", "normal<world>"), _N),
         ("distance({}, {})", ("point<world>", "point<world>"), _N),
+        ("fwidth({})", ("float",), frozenset({UNIFORM, FRAGMENT})),
         ("length({})", ("vector<world>",), _N), ("float({})", ("angle",), _N),
         ("cos({})", ("angle",), _N), ("{}.x", ("rgb",), _N),
         ("frag_coord.x", (), _F), ("frag_coord.z", (), _F),
@@ -238,12 +241,20 @@ _MEANINGS: Mapping[str, tuple[tuple[str, tuple[str, ...], frozenset[str]], ...]]
         ("vec3({})", ("direction<world>",), _N),
         ("vec3({})", ("normal<world>",), _N),
         ("vec3({})", ("vector<world>",), _N),
+        ("vec3({} in bench)", ("point<world>",), _BENCH),
+        ("vec3({} in bench)", ("vector<world>",), _BENCH),
+        ("normalize(nonzero(vec3(1.5, {})))", ("vec2",), _N),
+        ("turned(vec3(0, 1, 0), {}, vec3({}))", ("angle", "vec3"), _TURNED),
     ),
     "vec4": (
         ("vec4(rgba({}, {}))", ("rgb", "float"), _N),
         ("vec4(#80c0ff40)", (), _N), ("frag_coord", (), _F),
     ),
-    "mat4": (("mat4(object_to_world)", (), _S),),
+    "mat4": (
+        ("mat4(object_to_world)", (), _S),
+        ("mat4(rotation(vec3(0, 1, 0), {}))", ("angle",), _TURNED),
+        ("mat4(translation(vec3({})))", ("vec3",), _TURNED),
+    ),
     "bool": (("front_facing", (), _F),),
     "uint": (("instance_index", (), _S), ("vertex_index", (), _S)),
 }  # fmt: skip
@@ -252,7 +263,8 @@ _MEANINGS: Mapping[str, tuple[tuple[str, tuple[str, ...], frozenset[str]], ...]]
 def _meanings() -> Iterator[Rule]:
     for result, rows in _MEANINGS.items():
         for form, operands, needs in rows:
-            yield Rule(result, form.format(*map(_bare, operands)), operands, "meaning", needs)
+            role = "meaning" if needs <= _EVERYWHERE else "rare meaning"
+            yield Rule(result, form.format(*map(_bare, operands)), operands, role, needs)
 
 
 def _bare(operand: str) -> str:

@@ -20,8 +20,13 @@ CROSSING = "crossing"
 LIGHT = "light"
 """There is a current light."""
 
+SPACES = "spaces"
+"""The file declares the space ``bench``, and the material knows the way to it."""
+TRANSFORMS = "transforms"
+"""The file imports ``std.transforms``."""
+
 ANYWHERE = frozenset[str]()
-AT_VERTICES = frozenset({SURFACE, LIT})
+AT_VERTICES = frozenset({SURFACE, LIT, SPACES, TRANSFORMS})
 IN_TERM = frozenset({SURFACE})
 IN_MATERIAL = frozenset({SURFACE, LIT, FRAGMENT, UNIFORM, CROSSING})
 

@@ -7,10 +7,18 @@ from __future__ import annotations
 
 import os
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
+from burnish.compiler.diagnostics.diagnostic import Report
+from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax.ast import declarations, expressions, members
+from burnish.compiler.syntax.ast.members import MemberKind, ReadMember
+from burnish.compiler.syntax.parser import parse
+from burnish.stdlib.builtins import BUILTINS
 
 from ..suite.processes import run
 from . import rewritings
@@ -18,6 +26,7 @@ from .oracles import Case, Tools, ask
 from .programs import program
 from .rewritings import REWRITINGS, rewritten
 from .shrink import shrunk
+from .textures import KINDS
 from .tree import Node, walk
 
 REGRESSIONS = sorted((Path(__file__).parent / "regressions").glob("*.burnish"))
@@ -84,6 +93,43 @@ def test_nearly_all_programs_are_correct(tools: Tools) -> None:
     answers = [ask(Case(str(program(f"rate:{n}")), n, tools), "facts") for n in range(100)]
     assert sum(answer.refused for answer in answers) <= 10
     assert not any(answer.findings for answer in answers)
+
+
+def test_programs_use_the_whole_language() -> None:
+    """Every class of the syntax tree, every builtin, and every kind of texture and read."""
+    trees = [program(f"whole:{number}") for number in range(600)]
+    written = Counter(node.role for tree in trees for _, node in walk(tree))
+    texts = "\n".join(map(str, trees))
+    found = {type(node) for tree in trees[:200] for node in _syntax(str(tree))}
+    assert {each.__name__ for each in _syntax_classes() - found} == set()
+    unread = {name for name, row in BUILTINS.items() if row.method is None}
+    assert unread - {*written, "nonzero"} == set()
+    methods = {f".{row.method}(" for row in BUILTINS.values() if row.method}
+    assert [each for each in (*KINDS, *methods, "nonzero(") if each not in texts] == []
+
+
+def _syntax_classes() -> set[type]:
+    """The classes of all that can be written."""
+    found = {
+        each
+        for module in (declarations, expressions, members)
+        for each in vars(module).values()
+        if isinstance(each, type) and each.__module__ == module.__name__
+    }
+    return {each for each in found if not each.__subclasses__()} - {MemberKind, ReadMember}
+
+
+def _syntax(text: str) -> Iterator[object]:
+    """Every node of the syntax tree of a text."""
+    waiting: list[object] = [parse(Source("random", text), Report())]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        if isinstance(node, list | tuple):
+            waiting += node
+        else:
+            names = (name for each in type(node).__mro__ for name in getattr(each, "__slots__", ()))
+            waiting += (getattr(node, name, None) for name in names)
 
 
 def test_a_seed_always_gives_the_same_program() -> None:

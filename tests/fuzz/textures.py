@@ -47,10 +47,10 @@ class Read:
 @cache
 def reads_of(texture: str, result: str) -> tuple[Read, ...]:
     """The reads of a texture that give a type."""
-    return tuple(read for read in _reads(texture) if read.result == result)
+    return tuple(read for read in all_reads(texture) if read.result == result)
 
 
-def _reads(texture: str) -> Iterator[Read]:
+def all_reads(texture: str) -> Iterator[Read]:
     layer = ("int",) if texture.endswith("_array") else ()
     place = ("vec3" if "3d" in texture or "cube" in texture else "vec2", *layer)
     texel = ("ivec3" if "3d" in texture else "ivec2", *layer)

@@ -239,13 +239,20 @@ class Device:
     # --- sums and products ------------------------------------------------------------------------
 
     def add(self, x: Any, y: Any) -> Chosen:
-        """The sum, in any order of its terms, of products that are rounded or not."""
+        """The sum, in any order of its terms, of products that are rounded or not.
+
+        If both terms are products with the same factor, it may be taken out, as Mesa does.
+        """
         x, y = self.lane(x), self.lane(y)
         if x.value.dtype.kind != "f":
             return Chosen(self, x.value + y.value)
         terms = (*_parts(x, x.terms), *_parts(y, y.terms))
         if 2 < len(terms) <= MOST_PARTS and self._does(self._habits.reorders):
             return Chosen(self, self._in_any_order(terms, operator.add), terms)
+        common = _common_factor(x, y)
+        if common is not None and self._does(self._habits.reorders):
+            factor, first, second = common
+            return Chosen(self, self.rounded(factor * self.rounded(first + second)), terms)
         first, second = self._unrounded(x), self._unrounded(y)
         if first is not x.value and second is not y.value:  # Only one product can be fused.
             second = y.value
@@ -340,7 +347,8 @@ class Device:
         x, y = self.lane(x), self.lane(y)
         if x.value.dtype.kind == "i":
             return Chosen(self, np.remainder(x.value, y.value))
-        return x - y * self.floor(self.divide(x, y))
+        left: Chosen = x - y * self.floor(self.divide(x, y))
+        return left
 
     def power(self, x: Any, y: Any, /) -> Chosen:
         return self.exp2(self.lane(y) * self.log2(x))
@@ -415,6 +423,16 @@ def _stays_normal(factors: tuple[Array, ...]) -> Array:
     least = math.prod(np.minimum(magnitude, 1.0) for magnitude in magnitudes)
     most = math.prod(np.maximum(magnitude, 1.0) for magnitude in magnitudes)
     return (least >= 4 * SMALLEST_NORMAL) & (most < 0.25 / SMALLEST_NORMAL)
+
+
+def _common_factor(x: Chosen, y: Chosen) -> tuple[Array, Array, Array] | None:
+    """A factor that both products have, and the other factor of each."""
+    if len(x.factors) != 2 or len(y.factors) != 2:
+        return None
+    for i, j in ((0, 0), (0, 1), (1, 0), (1, 1)):
+        if x.factors[i] is y.factors[j]:
+            return x.factors[i], x.factors[1 - i], y.factors[1 - j]
+    return None
 
 
 def _parts(x: Chosen, parts: tuple[Array, ...]) -> tuple[Array, ...]:

@@ -131,7 +131,10 @@ class RandomGraph:
         return self.graph.node("call", BOOL, (self._value(FLOAT), self._value(FLOAT)), name)
 
     def _vector(self) -> Node:
-        parts = self._chance.choice(((FLOAT, FLOAT), (FLOAT, VECTORS[0]), (VECTORS[1], FLOAT)))
+        pairs: list[tuple[Type, Type]] = [
+            (FLOAT, FLOAT), (FLOAT, VECTORS[0]), (VECTORS[1], FLOAT)
+        ]  # fmt: skip
+        parts = self._chance.choice(pairs)
         return build.vector(self.graph, tuple(map(self._value, parts)))
 
     def _swizzle(self) -> Node:
@@ -141,7 +144,8 @@ class RandomGraph:
         return build.swizzle(self.graph, source, lanes)
 
     def _index(self) -> Node:
-        whole = self._chance.choice((*VECTORS, Matrix(3), Array(FLOAT, 3)))
+        wholes: list[Vector | Matrix | Array] = [*VECTORS, Matrix(3), Array(FLOAT, 3)]
+        whole = self._chance.choice(wholes)
         count = whole.count if isinstance(whole, Array) else whole.size
         bound = build.constant(self.graph, INT, count)
         at = self.graph.node("call", INT, (self._value(INT), bound), "mod")
@@ -257,7 +261,8 @@ def leaves(values: Values, made: Callable[[Any, float], Any]) -> Callable[[Node]
         name = node.data.name
         is_float = scalar_kind(node.type) == "float"
         error = 2.0**-18 if is_float and name.encode()[-1] % 3 == 0 else 0.0
-        return _mapped(values.lanes(name, node.type), lambda array: made(array, error))
+        found: Lanes = _mapped(values.lanes(name, node.type), lambda array: made(array, error))
+        return found
 
     return lanes
 

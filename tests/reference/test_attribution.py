@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -167,6 +168,20 @@ def test_derivatives_see_the_errors_of_two_pixels() -> None:
     assert found.value[0] == 0.125
     (place,) = [part for part in found.contributions if part.text == "s"]
     assert place.contribution == pytest.approx(2 * place.own, rel=1e-3)
+
+
+def test_a_pixel_that_may_be_discarded() -> None:
+    """To tip is no small error: it does not count among the contributions."""
+    found = explained("value = vec4(s, 0, 1)", discard="discard when material.value.x < 0.43749999")
+    (tipping,) = found.tippings
+    assert tipping.expression.text == "material.value.x < 0.43749999"
+    assert math.isinf(tipping.effect) and found.error < 1e-5
+
+
+def test_values_beyond_float32() -> None:
+    """What is infinite has no slope; the rest is explained."""
+    found = explained("value = vec4(exp(s.x * 5000), s.x * 1.7, 0, 1)")
+    assert math.isfinite(found.error)
 
 
 def test_pixels_that_nothing_covers() -> None:

@@ -254,3 +254,22 @@ def test_a_choice_in_doubt_is_so_for_all_who_take_differences_with_it() -> None:
     chosen = "if uv.x + uv.y <= 0.375 then uv + 2 else 2 * uv"
     assert doubtful(f"m.level({chosen}, uv.x + uv.y + ({chosen}).x)") == [[0, 0]]
     assert doubtful(f"m({chosen})") == [[0, 0], [0, 1], [1, 0], [1, 1]]
+
+
+@pytest.mark.parametrize("bottom_up", [False, True])
+def test_a_level_is_that_of_a_quads_first_row(bottom_up: bool) -> None:
+    """In each quad u grows twice as fast along the lower row."""
+    given = shader("""
+        material M {
+            map m : texture2d
+            clip_position : vec4 = vec4(vertex_position, 1)
+            color = m(vec2(uv.x * (1 + floor(uv.y / 3)), 0.5)).rgb
+        }""")
+    place = np.array([(-1, 1, 0), (3, 1, 0), (-1, -3, 0)], float)
+    # u grows by 1/4 of the texture a pixel, which is 2 texels; v is 1.5 and 4.5.
+    mesh = geometry(
+        [(0, 1, 2)], vertex_position=place, vertex_uv=np.array([(0, 0), (1, 0), (0, 12)], float)
+    )
+    rules = RasterRules(2, 2, bottom_up=bottom_up)
+    found = picture(given, mesh, rules, {"m": LEVELS}).targets[0][..., 0]
+    assert found == pytest.approx(np.full((2, 2), 2.0 if bottom_up else 1.0))

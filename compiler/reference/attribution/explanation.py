@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from ...diagnostics.source import Span
 from ...formula import Formulas
-from ...ir.node import Node, reachable
+from ...ir.node import Node, Op, reachable
 from ...ir.operations import BUILTIN_OPS
 from ...ir.shader import Shader
 from ...ir.stages import TARGET
@@ -23,7 +24,7 @@ from ..namespace import Lanes
 from ..picture.scene import Geometry, RasterRules, Texels
 from .influences import Influences, Site, influences, slopes
 from .local_errors import LocalErrors
-from .pixel import PixelShader, Reader
+from .pixel import PixelShader
 
 LOSS = 16.0
 """An expression loses precision if it magnifies errors at least this many times."""
@@ -35,11 +36,17 @@ LONGEST_TEXT = 60
 """The most characters of an expression that are shown."""
 
 
+Kind = Literal["operation", "read", "interpolation", "constant", "input"]
+"""What an expression is: ``read`` means one of a texture, and ``input`` a value of the pipeline."""
+_KINDS: Mapping[Op, Kind] = {"cross": "interpolation", "constant": "constant", "input": "input"}
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Expression:
     """An expression of the source, as it is in one pixel."""
 
     text: str
+    kind: Kind
     span: Span | None
     value: tuple[float, ...]
     """Its lanes."""
@@ -183,6 +190,7 @@ class _Explaining:
         site = sites[0]
         return Expression(
             self._text(site.node),
+            "read" if site.reads else _KINDS.get(site.node.op, "operation"),
             self._shader.notes.spans.get(site.node.id),
             tuple(site.value),
             error=max(site.error, default=0.0),
@@ -222,7 +230,7 @@ class _Explaining:
 
     def _slope(self, site: Site) -> float:
         """How many times an operation would magnify a tiny error of its worst operand."""
-        if isinstance(site.given[0][0], Reader):
+        if site.reads:
             return 0.0
         return max(
             (

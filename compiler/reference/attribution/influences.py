@@ -7,6 +7,7 @@ differences between the ways also add up to the error of every value on the way.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -21,7 +22,7 @@ from ..operations import apply
 from ..picture.scene import Floats
 from .jumps import Jump, by_lane, coordinates, jump_at, rule_of
 from .local_errors import LocalErrors, flat
-from .pixel import Occurrence, PixelShader
+from .pixel import Occurrence, PixelShader, Reader
 
 AT_ONCE = 256
 """How many ways are evaluated at once: few enough for their values to stay in the CPU's cache."""
@@ -59,6 +60,11 @@ class Site:
     """The error of each lane: its own, and those of everything before it."""
     effect: Floats
     """(lanes, lanes of the picture): by how much the error that was tried changes the picture."""
+
+    @property
+    def reads(self) -> bool:
+        """Whether it reads a texture."""
+        return bool(self.given) and isinstance(self.given[0][0], Reader)
 
     @property
     def contribution(self) -> Floats:
@@ -128,13 +134,19 @@ class _Measuring:
         self, where: Occurrence, node: Node, operands: list[Lanes], value: Lanes
     ) -> Lanes:
         """Note what can have an error of its own, or jump."""
-        local = [float(np.max(error)) for error in self._errors.of(node, operands, value)]
+        # Nothing is said of the error of what is infinite.
+        local = [
+            float(np.max(error)) if np.isfinite(error).all() and np.isfinite(lane).all() else 0.0
+            for error, lane in zip(self._errors.of(node, operands, value), flat(value), strict=True)
+        ]
         rule = rule_of(node)
         rounds = _rounds(node) if node.op != "constant" else any(local)
         if rounds or rule is not None:
             values = [self._shown(lane) for lane in flat(value)]
             probe = [
-                max(own, PROBE * max(abs(shown), SMALLEST)) if rounds else 0.0
+                max(own, PROBE * max(abs(shown), SMALLEST))
+                if rounds and math.isfinite(shown)
+                else 0.0
                 for own, shown in zip(local, values, strict=True)
             ]
             self._sites[where] = Site(
@@ -186,12 +198,15 @@ class _Measuring:
             self._add(site, operands, value, parts)
 
         changes = self._changes(ways, off, add)
+        # Jumps are tried by themselves, and what is infinite anyway has no slope.
+        changes = np.where(np.isfinite(changes), changes, 0.0)
         for lanes, change in zip(ways, changes, strict=True):
             for where, lane in lanes:
                 self._sites[where].effect[lane] = change / len(lanes)
 
     def _changes(self, ways: list[list[Tried]], disturb: Disturb, seen: Seen) -> Floats:
-        """(ways, lanes of the picture): by how much each way changes the picture."""
+        """(ways, lanes of the picture): by how much each way changes the picture; infinite where
+        the pixel is discarded."""
         places: dict[Occurrence, list[tuple[int, int]]] = {}
         for way, lanes in enumerate(ways, start=1):
             for where, lane in lanes:
@@ -294,17 +309,18 @@ def _rebuilt(value: Any, lanes: Iterator[Lane]) -> Any:
 
 
 def slopes(site: Site, pixel: PixelShader) -> Iterator[tuple[float, list[float]]]:
-    """For each lane of the operands that is a float and not zero: its value, and by how much each
-    lane of the result changes for a relative change of 1 in it, if it went on as for a tiny one."""
+    """How steep an operation is: for each lane of its operands that is a float and not zero, its
+    value, and by how much each lane of the result changes for a tiny relative change in it, divided
+    by that change."""
     lanes = list(flat(tuple(site.given)))
     for number, lane in enumerate(lanes):
-        shown = float(np.asarray(pixel.seen(lane)).flat[0]) if _is_float(lane) else 0.0
+        shown = float(pixel.seen(lane)[0]) if _is_float(lane) else 0.0
         if shown == 0.0:
             continue
         moved = [*lanes[:number], lane + shown * _TINY_CHANGE, *lanes[number + 1 :]]
         there = flat(apply(site.node, list(_rebuilt(tuple(site.given), iter(moved))), np))
         changes = [
-            abs(float(pixel.seen(lane)[0]) - value) / _TINY_CHANGE
-            for lane, value in zip(there, site.value, strict=True)
+            abs(float(pixel.seen(moved_lane)[0]) - value) / _TINY_CHANGE
+            for moved_lane, value in zip(there, site.value, strict=True)
         ]
         yield shown, changes

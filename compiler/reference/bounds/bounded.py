@@ -9,6 +9,7 @@ may round them.
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -16,8 +17,10 @@ import numpy as np
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen
-from .orders import Single, Sum, Term, in_any_order, is_coarse
+from .orders import Single, Sum, Term, in_any_order, is_coarse, of_either
 from .rounding import SUBNORMAL_STEP, ULP, Array, constant_ends, is_float32, of_device, outward
+
+_numbers = count()
 
 _STEP = 2.0**-52
 """The largest error of a float64, relative to the number."""
@@ -31,7 +34,7 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_factors", "_radius", "_sum", "form", "high", "low", "value")
+    __slots__ = ("_factors", "_number", "_of", "_radius", "_sum", "form", "high", "low", "value")
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
@@ -43,6 +46,9 @@ class Bounded:
         self._sum: Sum | None = None
         self._factors = 0
         """How many multiplications made it."""
+        self._number = next(_numbers)
+        self._of: frozenset[int] = frozenset()
+        """The numbers of all its factors, if it is a product."""
         if form is not None:
             radius = form.radius
             self.low = np.maximum(low, value - radius)
@@ -136,7 +142,7 @@ class Bounded:
         if not self.is_exact:
             form = None if self.form is None else self.form.scaled(-1.0)
             made = Bounded(made.value, -self.high, -self.low, form)
-        made._sum, made._factors = self._sum, self._factors
+        made._sum, made._factors, made._of = self._sum, self._factors, self._of
         return made
 
     def __abs__(self) -> Bounded:
@@ -255,7 +261,7 @@ def remembered(lane: Any) -> Any:
     if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
         return lane
     made = Bounded(lane.value, lane.low, lane.high, lane.any_form.shared())
-    made._sum, made._factors = lane._sum, lane._factors
+    made._sum, made._factors, made._of = lane._sum, lane._factors, lane._of
     return made
 
 
@@ -280,6 +286,14 @@ def between(value: Array, low: Array, high: Array) -> Bounded:
 def hull(x: Bounded, y: Bounded) -> Bounded:
     """The value of ``x``, on a device any value that ``x`` or ``y`` may have."""
     return Bounded(x.value, np.minimum(x.low, y.low), np.maximum(x.high, y.high))
+
+
+def either(x: Bounded, y: Bounded) -> Bounded:
+    """The result of one of two formulas for the same value, both of which are sums."""
+    found = hull(x, y)
+    assert x._sum is not None and y._sum is not None
+    found._sum = of_either(x._sum, y._sum)
+    return found
 
 
 def widened(x: Bounded, by: Array) -> Bounded:
@@ -367,20 +381,21 @@ def _rounded(
 def _added(x: Bounded, y: Bounded) -> Bounded:
     """A sum, with the error that any order of its terms may have."""
     value = x.value + y.value
-    are_exact = x.is_exact and y.is_exact and _is_whole_sum(value, x.value, y.value)
-    low = high = value
-    if not are_exact:
-        absorbed = _STEP * np.abs(value) if x.is_exact and y.is_exact else 0.0
-        low, high = x.low + y.low - absorbed, x.high + y.high + absorbed
+    are_exact = x.is_exact and y.is_exact
+    low, high = (value, value) if are_exact else (x.low + y.low, x.high + y.high)
+    if are_exact and x.kind == "f" and not _is_whole_sum(value, x.value, y.value):
+        low, high = value - _STEP * np.abs(value), value + _STEP * np.abs(value)
     form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
     made = _rounded(value, low, high, form)
     if made.kind != "f":
         return made
     terms = _term(x), _term(y)
-    before = [term.additions for term in terms if isinstance(term, Sum)]
+    before = [term.roundings for term in terms if isinstance(term, Sum)]
     is_exact = are_exact and made.is_exact and all(map(_is_coarse, (x, y)))
-    sum_ = Sum(1 + sum(before), terms, is_exact)
-    if before and not is_exact:
+    # A common factor may be taken out: then the sum of the others is rounded, too.
+    roundings = 2 if (x._of | {x._number}) & (y._of | {y._number}) else 1
+    sum_ = Sum(roundings + sum(before), terms, is_exact)
+    if sum_.roundings > 1 and not is_exact:
         more = in_any_order(sum_)
         low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
         made = Bounded(value, low, high, None if made.form is None else made.form.widened(more))
@@ -403,6 +418,7 @@ def _multiplied(x: Bounded, y: Bounded) -> Bounded:
         made = _rounded(value, *ends, _product_form(x, y), times=factors)
     if made.kind == "f":
         made._factors = factors
+        made._of = x._of | y._of | {x._number, y._number}
     return made
 
 

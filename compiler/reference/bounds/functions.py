@@ -16,6 +16,7 @@ from .affine import Derivative, Form, chosen, curved
 from .bounded import (
     Bounded,
     as_bounded,
+    either,
     exact,
     hull,
     negated,
@@ -89,7 +90,7 @@ class Bounds:
         use either.
         """
         x, y, a = as_bounded(x), as_bounded(y), as_bounded(a)
-        return hull(x * (1.0 - a) + y * a, x + (y - x) * a)
+        return either(x * (1.0 - a) + y * a, x + (y - x) * a)
 
     # --- conversions ------------------------------------------------------------------------------
 

@@ -24,7 +24,8 @@ the other."""
 class Sum:
     """That a lane is a sum of several terms."""
 
-    additions: int
+    roundings: int
+    """How many operations may round a partial sum, in any order."""
     operands: tuple[Term, Term]
     is_exact: bool
     """Whether every partial sum of its terms is a float32."""
@@ -60,13 +61,24 @@ Term = Sum | Single
 def in_any_order(sum_: Sum) -> Array:
     """By how much further the bounds of a sum have to be widened for any order of its terms.
 
-    Each of n additions rounds a partial sum, which no order makes larger than the sum of all
+    Each of n operations rounds a partial sum, which no order makes larger than the sum of all
     magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero.
     """
     step = ULP * sum_.magnitude + np.minimum(sum_.magnitude, SMALLEST_NORMAL)
-    sum_.error = sum_.additions * step
+    sum_.error = sum_.roundings * step
     before = [term.error for term in sum_.operands if isinstance(term, Sum)]
     return sum_.error - sum(before)
+
+
+def of_either(x: Sum, y: Sum) -> Sum:
+    """What is known of a lane that is one of two sums."""
+    return Sum(
+        max(x.roundings, y.roundings),
+        x.operands,
+        x.is_exact and y.is_exact,
+        np.minimum(x.error, y.error),
+        np.maximum(x.magnitude, y.magnitude),
+    )
 
 
 def is_coarse(value: Array) -> bool:

@@ -52,7 +52,7 @@ def named(image: Image, level: Bounded) -> Bounded:
 
 
 def differences(coordinate: Sequence[Bounded], image: Image) -> Steps:
-    """The steps between the pixels of quads, (quads, 1, 1); the exact ones are at the upper left.
+    """The steps between the pixels of quads, (quads, 1, 1); the exact ones are at the first pixel.
 
     Without quads (…, 2, 2) nothing changes.
     """
@@ -68,11 +68,12 @@ def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
     step = difference(second, first)
     if not image.is_exact:
         step = widened(step, _ROUNDING * np.maximum(first.magnitude, second.magnitude))
+    row = first_row(image.rules)
+    first_step = step.mapped(lambda array: array[..., row, :1])
     if image.has_known_steps:
-        row = first_row(image.rules)
-        return step.mapped(lambda array: array[..., row, :1])
+        return first_step
     low, high = step.low.min(axis=(-2, -1)), step.high.max(axis=(-2, -1))
-    return Bounded(step.value[..., :1, :1], low[..., None, None], high[..., None, None])
+    return Bounded(first_step.value, low[..., None, None], high[..., None, None])
 
 
 def of_steps(image: Image, steps: Steps) -> Bounded:
