@@ -23,7 +23,7 @@ from .bounded import (
     products,
     widened,
 )
-from .rounding import Array, outward
+from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
@@ -34,8 +34,6 @@ _TURN = 2.0 * math.pi
 _BELOW_ONE = 2.0**-24
 """How far the last float32 below 1 is from it."""
 _LN2 = math.log(2.0)
-_AFTER_ROUNDING = 1.0 + 2.0**-50
-"""Corrects float64's own rounding of a magnitude upwards."""
 
 
 class Bounds:
@@ -308,7 +306,7 @@ class Bounds:
 
     def _with_error(self, name: str, operand: Bounded, result: Bounded) -> Bounded:
         # A result just below a power of two has half the step of the power itself.
-        largest = result.magnitude * _AFTER_ROUNDING
+        largest = result.magnitude * ROUNDED_UP
         return widened(result, self._errors(name, operand.magnitude, largest))
 
 
