@@ -49,37 +49,46 @@ class Form:
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
-        terms = self.terms * factor if self.errors else self.terms
+        terms = _with_axes(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
         return Form(self.errors, terms, self.rest * np.abs(factor))
 
     def plus(self, other: Form) -> Form:
         """The form of the sum of two lanes."""
         rest = self.rest + other.rest
         if self.errors == other.errors or not other.errors:
-            terms = self.terms + other.terms if other.errors else self.terms
+            terms = _joined(self.terms, other.terms) if other.errors else self.terms
             return Form(self.errors, terms, rest)
         if not self.errors:
             return Form(other.errors, other.terms, rest)
         errors, one, two = _together(self.errors, other.errors)
-        return Form(errors, _placed(self.terms, one) + _placed(other.terms, two), rest)
+        return Form(errors, _joined(_placed(self.terms, one), _placed(other.terms, two)), rest)
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
         return Form(self.errors, self.terms, self.rest + by)
 
+    def or_else(self, other: Form) -> Form | None:
+        """The form of a lane that is one of two, if they share the same errors."""
+        if self.errors != other.errors:
+            return None
+        apart = np.abs(_joined(self.terms, -other.terms)).sum(axis=0) if self.errors else 0.0
+        return Form(self.errors, self.terms, np.maximum(self.rest, other.rest) + apart)
+
     def shared(self) -> Form:
         """The form of a lane whose whole error is shared from now on.
 
         It keeps the errors that it shares with others, and the rest becomes one more. Of too many,
-        the oldest join the rest.
+        the smallest join the rest.
         """
-        kept = self.errors[-MOST:]
-        merged = len(self.errors) - len(kept)
-        rest = self.rest + np.abs(self.terms[:merged]).sum(axis=0) if merged else self.rest
-        terms = [*np.broadcast_arrays(rest, *self.terms[merged:])]
-        return Form(
-            (*kept, next(_numbers)), np.stack([*terms[1:], terms[0]]), np.zeros_like(terms[0])
-        )
+        kept, rest = list(range(len(self.errors))), self.rest
+        if len(kept) > MOST:
+            sizes = np.abs(self.terms).reshape(len(kept), -1).max(axis=1)
+            order = np.argsort(sizes)
+            kept, merged = sorted(order[-MOST:].tolist()), order[:-MOST]
+            rest = rest + np.abs(self.terms[merged]).sum(axis=0)
+        terms = np.broadcast_arrays(*self.terms[kept], rest) if kept else [rest]
+        errors = (*(self.errors[i] for i in kept), next(_numbers))
+        return Form(errors, np.stack(terms), np.zeros_like(terms[-1]))
 
 
 def alone(radius: Array) -> Form:
@@ -125,6 +134,22 @@ def _together(x: Errors, y: Errors) -> tuple[Errors, _Places, _Places]:
     place = {error: i for i, error in enumerate(errors)}
     one, two = (tuple(place[error] for error in some) for some in (x, y))
     return errors, (len(errors), one), (len(errors), two)
+
+
+def _joined(x: Array, y: Array) -> Array:
+    """The sums of the terms of the same errors."""
+    if x.ndim == y.ndim:
+        return x + y
+    axes = max(x.ndim, y.ndim) - 1
+    return _with_axes(x, axes) + _with_axes(y, axes)
+
+
+def _with_axes(terms: Array, axes: int) -> Array:
+    """Terms of a lane with fewer axes than another, so that they broadcast together with it."""
+    missing = axes + 1 - terms.ndim
+    if missing <= 0:
+        return terms
+    return terms.reshape(terms.shape[0], *[1] * missing, *terms.shape[1:])
 
 
 def _placed(terms: Array, places: _Places) -> Array:
