@@ -58,7 +58,7 @@ LOOPS: Mapping[str, Loop] = {
     ),
     "a geometric sum": Loop("a : float", "iterate s from 0.0 for i in 0..32 : s * 0.5 + a", 3.0),
     "blending": Loop(
-        "a : float, b : float", "iterate s from a for i in 0..32 : mix(s, b, 0.1)", 50.0
+        "a : float, b : float", "iterate s from a for i in 0..32 : mix(s, b, 0.1)", 5.0
     ),
     "layers": Loop(
         "a : float",

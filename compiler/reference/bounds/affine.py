@@ -67,19 +67,28 @@ class Form:
         """The form with a further error of its own."""
         return Form(self.errors, self.terms, self.rest + by)
 
+    def or_else(self, other: Form) -> Form | None:
+        """The form of a lane that is one of two, if they share the same errors."""
+        if self.errors != other.errors:
+            return None
+        apart = np.abs(self.terms - other.terms).sum(axis=0) if self.errors else 0.0
+        return Form(self.errors, self.terms, np.maximum(self.rest, other.rest) + apart)
+
     def shared(self) -> Form:
         """The form of a lane whose whole error is shared from now on.
 
         It keeps the errors that it shares with others, and the rest becomes one more. Of too many,
-        the oldest join the rest.
+        the smallest join the rest.
         """
-        kept = self.errors[-MOST:]
-        merged = len(self.errors) - len(kept)
-        rest = self.rest + np.abs(self.terms[:merged]).sum(axis=0) if merged else self.rest
-        terms = [*np.broadcast_arrays(rest, *self.terms[merged:])]
-        return Form(
-            (*kept, next(_numbers)), np.stack([*terms[1:], terms[0]]), np.zeros_like(terms[0])
-        )
+        kept, rest = list(range(len(self.errors))), self.rest
+        if len(kept) > MOST:
+            sizes = np.abs(self.terms).reshape(len(kept), -1).max(axis=1)
+            order = np.argsort(sizes)
+            kept, merged = sorted(order[-MOST:].tolist()), order[:-MOST]
+            rest = rest + np.abs(self.terms[merged]).sum(axis=0)
+        terms = np.broadcast_arrays(*self.terms[kept], rest) if kept else [rest]
+        errors = (*(self.errors[i] for i in kept), next(_numbers))
+        return Form(errors, np.stack(terms), np.zeros_like(terms[-1]))
 
 
 def alone(radius: Array) -> Form:

@@ -17,7 +17,7 @@ import numpy as np
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen
-from .orders import Single, Sum, Term, in_any_order, is_coarse, of_either
+from .orders import Single, Sum, Term, in_any_order, is_coarse
 from .rounding import (
     ROUNDED_UP,
     SUBNORMAL_STEP,
@@ -300,10 +300,11 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 
 
 def either(x: Bounded, y: Bounded) -> Bounded:
-    """The result of one of two formulas for the same value, both of which are sums."""
+    """The result of one of two formulas for the same value; its terms are those of the first."""
     found = hull(x, y)
-    assert x._sum is not None and y._sum is not None
-    found._sum = of_either(x._sum, y._sum)
+    if x.form is not None and y.form is not None:
+        found = Bounded(x.value, found.low, found.high, x.form.or_else(y.form))
+    found._sum = x._sum
     return found
 
 
@@ -448,7 +449,7 @@ def _term(lane: Bounded) -> Term:
 
 def _square(x: Bounded) -> tuple[Array, Array]:
     nearest = np.minimum(np.abs(x.low), np.abs(x.high))
-    near = np.where((x.low <= 0) & (x.high >= 0), 0.0, nearest)
+    near = np.where((x.low <= 0) & (x.high >= 0), 0, nearest)
     return near * near, x.magnitude**2
 
 

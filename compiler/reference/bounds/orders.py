@@ -70,17 +70,6 @@ def in_any_order(sum_: Sum) -> Array:
     return sum_.error - sum(before)
 
 
-def of_either(x: Sum, y: Sum) -> Sum:
-    """What is known of a lane that is one of two sums."""
-    return Sum(
-        max(x.roundings, y.roundings),
-        x.operands,
-        x.is_exact and y.is_exact,
-        np.minimum(x.error, y.error),
-        np.maximum(x.magnitude, y.magnitude),
-    )
-
-
 def is_coarse(value: Array) -> bool:
     """Whether sums of such numbers are exact in any order: small multiples of a fraction."""
     scaled = value / _FINEST
