@@ -26,7 +26,8 @@ USUAL = (0.02, 0.98)
 """The quantiles between which the picture's range is measured, so that a few pixels, such as a
 highlight, cannot make it larger."""
 CONSTANT = 2.0**-4
-"""The least range, relative to the largest value: that of a picture of one colour is 0."""
+"""The least range, relative to the largest value: that of a picture of one colour is 0. Of a black
+picture it is 1."""
 
 PROVEN_SHARE = 0.9
 """The part of the object's pixels, of all cases together, that has to be proven."""
@@ -163,7 +164,7 @@ def proves_little(comparisons: Sequence[Comparison]) -> bool:
     seen = any(one.proven > SEEN_SHARE * one.pixels for one in comparisons)
     covered = sum(one.covered for one in comparisons)
     unproven = sum(max(one.covered - one.proven, one.undecided) for one in comparisons)
-    return not seen or unproven > max(FEW, (1.0 - PROVEN_SHARE) * covered)
+    return not seen or unproven > max(FEW, covered - PROVEN_SHARE * covered)
 
 
 def _distance(got: Floats, values: Floats) -> Floats:
@@ -205,7 +206,7 @@ def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bool
             span = np.maximum(ends[1] - ends[0], CONSTANT * np.abs(ends).max(axis=0))
             with np.errstate(invalid="ignore"):
                 width = most - least
-            found |= ~(width <= SAYS_NOTHING * span.max()).all(axis=-1)
+            found |= ~(width <= SAYS_NOTHING * (span.max() or 1.0)).all(axis=-1)
     return found
 
 

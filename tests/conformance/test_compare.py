@@ -211,6 +211,12 @@ def test_a_picture_of_one_colour_is_judged_by_its_magnitude() -> None:
     assert compared(picture(), expected(picture(), below=0.03, above=0.03)).wide == 1000
 
 
+def test_of_a_black_picture_tiny_bounds_say_enough() -> None:
+    black = np.zeros((HEIGHT, WIDTH, 4))
+    assert compared(black, expected(black, below=0.0, above=1e-40)).wide == 0
+    assert compared(black, expected(black, below=0.5, above=0.5)).wide == 1000
+
+
 def test_too_many_pixels_without_proof_prove_little() -> None:
     most = max(FEW, round((1.0 - PROVEN_SHARE) * NOWHERE.size))
     wide = NOWHERE.copy()
