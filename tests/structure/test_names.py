@@ -32,7 +32,7 @@ KNOW_OF_METAL = {
     "targets/toolchain/checkers.py",
     "targets/toolchain/tools.py",
 }
-"""The row of a checker and that of its tool; and a driver whose API can be Metal."""
+"""The row of a checker and that of its tool, and a driver whose devices may be reached by it."""
 METAL = re.compile(r"\b(msl|metal2?|apple)\b", re.IGNORECASE)
 
 
