@@ -29,7 +29,7 @@ def problem(text: str) -> str | None:
 
 
 def refused(text: str, toolchain: Toolchain) -> str | None:
-    """What compilers say against the shaders of a text; ``None`` if it has none, or they are fine."""
+    """What compilers say against the shaders of a text; ``None`` if nothing."""
     verdicts = toolchain.check(list(_jobs(text)))
     reports = [each.report() for each in verdicts if each.status != "accepted"]
     return "\n".join(reports) or None
