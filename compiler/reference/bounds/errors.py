@@ -24,8 +24,8 @@ Floats = NDArray[np.float64]
 STEP = 2.0**-23
 """The largest unit in the last place, relative to the number. A correctly rounded result, which may
 be either neighbour of the exact one, is off by less than that."""
-_EXPONENT = np.int32(0x7F800000)
-"""The bits of a float32's exponent."""
+_EXPONENT = np.int64(0x7FF0000000000000)
+"""The bits of a float64's exponent."""
 _LEAST = 2.0**-149
 _ROUNDED = Error(ulp=1.0)
 
@@ -107,8 +107,7 @@ class _OfPlatform:
 def ulp(magnitude: Floats) -> Floats:
     """The unit in the last place of a float32."""
     # Without its fraction, a float is the power of two below it; infinity stays what it is.
-    bits = np.asarray(magnitude, np.float32).view(np.int32) & _EXPONENT
-    powers = bits.view(np.float32).astype(np.float64)
+    powers = (np.asarray(magnitude, np.float64).view(np.int64) & _EXPONENT).view(np.float64)
     return np.maximum(powers * 2.0**-23, _LEAST)
 
 
