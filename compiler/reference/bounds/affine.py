@@ -49,19 +49,19 @@ class Form:
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
-        terms = _for(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
+        terms = _with_axes(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
         return Form(self.errors, terms, self.rest * np.abs(factor))
 
     def plus(self, other: Form) -> Form:
         """The form of the sum of two lanes."""
         rest = self.rest + other.rest
         if self.errors == other.errors or not other.errors:
-            terms = _sum(self.terms, other.terms) if other.errors else self.terms
+            terms = _joined(self.terms, other.terms) if other.errors else self.terms
             return Form(self.errors, terms, rest)
         if not self.errors:
             return Form(other.errors, other.terms, rest)
         errors, one, two = _together(self.errors, other.errors)
-        return Form(errors, _sum(_placed(self.terms, one), _placed(other.terms, two)), rest)
+        return Form(errors, _joined(_placed(self.terms, one), _placed(other.terms, two)), rest)
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
@@ -71,7 +71,7 @@ class Form:
         """The form of a lane that is one of two, if they share the same errors."""
         if self.errors != other.errors:
             return None
-        apart = np.abs(self.terms - other.terms).sum(axis=0) if self.errors else 0.0
+        apart = np.abs(_joined(self.terms, -other.terms)).sum(axis=0) if self.errors else 0.0
         return Form(self.errors, self.terms, np.maximum(self.rest, other.rest) + apart)
 
     def shared(self) -> Form:
@@ -99,10 +99,8 @@ def alone(radius: Array) -> Form:
 def chosen(is_first: Array, is_second: Array, x: Form, y: Form, otherwise: Array) -> Form:
     """The form of the first lane, or of the second, or of neither with this radius."""
     errors, one, two = _together(x.errors, y.errors)
-    axes = max(np.ndim(is_first), np.ndim(x.rest), np.ndim(y.rest))
     first, second = (
-        _for(_placed(form.terms, place), axes) if form.errors else 0.0
-        for form, place in ((x, one), (y, two))
+        _placed(form.terms, place) if form.errors else 0.0 for form, place in ((x, one), (y, two))
     )
     terms = np.where(is_first, first, np.where(is_second, second, 0.0))
     rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
@@ -124,19 +122,6 @@ def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius
     return form.scaled(slope).widened(bend * radius)
 
 
-def _for(terms: Array, axes: int) -> Array:
-    """Terms that broadcast with a lane of so many axes; their own first axis is not one of them."""
-    missing = axes + 1 - terms.ndim
-    return (
-        terms.reshape(terms.shape[:1] + (1,) * missing + terms.shape[1:]) if missing > 0 else terms
-    )
-
-
-def _sum(x: Array, y: Array) -> Array:
-    axes = max(x.ndim, y.ndim) - 1
-    return _for(x, axes) + _for(y, axes)
-
-
 _NO_TERMS = np.zeros((0,))
 
 _Places = tuple[int, tuple[int, ...]]
@@ -149,6 +134,22 @@ def _together(x: Errors, y: Errors) -> tuple[Errors, _Places, _Places]:
     place = {error: i for i, error in enumerate(errors)}
     one, two = (tuple(place[error] for error in some) for some in (x, y))
     return errors, (len(errors), one), (len(errors), two)
+
+
+def _joined(x: Array, y: Array) -> Array:
+    """The sums of the terms of the same errors."""
+    if x.ndim == y.ndim:
+        return x + y
+    axes = max(x.ndim, y.ndim) - 1
+    return _with_axes(x, axes) + _with_axes(y, axes)
+
+
+def _with_axes(terms: Array, axes: int) -> Array:
+    """Terms of a lane with fewer axes than another, so that they broadcast together with it."""
+    missing = axes + 1 - terms.ndim
+    if missing <= 0:
+        return terms
+    return terms.reshape(terms.shape[0], *[1] * missing, *terms.shape[1:])
 
 
 def _placed(terms: Array, places: _Places) -> Array:

@@ -142,8 +142,8 @@ class Bounded:
         return _multiplied(self, as_bounded(other))
 
     def __truediv__(self, divisor: float) -> Bounded:
-        """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, "Accuracy of
-        Concrete Floating Point Expressions"); ``Bounds.divide`` divides by other lanes."""
+        """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, the table of
+        accuracies); ``Bounds.divide`` divides by other lanes."""
         quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 

@@ -67,8 +67,8 @@ def clamped(name: str, colours: Floats) -> Floats:
 def rounded(name: str, low: Floats, high: Floats) -> tuple[Floats, Floats]:
     """Between which numbers of a format those are that a device stores for colours (…, 4).
 
-    Vulkan allows both neighbours of a number, in its chapters on the conversion to normalized
-    numbers and on floats of 16 bits.
+    Vulkan allows both neighbours of a number (its section on conversions to normalized formats; for
+    floats, "Representation and Computation").
     """
     form = format_of(name)
     if not form.is_float:
