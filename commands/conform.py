@@ -11,7 +11,15 @@ import click
 
 from .console import remark, show
 from .failures import fail, told
-from .options import hoist_option, pass_option, pixel, rig_option, search_option
+from .options import (
+    check_device,
+    device_option,
+    hoist_option,
+    pass_option,
+    pixel,
+    rig_option,
+    search_option,
+)
 from .terminal import FAILED, wants_color
 
 if TYPE_CHECKING:
@@ -30,6 +38,7 @@ class Request(NamedTuple):
 
     files: tuple[Path, ...]
     routes: str
+    device: str
     report: Path | None
     strict: bool
     explain: tuple[int, int] | None
@@ -47,6 +56,7 @@ class Request(NamedTuple):
     "--routes", metavar="ROUTE,…", default="all", show_default=True,
     help="Routes to draw with, as `burnish doctor` lists them: `lavapipe`, `chromium:webgpu`, ….",
 )  # fmt: skip
+@device_option
 @click.option(
     "--report", metavar="FOLDER", type=click.Path(path_type=Path),
     help="Where to put index.html, a page with pictures, report.json, and junit.xml.",
@@ -92,6 +102,7 @@ def conform(**chosen: Any) -> None:
     Example:
         burnish conform plastic.burnish
         burnish conform materials/*.burnish --routes lavapipe,chromium --report build/conformance
+        burnish conform plastic.burnish --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
     request = Request(**chosen)
@@ -136,6 +147,7 @@ def _routes(request: Request) -> Sequence[Route]:
     routes = select([request.routes])
     if not routes:
         raise click.UsageError("--routes names no route")
+    check_device(request.device, routes)
     return routes
 
 
@@ -146,7 +158,11 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
     from ..targets.toolchain import Toolchain
     from .progress import Progress
 
-    with Runner(routes) as runner, Toolchain() as toolchain, Progress("comparing") as progress:
+    with (
+        Runner(routes, device=request.device) as runner,
+        Toolchain() as toolchain,
+        Progress("comparing") as progress,
+    ):
         subjects = _subjects(request, routes)
         rows = run(
             subjects, routes, runner, toolchain,

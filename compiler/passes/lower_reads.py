@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Mapping
 from ..ir.binding import Moved
 from ..ir.build import constant, index, matrix, member, swizzle, vector
 from ..ir.node import Graph, Node, Roots
-from ..ir.operations import MEMBER
+from ..ir.operations import MEMBER, SWIZZLE
 from ..ir.rewrite import rewrite
 from ..ir.storage import elements_in_row, stored_type
 from ..ir.types import (
@@ -61,6 +61,10 @@ def _lower(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         return _element(graph, node.type, *operands)
     if isinstance(node.type, Vector) and operands and (whole := _whole(graph, operands[0])):
         return _from_whole(graph, node, whole, operands)
+    if node.op == "swizzle" and operands[0].op == "swizzle":
+        inner = SWIZZLE.data(operands[0])
+        lanes = tuple(inner[lane] for lane in SWIZZLE.data(node))
+        return swizzle(graph, operands[0].operands[0], lanes)
     if isinstance(node.type, Struct | Array):
         return graph.node(node.op, stored_type(node.type), operands, node.data)
     return None

@@ -174,8 +174,7 @@ def atan(xp: Namespace, x: Lane) -> Lane:
 
 def atan2(xp: Namespace, y: Lane, x: Lane) -> Lane:
     on_axis = xp.where(x <= -SMALLEST_NORMAL, math.pi, 0.0)
-    is_on_axis = xp.logical_and(_is_tiny(y), x < SMALLEST_NORMAL)
-    return xp.where(is_on_axis, on_axis, xp.arctan2(y, x))
+    return xp.where(_is_tiny(y), on_axis, xp.arctan2(y, x))
 
 
 def radians(_xp: Namespace, x: Lane) -> Lane:

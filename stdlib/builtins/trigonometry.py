@@ -119,8 +119,7 @@ def _has_arc(facts: tuple[Fact, ...]) -> bool:
 
 
 def _has_direction(facts: tuple[Fact, ...]) -> bool:
-    y, x = facts
-    return y.excludes_zero or x.positive
+    return facts[0].excludes_zero
 
 
 ROWS = (
@@ -194,10 +193,10 @@ ROWS = (
         meaning="angle",
         doc="atan2(y, x): the angle between -pi and pi from the x axis to the point (x, y).",
         domain=_has_direction,
-        needs="the first operand is not 0, or the second is above 0",
+        needs="the first operand is not 0",
         outside=(
-            "atan2(0, 0) is 0, and atan2(0, x) of a negative x is pi. For an x below 2^-126, "
-            "a y of -0.0 or of a magnitude below 2^-126 counts as 0."
+            "atan2(0, x) is 0, or pi for a negative x. A y of -0.0 or of a magnitude below 2^-126 "
+            "counts as 0."
         ),
         expansion="atan2",
         range=_between(-math.pi - _ARC_ERROR, math.pi + _ARC_ERROR),

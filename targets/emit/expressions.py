@@ -171,10 +171,6 @@ class Expressions:
         (source,) = swizzle.operands
         if source.op == "cross" and source not in self.bound:
             return self._leaves.interpolated(source, lanes)
-        if source.op == "swizzle" and source not in self.bound:
-            # Lanes of lanes, as of a vec3 in a vec4: `rows[i].y`, and not `rows[i].xyz.y`.
-            inner = SWIZZLE.data(source)
-            return self._lanes_of(source, tuple(inner[lane] for lane in lanes), type_)
         return self._leaves.swizzle(self.operand(source), lanes, type_)
 
     def _index(self, node: Node) -> Printed:

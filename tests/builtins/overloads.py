@@ -46,11 +46,6 @@ class Shape:
         """All lanes there are."""
         return self.width * max(self.columns, 1)
 
-    @property
-    def numbers(self) -> int:
-        """The floats by which it is returned: the 32 bits of an integer are two times 16."""
-        return self.lanes * (2 if self.kind in ("int", "uint") else 1)
-
 
 @dataclass(frozen=True)
 class Overload:
@@ -62,6 +57,11 @@ class Overload:
 
     def __str__(self) -> str:
         return f"{self.row.name}({', '.join(map(str, self.operands))})"
+
+    def map(self, number: int) -> int:
+        """The first texture of an operand. Beside matrices each has four, one for each column, so
+        that no operand is read from the same texture as another one."""
+        return number * (4 if any(shape.columns for shape in self.operands) else 1)
 
     def call(self, operands: Sequence[str]) -> str:
         """The builtin as it is written."""
@@ -182,7 +182,9 @@ def _program(batch: Sequence[Overload]) -> Program:
     numbers: list[str] = []
     lanes: list[Lane] = []
     for place, overload in enumerate(batch):
-        call = overload.call([_operand(k, shape) for k, shape in enumerate(overload.operands)])
+        call = overload.call(
+            [_operand(overload.map(k), s) for k, s in enumerate(overload.operands)]
+        )
         lines.append(f"    r{place} = {call}")
         numbers += _numbers(f"r{place}", overload.result)
         lanes += [Lane(overload, lane) for lane in range(overload.result.lanes)]
@@ -193,18 +195,17 @@ def _program(batch: Sequence[Overload]) -> Program:
     return Program("\n".join([*lines, "}", ""]), tuple(lanes))
 
 
-def _operand(number: int, shape: Shape) -> str:
-    """The text of an operand, read from the textures of this number."""
+def _operand(first: int, shape: Shape) -> str:
+    """The text of an operand, read from the textures that begin with this one."""
     swizzle = _SWIZZLES[shape.width]
     if shape.columns:
-        first = 4 * number
         columns = [f"a{first + column}.{swizzle}" for column in range(shape.columns)]
         return f"{shape}({', '.join(columns)})"
     if shape.kind == "float":
-        return f"a{number}.{swizzle}"
+        return f"a{first}.{swizzle}"
     if shape.kind == "bool":
-        return f"(n{number}.{swizzle} & 1 == 1)"
-    read = f"n{number}.{swizzle}"
+        return f"(n{first}.{swizzle} & 1 == 1)"
+    read = f"n{first}.{swizzle}"
     return read if shape.kind == "int" else f"{shape}({read})"
 
 

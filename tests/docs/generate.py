@@ -37,7 +37,7 @@ from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Prom
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.conformance.measured import ENVELOPES
-from burnish.targets.runner.routes import ROUTES
+from burnish.targets.runner.routes import EVERY_ROUTE
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -369,7 +369,7 @@ def conformance_page() -> str:
 
 
 def _routes() -> Iterator[tuple[str, ...]]:
-    for route in ROUTES.values():
+    for route in EVERY_ROUTE.values():
         yield f"`{route.name}`", f"`{route.profile}`", route.title
 
 

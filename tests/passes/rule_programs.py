@@ -35,6 +35,7 @@ EQUATIONS: Mapping[str, str] = {
     "times minus one": "color = vec3(x * -1)",
     "magnitude squared": "color = vec3(abs(x) * abs(x))",
     "divided by one": "color = vec3(x / 1)",
+    "rounded quotient": "color = vec3(floor(x / 2))",
     "zero divided": "color = vec3(0 / x)",
     "equal lanes": "color = vec3(x) + vec3(y)",
     "scalar operand": "color = v * vec3(y)",

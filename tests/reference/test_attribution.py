@@ -170,6 +170,11 @@ def test_derivatives_see_the_errors_of_two_pixels() -> None:
     assert place.contribution == pytest.approx(2 * place.own, rel=1e-3)
 
 
+def test_the_derivative_of_what_is_the_same_everywhere_is_exact() -> None:
+    found = explained("param gain : float = 0.3\nvalue = vec4(ddx(sqrt(gain)) + s.x, 0, 0, 1)")
+    assert {part.text for part in found.contributions} <= {"s", "ddx(sqrt(gain)) + s.x"}
+
+
 def test_a_pixel_that_may_be_discarded() -> None:
     """To tip is no small error: it does not count among the contributions."""
     found = explained("value = vec4(s, 0, 1)", discard="discard when material.value.x < 0.43749999")

@@ -18,7 +18,7 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import width
-from burnish.compiler.reference.bounds import Bounds, as_bounded
+from burnish.compiler.reference.bounds import Bounds, as_bounded, between, exact, remembered
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.evaluate import Evaluator
 
@@ -119,3 +119,10 @@ def test_bounds_of_loops_grow_like_errors(name: str) -> None:
         assert ((bounds.low <= value) & (value <= bounds.high)).all(), f"device {number}"
         worst = np.maximum(worst, np.abs(value - bounds.value))
     assert np.median(bounds.radius / worst) < loop.most
+
+
+def test_errors_of_uniform_lanes_are_not_taken_for_pixels() -> None:
+    """Lanes without axes have two shared errors here, and the array has two elements."""
+    one, other = (remembered(between(x, x - 0.5, x + 0.5)) for x in (np.float64(1), np.float64(2)))
+    found = (one + other) * exact(np.array([1.0, 100.0]))
+    assert found.radius == pytest.approx([1.0, 100.0], rel=1e-5)

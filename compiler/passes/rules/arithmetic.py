@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from ...ir import build
@@ -24,6 +25,9 @@ from .rule import (
     operand,
     uniform_lane,
 )
+
+LARGEST_EXPONENT = 100
+"""Of powers of two: neither these nor their reciprocals come near the subnormal numbers."""
 
 
 def _negated(b: Builder, at: Site) -> Node:
@@ -160,6 +164,20 @@ def _is_square(_b: Builder, at: Site) -> bool:
     return left is right
 
 
+def _of_exact_quotient(b: Builder, at: Site) -> Node | None:
+    """The rounding of a product, in place of that of a quotient by a power of two."""
+    (quotient,) = at.operands
+    value, divisor = quotient.operands
+    number = uniform_lane(divisor)
+    if number is None:
+        return None
+    fraction, exponent = math.frexp(abs(number))
+    if fraction != 0.5 or abs(exponent) > LARGEST_EXPONENT:
+        return None
+    reciprocal = b.constant(divisor.type, 1 / number)
+    return b.call(str(at.data), at.type, b.call("mul", at.type, value, reciprocal))
+
+
 ARITHMETIC = (
     Rule("zero added", "Adding zero changes nothing.",
          ("add",), (lanes(0), ANY), operand(1), either=True),
@@ -186,6 +204,10 @@ ARITHMETIC = (
          lambda b, at: b.call("mul", at.type, *at.operands[0].operands * 2), are_same),
     Rule("divided by one", "Dividing by one changes nothing.",
          ("div",), (ANY, lanes(1)), operand(0), is_numeric),
+    Rule("rounded quotient", "A product with a power of two is exact on every device, but a"
+         " quotient may be less than the whole number that it is: x mod 2.0 would be 2.",
+         ("floor", "ceil", "round", "trunc", "fract"), (builtin("div", parts=(ANY, CONSTANT)),),
+         _of_exact_quotient),
     Rule("zero divided", "Zero divided by anything is zero: so is 0 / 0 by definition.",
          ("div",), (lanes(0), ANY), constant(0), is_float),
     Rule("equal lanes", "Arithmetic with equal lanes in all operands is that of scalars, once.",

@@ -188,6 +188,9 @@ class _Measuring:
 
         def off(site: Site, lane: int, value: Lane, way: int) -> Lane:
             shape, signs = self._pixel.quad(site.where)
+            if max(np.shape(value)[1:], default=1) == 1:
+                # What is the same everywhere is rounded in the same way everywhere.
+                shape, signs = (1,) * len(shape), np.ones(())
             change = np.zeros((len(ways) + 1, *shape))
             change[way] = site.probe[lane] * signs
             return value + change

@@ -49,19 +49,19 @@ class Form:
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
-        terms = self.terms * factor if self.errors else self.terms
+        terms = _with_axes(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
         return Form(self.errors, terms, self.rest * np.abs(factor))
 
     def plus(self, other: Form) -> Form:
         """The form of the sum of two lanes."""
         rest = self.rest + other.rest
         if self.errors == other.errors or not other.errors:
-            terms = self.terms + other.terms if other.errors else self.terms
+            terms = _joined(self.terms, other.terms) if other.errors else self.terms
             return Form(self.errors, terms, rest)
         if not self.errors:
             return Form(other.errors, other.terms, rest)
         errors, one, two = _together(self.errors, other.errors)
-        return Form(errors, _placed(self.terms, one) + _placed(other.terms, two), rest)
+        return Form(errors, _joined(_placed(self.terms, one), _placed(other.terms, two)), rest)
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
@@ -71,7 +71,7 @@ class Form:
         """The form of a lane that is one of two, if they share the same errors."""
         if self.errors != other.errors:
             return None
-        apart = np.abs(self.terms - other.terms).sum(axis=0) if self.errors else 0.0
+        apart = np.abs(_joined(self.terms, -other.terms)).sum(axis=0) if self.errors else 0.0
         return Form(self.errors, self.terms, np.maximum(self.rest, other.rest) + apart)
 
     def shared(self) -> Form:
@@ -134,6 +134,22 @@ def _together(x: Errors, y: Errors) -> tuple[Errors, _Places, _Places]:
     place = {error: i for i, error in enumerate(errors)}
     one, two = (tuple(place[error] for error in some) for some in (x, y))
     return errors, (len(errors), one), (len(errors), two)
+
+
+def _joined(x: Array, y: Array) -> Array:
+    """The sums of the terms of the same errors."""
+    if x.ndim == y.ndim:
+        return x + y
+    axes = max(x.ndim, y.ndim) - 1
+    return _with_axes(x, axes) + _with_axes(y, axes)
+
+
+def _with_axes(terms: Array, axes: int) -> Array:
+    """Terms of a lane with fewer axes than another, so that they broadcast together with it."""
+    missing = axes + 1 - terms.ndim
+    if missing <= 0:
+        return terms
+    return terms.reshape(terms.shape[0], *[1] * missing, *terms.shape[1:])
 
 
 def _placed(terms: Array, places: _Places) -> Array:

@@ -18,7 +18,16 @@ from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen
 from .orders import Single, Sum, Term, in_any_order, is_coarse
-from .rounding import SUBNORMAL_STEP, ULP, Array, constant_ends, is_float32, of_device, outward
+from .rounding import (
+    ROUNDED_UP,
+    SUBNORMAL_STEP,
+    ULP,
+    Array,
+    constant_ends,
+    is_float32,
+    of_device,
+    outward,
+)
 
 _numbers = count()
 
@@ -83,7 +92,8 @@ class Bounded:
     def radius(self) -> Array:
         """By how much a device's value may differ from the exact one, to the farther side."""
         if self._radius is None:
-            self._radius = np.maximum(self.high - self.value, self.value - self.low)
+            farther = np.maximum(self.high - self.value, self.value - self.low)
+            self._radius = farther * ROUNDED_UP
         return self._radius
 
     @property
@@ -132,8 +142,8 @@ class Bounded:
         return _multiplied(self, as_bounded(other))
 
     def __truediv__(self, divisor: float) -> Bounded:
-        """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, "Accuracy of
-        Concrete Floating Point Expressions"); ``Bounds.divide`` divides by other lanes."""
+        """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, the table of
+        accuracies); ``Bounds.divide`` divides by other lanes."""
         quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 
@@ -143,6 +153,7 @@ class Bounded:
             form = None if self.form is None else self.form.scaled(-1.0)
             made = Bounded(made.value, -self.high, -self.low, form)
         made._sum, made._factors, made._of = self._sum, self._factors, self._of
+        made._number = self._number
         return made
 
     def __abs__(self) -> Bounded:
@@ -298,7 +309,11 @@ def either(x: Bounded, y: Bounded) -> Bounded:
 
 
 def widened(x: Bounded, by: Array) -> Bounded:
-    """The lane of a device whose function has an absolute error of its own."""
+    """The lane of a device whose function has an absolute error of its own.
+
+    Among subnormal numbers, the nearest one may be farther away than the error.
+    """
+    by = by + SUBNORMAL_STEP
     low, high = of_device(x.low - by, x.high + by)
     form = x.form
     if form is not None:

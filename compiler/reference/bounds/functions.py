@@ -23,7 +23,7 @@ from .bounded import (
     products,
     widened,
 )
-from .rounding import Array, outward
+from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
@@ -32,8 +32,6 @@ of its operand and of its result."""
 
 _TURN = 2.0 * math.pi
 _LN2 = math.log(2.0)
-_AFTER_ROUNDING = 1.0 + 2.0**-50
-"""Corrects float64's own rounding of a magnitude upwards."""
 
 
 class Bounds:
@@ -297,7 +295,7 @@ class Bounds:
 
     def _with_error(self, name: str, operand: Bounded, result: Bounded) -> Bounded:
         # A result just below a power of two has half the step of the power itself.
-        largest = result.magnitude * _AFTER_ROUNDING
+        largest = result.magnitude * ROUNDED_UP
         return widened(result, self._errors(name, operand.magnitude, largest))
 
 

@@ -15,6 +15,9 @@ ULP = 2.0**-23
 """The largest unit in the last place of a float32, relative to the number; so far the two float32
 numbers around a result may be from it."""
 
+ROUNDED_UP = 1.0 + 2.0**-50
+"""A factor for magnitudes that float64 may have rounded down."""
+
 SUBNORMAL_STEP = 2.0**-149
 """The distance of subnormal float32 numbers."""
 

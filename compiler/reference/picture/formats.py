@@ -16,8 +16,6 @@ from ....frozen import frozen
 from ..transfer import decode_srgb, encode_srgb
 from .scene import Floats
 
-_SMALLEST_HALF = 2.0**-14
-"""Numbers of 16 bits below it may be flushed to zero."""
 _CURVED = 0.1
 """By how much of a step a device's curve of sRGB may be off, besides rounding: Direct3D allows 0.6
 of a step in all."""
@@ -43,6 +41,16 @@ class Format:
         """The number of steps from 0 to 1 of each lane, where these are equal."""
         return np.array([2.0**self.bits - 1] * 3 + [2.0**self.alpha_bits - 1])
 
+    @property
+    def kind(self) -> type[np.float16 | np.float32]:
+        """The type of a float."""
+        return np.float16 if self.bits == 16 else np.float32
+
+    @property
+    def least(self) -> float:
+        """Floats below it may be flushed to zero."""
+        return float(np.finfo(self.kind).tiny)
+
 
 @cache
 def format_of(name: str) -> Format:
@@ -59,23 +67,21 @@ def clamped(name: str, colours: Floats) -> Floats:
 def rounded(name: str, low: Floats, high: Floats) -> tuple[Floats, Floats]:
     """Between which numbers of a format those are that a device stores for colours (…, 4).
 
-    Vulkan allows both neighbours of a number ("Conversion from Floating-Point to Normalized
-    Fixed-Point"; for floats, "Representation and Computation").
+    Vulkan allows both neighbours of a number (its section on conversions to normalized formats; for
+    floats, "Representation and Computation").
     """
     form = format_of(name)
     if not form.is_float:
         return _fixed(form, low, high)
-    return (low, high) if form.bits == 32 else (_half(low, -np.inf), _half(high, np.inf))
+    return _outer(form, low, -np.inf), _outer(form, high, np.inf)
 
 
 def step(name: str, colours: Floats) -> Floats:
     """The distance of neighbouring numbers of a format at these colours (…, 4)."""
     form = format_of(name)
     if form.is_float:
-        kind: type[np.float16 | np.float32] = np.float16 if form.bits == 16 else np.float32
-        least = _SMALLEST_HALF if form.bits == 16 else 2.0**-126
         with np.errstate(all="ignore"):
-            spacing = np.spacing(np.maximum(np.abs(colours), least).astype(kind))
+            spacing = np.spacing(np.maximum(np.abs(colours), form.least).astype(form.kind))
         return np.asarray(spacing, np.float64)
     if not form.is_srgb:
         return np.broadcast_to(1.0 / form.steps, colours.shape)
@@ -103,11 +109,13 @@ def _bent(curve: Callable[[Floats], Floats], colours: Floats) -> Floats:
     return np.concatenate([curve(colours[..., :3]), colours[..., 3:]], axis=-1)
 
 
-def _half(end: Floats, outside: float) -> Floats:
-    """The next float of 16 bits that is not on the inner side of an interval's end."""
+def _outer(form: Format, end: Floats, outside: float) -> Floats:
+    """The next float of a format that is not on the inner side of an interval's end."""
     with np.errstate(all="ignore"):
-        near = end.astype(np.float16)
-        inner = near > end if outside < 0 else near < end
-        found = np.where(inner, np.nextafter(near, np.float16(outside)), near).astype(np.float64)
+        near = end.astype(form.kind)
+        further = np.nextafter(near, form.kind(outside)).astype(np.float64)
+        nearest: Floats = near.astype(np.float64)
+        inner = nearest > end if outside < 0 else nearest < end
+        found = np.where(inner, further, nearest)
     flushed = np.minimum(found, 0.0) if outside < 0 else np.maximum(found, 0.0)
-    return np.where(np.abs(found) < _SMALLEST_HALF, flushed, found)
+    return np.where(np.abs(found) < form.least, flushed, found)
