@@ -10,8 +10,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from .console import remark, show
-from .failures import told
-from .options import hoist_option, pass_option, rig_option, search_option
+from .failures import fail, told
+from .options import (
+    check_device,
+    device_option,
+    hoist_option,
+    pass_option,
+    pixel,
+    rig_option,
+    search_option,
+)
 from .terminal import FAILED, wants_color
 
 if TYPE_CHECKING:
@@ -20,10 +28,9 @@ if TYPE_CHECKING:
     from ..targets.runner.routes import Route
 
 COLORS = {
-    "agrees": "green", "differs": "red", "overflows": "red", "undecided": "red", "failed": "red",
-    "not run": "yellow",
+    "agrees": "green", "differs": "red", "proves little": "yellow", "overflows": "red",
+    "failed": "red", "not run": "yellow",
 }  # fmt: skip
-DISAGREEMENT = {"differs", "overflows", "undecided", "failed"}
 
 
 class Request(NamedTuple):
@@ -31,7 +38,11 @@ class Request(NamedTuple):
 
     files: tuple[Path, ...]
     routes: str
+    device: str
     report: Path | None
+    strict: bool
+    explain: tuple[int, int] | None
+    case: str | None
     seed: int
     rig: str | None
     pass_: str | None
@@ -45,9 +56,22 @@ class Request(NamedTuple):
     "--routes", metavar="ROUTE,…", default="all", show_default=True,
     help="Routes to draw with, as `burnish doctor` lists them: `lavapipe`, `chromium:webgpu`, ….",
 )  # fmt: skip
+@device_option
 @click.option(
     "--report", metavar="FOLDER", type=click.Path(path_type=Path),
-    help="Where to put report.json and index.html, with pictures of the differences.",
+    help="Where to put index.html, a page with pictures, report.json, and junit.xml.",
+)  # fmt: skip
+@click.option(
+    "--strict", is_flag=True, help="Also exit with 1 where a row proves little.",
+)  # fmt: skip
+@click.option(
+    "--explain", metavar="X,Y", callback=pixel,
+    help="Instead of the table, say how inexact this pixel is, and why.",
+)  # fmt: skip
+@click.option(
+    "--case", metavar="NAME",
+    help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`; by default the one where "
+    "it is the least certain.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,
@@ -64,24 +88,38 @@ def conform(**chosen: Any) -> None:
     drawn in several scenes, with default and random values, with every rig and every pass that its
     file declares, unless --rig and --pass name one.
 
-    The exit code is 1 if any route differs from the reference or fails, if a value overflows, or if
-    so much depends on rounding that agreement would prove nothing. A route that lacks its tools, or
-    a feature that the material needs, is `not run`. The exit code is also 1 if such a route was
+    The exit code is 1 if any route differs from the reference or fails, or if a value overflows.
+    `proves little` is a warning: the material magnifies rounding so much that too many of its
+    pixels may have nearly any value; with --strict it counts as well. A route that lacks its tools,
+    or a feature that the material needs, is `not run`. The exit code is also 1 if such a route was
     named on the command line, or if no route was run.
+
+    --explain shows the way of the error at one pixel: its value and its bounds, what each route has
+    drawn, which operations contribute how much, and where precision is lost. Pixels are counted
+    from 0,0 in the upper left corner.
 
     \b
     Example:
         burnish conform plastic.burnish
         burnish conform materials/*.burnish --routes lavapipe,chromium --report build/conformance
+        burnish conform plastic.burnish --routes vulkan,wgpu --device nvidia
+        burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
     request = Request(**chosen)
+    if request.case is not None and request.explain is None:
+        raise click.UsageError("--case names the scene of a pixel: it goes with --explain")
     with told():
         _check_report(request.report)
-        rows = _rows(request)
-        _tell(rows)
+        routes = _routes(request)
+        subjects, rows = _run(request, routes)
+        if request.explain is not None:
+            _explain(subjects, rows, request)
+            return
+        rows = _with_reasons(subjects, rows, request.seed)
+        _tell(rows, strict=request.strict)
         if request.report is not None:
-            _write(request.report, rows)
-        if not _passed(rows, asked=request.routes != "all"):
+            _write(request.report, rows, strict=request.strict)
+        if not _passed(rows, asked=request.routes != "all", strict=request.strict):
             click.get_current_context().exit(FAILED)
 
 
@@ -93,24 +131,75 @@ def _check_report(folder: Path | None) -> None:
         raise unwritable(folder, reason)
 
 
-def _rows(request: Request) -> list[Row]:
-    from ..targets.conformance.conform import conform as run
+Subjects = list[tuple[str, "CompiledMaterial"]]
+"""Materials, each with the label that the table shows."""
+
+
+def _routes(request: Request) -> Sequence[Route]:
+    from ..targets.conformance.explaining import PixelError, check_pixel
     from ..targets.runner.routes import select
+
+    if request.explain is not None:
+        try:
+            check_pixel(request.explain)
+        except PixelError as error:
+            raise click.BadParameter(str(error), param_hint="--explain") from error
+    routes = select([request.routes])
+    if not routes:
+        raise click.UsageError("--routes names no route")
+    check_device(request.device, routes)
+    return routes
+
+
+def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]]:
+    """Compile and draw everything; the rows of a material follow each other."""
+    from ..targets.conformance.conform import conform as run
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
     from .progress import Progress
 
-    routes = select([request.routes])
-    if not routes:
-        raise click.UsageError("--routes names no route")
-    with Runner(routes) as runner, Toolchain() as toolchain, Progress("comparing") as progress:
-        return run(
-            _subjects(request, routes), routes, runner, toolchain,
+    with (
+        Runner(routes, device=request.device) as runner,
+        Toolchain() as toolchain,
+        Progress("comparing") as progress,
+    ):
+        subjects = _subjects(request, routes)
+        rows = run(
+            subjects, routes, runner, toolchain,
             seed=request.seed, done=lambda done, total: progress.tell(done / total),
         )  # fmt: skip
+    return subjects, rows
 
 
-def _subjects(request: Request, routes: Sequence[Route]) -> list[tuple[str, CompiledMaterial]]:
+def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
+    """Print the way of the error at one pixel of every material."""
+    from ..targets.conformance.explaining import PixelError, explanation_lines
+    from ..targets.conformance.summary import by_material
+
+    assert request.explain is not None
+    own = by_material(rows)
+    for label, material in subjects:
+        click.echo(click.style(label, bold=True), color=wants_color(sys.stdout))
+        found = explanation_lines(material, own[label], request.seed, request.explain, request.case)
+        try:
+            for line in found:
+                click.echo(f"  {line}".rstrip())
+        except PixelError as error:
+            fail(str(error))
+        click.echo()
+
+
+def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
+    """The rows, with what the source has to do with it where they differ or prove little."""
+    from ..targets.conformance.explaining import with_reasons
+    from ..targets.conformance.summary import by_material
+
+    materials = dict(subjects)
+    groups = by_material(rows).items()
+    return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
+
+
+def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
     """Every material with every rig and pass, each with the label that the table shows."""
     from .. import api
 
@@ -153,8 +242,16 @@ def _label(path: Path, paths: Sequence[Path], material: CompiledMaterial, varian
     return " × ".join([f"{file}: {material.name}", *filter(None, variant)])
 
 
-def _tell(rows: Sequence[Row]) -> None:
-    from ..targets.conformance.summary import counted, details, devices, lacking, tools
+def _tell(rows: Sequence[Row], *, strict: bool) -> None:
+    from ..targets.conformance.summary import (
+        by_material,
+        counted,
+        devices,
+        is_failure,
+        lacking,
+        messages,
+        tools,
+    )  # fmt: skip
 
     _print_table(rows)
     for driver, device in devices(rows).items():
@@ -163,10 +260,12 @@ def _tell(rows: Sequence[Row]) -> None:
         click.echo(f"with {', '.join(f'{name} {version}' for name, version in versions.items())}")
     for problem, names in lacking(rows).items():
         click.echo(f"not run by {', '.join(names)}: {problem}")
-    for row in rows:
-        if row.status in DISAGREEMENT:
-            lines = [f"{row.material}, {row.route.name} {row.status}", *details(row)]
-            remark("error", "\n  ".join(lines))
+    for material, own in by_material(rows).items():
+        for said, lines in messages(own):
+            routes = ", ".join(row.route.name for row in said)
+            heading = f"{material}, {routes}: {said[0].status}"
+            failed = is_failure(said[0], strict=strict)
+            remark("error" if failed else "warning", "\n  ".join([heading, *lines]))
     click.echo(counted(rows))
 
 
@@ -190,19 +289,23 @@ def _print_table(rows: Sequence[Row]) -> None:
     click.echo()
 
 
-def _passed(rows: Sequence[Row], *, asked: bool) -> bool:
-    statuses = {row.status for row in rows}
-    if statuses & DISAGREEMENT or "agrees" not in statuses:
+def _passed(rows: Sequence[Row], *, asked: bool, strict: bool) -> bool:
+    from ..targets.conformance.summary import is_failure
+
+    if any(is_failure(row, strict=strict) for row in rows):
         return False
-    return not (asked and "not run" in statuses)
+    statuses = {row.status for row in rows}
+    return bool(statuses - {"not run"}) and not (asked and "not run" in statuses)
 
 
-def _write(folder: Path, rows: Sequence[Row]) -> None:
+def _write(folder: Path, rows: Sequence[Row], *, strict: bool) -> None:
     import json
 
+    from ..targets.conformance.junit import as_junit
     from ..targets.conformance.report import as_json, page
     from .output import write_all
 
-    data = json.dumps(as_json(rows), indent=2, ensure_ascii=False) + "\n"
-    write_all(folder, {"report.json": data, "index.html": page(rows)})
+    data = json.dumps(as_json(rows, strict=strict), indent=2, ensure_ascii=False) + "\n"
+    tests = as_junit(rows, strict=strict)
+    write_all(folder, {"report.json": data, "junit.xml": tests, "index.html": page(rows)})
     click.echo(f"report: {folder / 'index.html'}")

@@ -65,10 +65,10 @@ def _remedy(state: ToolState) -> Iterator[str]:
 
 
 def _routes(states: Mapping[str, ToolState]) -> Iterator[str]:
-    from ..targets.runner.routes import ROUTES
+    from ..targets.runner.routes import EVERY_ROUTE
 
-    width = max(map(len, ROUTES))
-    for name, route in ROUTES.items():
+    width = max(map(len, EVERY_ROUTE))
+    for name, route in EVERY_ROUTE.items():
         lacking = [tool for tool in route.needs if states[tool].problem]
         mark = click.style(f"{'no' if lacking else 'draws':<8}", fg="red" if lacking else "green")
         reason = f"  (needs {', '.join(lacking)})" if lacking else ""

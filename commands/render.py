@@ -13,7 +13,15 @@ import click
 
 from .console import remark
 from .failures import fail, told
-from .options import file_argument, hoist_option, pass_option, rig_option, search_option
+from .options import (
+    check_device,
+    device_option,
+    file_argument,
+    hoist_option,
+    pass_option,
+    rig_option,
+    search_option,
+)
 from .subjects import EVERYTHING, Color, Request, Subject
 from .terminal import FAILED
 
@@ -77,6 +85,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     "--on", metavar="ROUTE,…", default=REFERENCE, show_default=True, callback=_names,
     help="What to draw with: `reference`, routes as `burnish doctor` lists them, or `all`.",
 )  # fmt: skip
+@device_option
 @click.option(
     "--mesh",
     type=click.Choice(MESHES),
@@ -144,7 +153,8 @@ def _render(request: Request) -> None:
     _check_output(request.output)
     routes = _routes(request.on)
     drivers = [route for route in routes if route is not None]
-    with Progress("drawing") as progress, Runner(drivers) as runner:
+    check_device(request.device, drivers)
+    with Progress("drawing") as progress, Runner(drivers, device=request.device) as runner:
         _tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
         found = subjects(request, drivers)
         _tell_lacking_features(found, drivers)

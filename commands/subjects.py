@@ -28,6 +28,7 @@ class Request(NamedTuple):
     file: Path
     output: Path
     on: tuple[str, ...]
+    device: str
     mesh: str
     instances: int
     """How many instances to draw if the material distinguishes them."""

@@ -25,14 +25,26 @@ ADDED = "each"
 """The name of the value that each iteration of a fold adds or multiplies."""
 
 
-def picture(shader: Shader, staged: Staged, *, everything: bool) -> Picture:
-    """The named values, or with ``everything`` all values, at the place where they are computed."""
-    return _Building(shader, staged, everything).picture()
+def picture(
+    shader: Shader, staged: Staged, *, everything: bool, parts: Mapping[Span, float] | None = None
+) -> Picture:
+    """The named values, or with ``everything`` all values, at the place where they are computed.
+
+    ``parts`` are the parts that expressions of the source have in the error of a pixel.
+    """
+    return _Building(shader, staged, everything, parts).picture()
 
 
 class _Building:
-    def __init__(self, shader: Shader, staged: Staged, everything: bool) -> None:
+    def __init__(
+        self,
+        shader: Shader,
+        staged: Staged,
+        everything: bool,
+        parts: Mapping[Span, float] | None,
+    ) -> None:
         self._shader = shader
+        self._parts = parts
         self._staged = staged
         self._everything = everything
         self._notes: Notes = shader.notes
@@ -201,6 +213,7 @@ class _Building:
             box = self._box(self._key(prefix, node), "crossing", name, node)
             flat = CROSS.data(node).mode == "flat"
             box.note = "varying, flat" if flat else "varying, interpolated"
+            box.part = self._part([self._notes.spans.get(node.id)])
             return box
         kinds: dict[str, Kind] = {"fold": "loop", "iterate": "loop", "apply": "call"}
         return self._box(self._key(prefix, node), kinds.get(node.op, "value"), name, node)
@@ -219,7 +232,13 @@ class _Building:
         return box
 
     def _box(self, key: str, kind: Kind, name: str, node: Node) -> Box:
-        return Box(key, kind, name, str(node.type), place=self._place(node))
+        return Box(key, kind, name, str(node.type), place=self._place(node), part=self._part(()))
+
+    def _part(self, spans: Iterable[Span | None]) -> float | None:
+        """The part that these expressions have together in the error of a pixel."""
+        if self._parts is None:
+            return None
+        return sum(self._parts.get(span, 0.0) for span in spans if span is not None)
 
     def _key(self, prefix: str, node: Node) -> str:
         if isinstance(node.data, Parameter) and node.op == "parameter":
@@ -261,6 +280,7 @@ class _Building:
             spans.add(self._notes.spans.get(node.id))
             pending += operands_of(node)
         box.guarded = not self._guarded.isdisjoint(spans)
+        box.part = self._part(spans)
 
 
 @frozen

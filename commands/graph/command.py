@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
 from ..console import show
-from ..options import file_argument, pass_option, rig_option, search_option
+from ..failures import fail, told
+from ..options import file_argument, pass_option, pixel, rig_option, search_option
 from ..terminal import FAILED
 
 if TYPE_CHECKING:
     from ...api import CompiledMaterial
+    from ...compiler.diagnostics.source import Span
     from .model import Picture
 
 STDOUT = "-"
@@ -30,6 +33,8 @@ class Request(NamedTuple):
     form: str | None
     """One of ``FORMATS``; by default the ending of the file's name, or else text."""
     why: bool
+    error: tuple[int, int] | None
+    case: str
     everything: bool
     material: str | None
     rig: str | None
@@ -55,6 +60,14 @@ class Request(NamedTuple):
     help="A picture, a text for Graphviz, or one for people; by default what FILE's name says.",
 )
 @click.option("--why", is_flag=True, help="Instead, say why guards went, and why others stay.")
+@click.option(
+    "--error", metavar="X,Y", callback=pixel,
+    help="Colour each value by its part in the error of this pixel of `conform`'s pictures.",
+)  # fmt: skip
+@click.option(
+    "--case", metavar="NAME", default="defaults", show_default=True,
+    help="The scene of `conform` in which the pixel is.",
+)  # fmt: skip
 @click.option("--all", "everything", is_flag=True, help="Every value, and not only named ones.")
 @click.option("--material", metavar="NAME", help="Which of the file's materials.")
 @rig_option
@@ -78,6 +91,7 @@ def graph(**chosen: Any) -> None:
         burnish graph plastic.burnish
         burnish graph plastic.burnish -o plastic.svg
         burnish graph plastic.burnish --why
+        burnish graph plastic.burnish --error 36,28 -o error.svg
     """
     from ...compiler.diagnostics.diagnostic import CompileError
 
@@ -87,6 +101,20 @@ def graph(**chosen: Any) -> None:
     except CompileError as error:
         show(error.diagnostics)
         click.get_current_context().exit(FAILED)
+
+
+def _parts(material: CompiledMaterial, request: Request) -> Mapping[Span, float] | None:
+    """The parts that expressions have in the error of the pixel, if there is one."""
+    if request.error is None:
+        return None
+    with told():
+        from ...targets.conformance.explaining import PixelError
+        from .errors import parts
+
+        try:
+            return parts(material, request.error, request.case)
+        except PixelError as error:
+            fail(str(error))
 
 
 def _materials(request: Request) -> tuple[CompiledMaterial, ...]:
@@ -127,6 +155,8 @@ def _deliver(request: Request, materials: tuple[CompiledMaterial, ...]) -> None:
 def _form(request: Request) -> str:
     """The requested format, by name or by the ending of the file's name."""
     if request.why:
+        if request.error is not None:
+            raise click.UsageError("proofs have no pixel: --why goes without --error")
         if request.form not in (None, "text"):
             raise click.UsageError("proofs are text: --why goes with no other --format")
         return "text"
@@ -146,7 +176,10 @@ def _written(material: CompiledMaterial, request: Request, form: str) -> str:
         return written(title, material.proofs)
     from .build import picture
 
-    found = picture(material.shader, material.staged, everything=request.everything)
+    found = picture(
+        material.shader, material.staged,
+        everything=request.everything, parts=_parts(material, request),
+    )  # fmt: skip
     if form == "text":
         from .text import written as as_text
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .model import Box, Picture
-from .svg import COLORS
+from .svg import colors_of
 
 
 def written(picture: Picture) -> str:
@@ -30,16 +30,17 @@ def written(picture: Picture) -> str:
 
 
 def _attributes(box: Box) -> Iterator[str]:
-    colors = COLORS[box.kind]
+    colors = colors_of(box)
     label = f"{box.name}: {box.type}" + (f"\n{box.formula}" if box.formula else "")
     yield f"label={_quoted(label)}"
     yield f'fillcolor="{colors.fill}"'
     yield f'color="{colors.line}"'
-    if box.kind == "result":
+    if colors.is_dark:
         yield 'fontcolor="#ffffff"'
     if box.guarded:
         yield "penwidth=2"
-    yield f"tooltip={_quoted(' '.join(filter(None, (box.note, box.place))))}"
+    part = f"{box.part:.1%} of the error" if box.part else ""
+    yield f"tooltip={_quoted(' '.join(filter(None, (box.note, part, box.place))))}"
 
 
 def _quoted(text: str) -> str:

@@ -50,6 +50,8 @@ class Box:
     """Where it is written in the source: file, line and column."""
     guarded: bool = False
     """Whether its formula contains a guard."""
+    part: float | None = None
+    """The part that its formula has in the error of a pixel; ``None`` if there is no such pixel."""
 
 
 @dataclass(slots=True)

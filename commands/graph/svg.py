@@ -22,6 +22,8 @@ class Colors(NamedTuple):
 
     fill: str
     line: str
+    is_dark: bool = False
+    """Whether letters on it have to be white."""
 
 
 COLORS: dict[Kind, Colors] = {
@@ -40,9 +42,25 @@ COLORS: dict[Kind, Colors] = {
     "call": Colors("#efe9fb", "#7a55c7"),
     "crossing": Colors("#dff3f1", "#12857a"),
     "argument": Colors("#f1f1f1", "#8a8a8a"),
-    "result": Colors("#34404c", "#1d252d"),
+    "result": Colors("#34404c", "#1d252d", is_dark=True),
 }
 GUARD = "#d1570b"
+_FAULTLESS, _FAULTY = (0xFF, 0xFF, 0xFF), (0xE8, 0x4A, 0x35)
+"""The fills of what has no part in the error of a pixel, and of what makes all of it."""
+
+
+def colors_of(box: Box) -> Colors:
+    """The colours of a box: of its kind, or if there is a pixel, of its part in the error."""
+    if box.part is None:
+        return COLORS[box.kind]
+    return Colors(_shade(box.part), COLORS[box.kind].line)
+
+
+def _shade(part: float) -> str:
+    """Small parts are to be seen, too, so it is the root that counts."""
+    share = min(part, 1.0) ** 0.5
+    pairs = zip(_FAULTLESS, _FAULTY, strict=True)
+    return "#" + "".join(f"{round(a + share * (b - a)):02x}" for a, b in pairs)
 
 
 def drawn(picture: Picture) -> str:
@@ -158,10 +176,10 @@ def _cut(text: str) -> str:
 
 
 def _box(box: Box, x: float, y: float, item: Item) -> Iterator[str]:
-    colors = COLORS[box.kind]
+    colors = colors_of(box)
     leaf = not box.formula and box.kind != "crossing"
     dash = ' stroke-dasharray="4 3"' if box.kind == "derived" else ""
-    dark = box.kind == "result"
+    dark = colors.is_dark
     yield "<g>"
     yield f"<title>{escape(_tooltip(box))}</title>"
     yield (
@@ -181,6 +199,7 @@ def _box(box: Box, x: float, y: float, item: Item) -> Iterator[str]:
 
 def _tooltip(box: Box) -> str:
     lines = [f"{box.name} : {box.type}", box.formula, box.note or KINDS[box.kind]]
+    lines += [f"{box.part:.1%} of the error" if box.part else ""]
     lines += ["a guard stays in it" if box.guarded else "", box.place]
     return "\n".join(filter(None, lines))
 
@@ -232,6 +251,10 @@ def _legend(picture: Picture, width: float) -> Iterator[tuple[str, float, float]
     """The legend: the kinds of boxes in the picture, in rows, each with its position."""
     used = {box.kind for box in picture.boxes}
     entries = [(COLORS[kind], words) for kind, words in KINDS.items() if kind in used]
+    if any(box.part is not None for box in picture.boxes):
+        rims = [(Colors("#ffffff", colors.line), words) for colors, words in entries]
+        shades = ((0.01, "1% of the error"), (0.25, "25%"), (1.0, "all of it"))
+        entries = [*rims, *((Colors(_shade(part), "#8a8a8a"), words) for part, words in shades)]
     if any(box.guarded for box in picture.boxes):
         entries.append((Colors("", ""), "a guard stays"))
     x = y = 0.0

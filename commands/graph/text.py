@@ -26,5 +26,7 @@ def _details(box: Box) -> Iterator[str]:
         yield box.note
     if box.guarded:
         yield "guarded"
+    if box.part:
+        yield f"{box.part:.1%} of the error"
     if box.place:
         yield box.place

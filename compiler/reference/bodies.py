@@ -50,11 +50,16 @@ class Opened(ABC):
 
 
 def opened(
-    node: Node, operands: list[Lanes], frame: Frame, xp: Namespace, spend: Spend
+    node: Node,
+    operands: list[Lanes],
+    frame: Frame,
+    xp: Namespace,
+    spend: Spend,
+    stored: Callable[[Lanes], Lanes],
 ) -> Opened | None:
     """Begin to evaluate a node in ``frame``, from the values of its operands outside its bodies.
 
-    ``None`` if it has no bodies.
+    ``None`` if it has no bodies. ``stored`` is called for the states of an iteration.
     """
     match node.op:
         case "apply":
@@ -62,7 +67,7 @@ def opened(
         case "fold":
             return _Fold(node, operands, frame, xp, spend)
         case "iterate":
-            return _Iteration(node, operands, frame, xp, spend)
+            return _Iteration(node, operands, frame, xp, spend, stored)
         case _:
             return None
 
@@ -120,10 +125,18 @@ class _Iteration(Opened):
     """
 
     def __init__(
-        self, node: Node, operands: list[Lanes], frame: Frame, xp: Namespace, spend: Spend
+        self,
+        node: Node,
+        operands: list[Lanes],
+        frame: Frame,
+        xp: Namespace,
+        spend: Spend,
+        stored: Callable[[Lanes], Lanes],
     ) -> None:
-        (self._count,), *self._states = operands
+        (self._count,), *states = operands
         self._node, self._frame, self._xp, self._spend = node, frame, xp, spend
+        self._stored = stored
+        self._states = list(map(stored, states))
         self._bound = ITERATE.data(node).bound
         self._bodies = [node.operands[i] for i in bodies_of(node)]
         self._turn = 0
@@ -156,17 +169,19 @@ class _Iteration(Opened):
         self._following.append(chosen(self._xp, self._goes_on, value, state))
         self._position += 1
         if self._position == len(self._bodies):
-            self._states, self._following = self._following, []
+            self._states, self._following = list(map(self._stored, self._following)), []
             self._position = 0
             self._turn += 1
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:
-    """Whether all conditions hold; a plain ``bool`` unless one of them is an array."""
+    """Whether all conditions hold; a plain ``bool`` unless one of them is an array or unsure."""
     found: Lane = True
     for condition in conditions:
         found = xp.logical_and(found, condition)
-    return found if getattr(found, "ndim", 0) else bool(found)
+    if getattr(found, "ndim", 0) or not getattr(found, "is_exact", True):
+        return found
+    return bool(found)
 
 
 def _anywhere(condition: Lane) -> bool:

@@ -19,6 +19,7 @@ def ddy(_xp: Namespace, v: Lanes) -> Lanes:
 
 
 def _difference(lane: Lane, axis: int) -> Lane:
-    if not hasattr(lane, "take") or lane.shape[axis] == 1:
+    shape = getattr(lane, "shape", ())
+    if len(shape) < -axis or shape[axis] == 1:
         return 0.0
     return (lane.take([1], axis) - lane.take([0], axis)).repeat(2, axis)

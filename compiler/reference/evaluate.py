@@ -31,6 +31,10 @@ Observer = Callable[[Node, list[Lanes], Lanes], Lanes]
 """Called for every operation that is computed, with the values of its operands and its own value.
 Evaluation continues with the value that it returns."""
 
+Stored = Callable[[Lanes], Lanes]
+"""Called with the states of an iteration before each turn and after the last one. Evaluation
+continues with the value that it returns."""
+
 _ASKED = OUTSIDE | {"cross"}
 """What ``LeafValues`` may have a value for."""
 
@@ -75,8 +79,10 @@ class Evaluator:
         xp: Namespace = scalars,
         observer: Observer | None = None,
         most_operations: int | None = None,
+        stored: Stored | None = None,
     ) -> None:
         """``most_operations`` limits how many operations are computed; a turn is one, too."""
+        self._stored = stored or _as_it_is
         self._left = most_operations
         self._leaves = leaves
         self._xp = xp
@@ -141,7 +147,7 @@ class Evaluator:
                     continue
                 self._spend()
                 operands = [self._known(operand, home) for operand in before]
-                entered = opened(node, operands, home, self._xp, self._spend)
+                entered = opened(node, operands, home, self._xp, self._spend, self._stored)
                 if entered is not None:
                     return entered
                 known = operands[0] if is_choice else apply(node, operands, self._xp)
@@ -174,6 +180,10 @@ class Evaluator:
             self._left -= 1
             if self._left < 0:
                 raise TooLongError
+
+
+def _as_it_is(value: Lanes) -> Lanes:
+    return value
 
 
 def _needed_first(node: Node) -> tuple[Node, ...]:

@@ -2,7 +2,9 @@
 
 ``functions.py`` has them in its table. The names are those of the builtins, with an underscore if
 Python already has the name. An operand outside of the domain of Python's or NumPy's function is
-replaced *before* the function is called, as in the shaders, so that NaN never occurs.
+replaced *before* the function is called, as in the shaders, so that NaN never occurs. What bounds
+errors (``bounds/functions.py``) has some of these as functions of its own, where devices compute
+otherwise than by the formula here.
 """
 
 from __future__ import annotations
@@ -91,8 +93,9 @@ def saturate(xp: Namespace, x: Lane) -> Lane:
     return clamp(xp, x, 0.0, 1.0)
 
 
-def mix(_xp: Namespace, x: Lane, y: Lane, a: Lane) -> Lane:
-    return x * (1.0 - a) + y * a
+def mix(xp: Namespace, x: Lane, y: Lane, a: Lane) -> Lane:
+    own = getattr(xp, "mix", None)
+    return x * (1.0 - a) + y * a if own is None else own(x, y, a)
 
 
 def fma(_xp: Namespace, x: Lane, y: Lane, z: Lane) -> Lane:
@@ -115,7 +118,9 @@ def sqrt(xp: Namespace, x: Lane) -> Lane:
 
 
 def inversesqrt(xp: Namespace, x: Lane) -> Lane:
-    return xp.divide(1.0, xp.sqrt(xp.maximum(x, SMALLEST_NORMAL)))
+    positive = xp.maximum(x, SMALLEST_NORMAL)
+    own = getattr(xp, "inversesqrt", None)
+    return xp.divide(1.0, xp.sqrt(positive)) if own is None else own(positive)
 
 
 def pow_(xp: Namespace, x: Lane, y: Lane) -> Lane:

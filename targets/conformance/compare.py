@@ -1,134 +1,233 @@
-"""Compares the picture of a route with the reference's; ``conform`` calls it for each draw."""
+"""Compares the picture of a route with the reference's bounds; ``conform`` calls it for each draw.
+
+A pixel agrees if every lane of it lies between the ends that the reference gives it. What the
+material means has to lie there, too: otherwise the compiler has changed the meaning.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.reference.picture import Expected
-from .tolerances import TOGETHER, UNDECIDED_FEW, UNDECIDED_SHARE, Tolerance
 
 Floats = NDArray[np.float64]
-
+Bools = NDArray[np.bool_]
 
 LARGEST = float(np.finfo(np.float32).max)
+
+SAYS_NOTHING = 1 / 8
+"""A bound says nothing of a value if it leaves open more than this part of the picture's range."""
+USUAL = (0.02, 0.98)
+"""The quantiles between which the picture's range is measured, so that a few pixels, such as a
+highlight, cannot make it larger."""
+CONSTANT = 2.0**-4
+"""The least range, relative to the largest value: that of a picture of one colour is 0. Of a black
+picture it is 1."""
+
+PROVEN_SHARE = 0.9
+"""The part of the object's pixels, of all cases together, that has to be proven."""
+FEW = 40
+"""So many pixels may be unproven in any case: the outline of a small object has as many."""
+SEEN_SHARE = 0.01
+"""The part of its picture that must be proven pixels of the object, in at least one case."""
+
+ROUNDING = 2.0**-40
+"""By how much rounding to float64 may change a value, relative to the larger ones of a picture."""
+
+Level = Literal["measured", "guaranteed"]
+"""Which bounds hold: those of what was measured of the driver, or of what specifications
+guarantee."""
 
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """The values of one pixel in both pictures."""
+    """The values of one pixel."""
 
     x: int
     y: int
     target: int
     got: tuple[float, ...]
     expected: tuple[float, ...]
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    """Between which numbers a conforming device's value is."""
 
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
     """The result of comparing two pictures; the counts are numbers of pixels."""
 
+    level: Level
+    """The bounds with which this was found."""
     pixels: int
     """All pixels of the picture."""
     covered: int
     """Pixels that the reference covers."""
     proven: int
-    """Covered pixels that are decided and do not overflow."""
+    """Covered pixels whose bounds say something, and that do not overflow."""
     undecided: int
-    """Pixels whose value depends on rounding; they are not compared."""
+    """Pixels that are not compared: it depends on rounding what is drawn there."""
+    wide: int
+    """Other covered pixels, whose bounds say nothing: they are wider than ``SAYS_NOTHING``."""
     overflowing: int
-    """Other pixels whose reference value is too large for float32, so that no value is correct."""
+    """Other pixels whose value is too large for float32, so that no value is correct."""
     wrong: int
-    """Decided pixels that are outside of the tolerance, or that only one of the pictures covers."""
+    """Pixels that are out of bounds, or that only one of the pictures covers."""
+    changed: int
+    """Pixels where what the material means is out of bounds: the compiler is to blame."""
     max_difference: float
     """The largest difference of any lane of a decided pixel; that of NaN is infinite."""
     excess: float
-    """The largest difference of a decided lane, divided by its tolerance; up to 1 is agreement."""
+    """The largest difference of a decided lane, divided by that of its bound; up to 1 is
+    agreement."""
+    bite: float
+    """The median of half the distance between the bounds, over all lanes that are not exact, in
+    steps of the target's format; 0 if all are exact."""
     worst: Sample | None
-    """The decided pixel with the largest difference, measured in tolerances."""
+    """The decided pixel that comes closest to its bounds, or leaves them by most."""
     overflow: Sample | None
     """The first pixel that overflows."""
+    change: Sample | None
+    """The pixel whose meaning was changed most; ``got`` is what the material means."""
+    beyond: Sample | None = None
+    """A pixel that is within what is guaranteed, but not within what was measured of the driver."""
 
     @property
-    def too_undecided(self) -> bool:
-        """Whether so many pixels are undecided that agreement of the others proves nothing."""
-        many = self.undecided > UNDECIDED_SHARE * self.pixels
-        return many or self.undecided > max(self.proven, UNDECIDED_FEW)
+    def blames_compiler(self) -> bool:
+        """Whether the program that was emitted means something else than the material."""
+        return self.changed > 0
 
     @property
     def agrees(self) -> bool:
         """Whether the pictures agree, as far as this comparison can tell."""
-        return not (self.wrong or self.overflowing or self.too_undecided)
+        return not (self.wrong or self.changed or self.overflowing)
 
 
 def compare(
-    got: tuple[Floats, ...],
+    got: Sequence[Floats],
     expected: Expected,
-    tolerance: Tolerance,
-    steps: Sequence[Floats | float],
+    meant: Sequence[Floats],
+    steps: Sequence[Floats],
+    level: Level,
 ) -> Comparison:
-    """Compare the targets of two pictures, each of shape (height, width, 4).
+    """Compare the targets of pictures, each of shape (height, width, 4).
 
-    Uncovered pixels of ``expected`` have the clear colour, and ``got`` must have exactly the same
-    there. ``steps`` are the errors that rounding to each target's format may add.
+    ``expected`` has the bounds of the emitted program, and ``meant`` is what the material means.
+    Uncovered pixels have the clear colour, and ``got`` must have exactly the same there. ``steps``
+    are the distances between neighbouring numbers of each target's format.
     """
-    beyond = np.stack([~(np.abs(e) <= LARGEST) for e in expected.targets])
-    overflows = beyond.any(axis=(0, 3)) & ~expected.undecided
-    decided = ~expected.undecided & ~overflows
-    allowed = np.stack(
-        [
-            tolerance.absolute + tolerance.relative * np.abs(e) + TOGETHER * r + step
-            for e, r, step in zip(expected.targets, expected.radius, steps, strict=True)
-        ]
-    )
-    distance = np.stack([_distance(g, e) for g, e in zip(got, expected.targets, strict=True)])
-    excess = _in_tolerances(distance, allowed)
+    values, low, high = ends_of(expected)
+    drawn = np.stack(got)
+    overflows = ~(np.abs(values) <= LARGEST)
+    overflowing = overflows.any(axis=(0, 3)) & ~expected.undecided
+    decided = ~(expected.undecided | overflowing)
+    wide = decided & expected.covered & says_nothing(values, low, high, decided & expected.covered)
+    excess = shares(drawn, values, low, high)
     per_pixel = excess.max(axis=(0, 3))
-    wrong = decided & (per_pixel > 1)
-    measured = np.where(decided[None, :, :, None], distance, 0)
+    source = np.stack(meant)
+    rounding = ROUNDING * _larger_of(values, decided & expected.covered)
+    change = shares(source, values, low - rounding, high + rounding)
+    changed = decided & (change.max(axis=(0, 3)) > 1)
+    distance = np.where(decided[None, :, :, None], _distance(drawn, values), 0)
+    pictures = (values, low, high)
     return Comparison(
+        level=level,
         pixels=decided.size,
         covered=int(expected.covered.sum()),
-        proven=int((expected.covered & decided).sum()),
+        proven=int((expected.covered & decided & ~wide).sum()),
         undecided=int(expected.undecided.sum()),
-        overflowing=int(overflows.sum()),
-        wrong=int(wrong.sum()),
-        max_difference=float(measured.max(initial=0)),
+        wide=int(wide.sum()),
+        overflowing=int(overflowing.sum()),
+        wrong=int((decided & (per_pixel > 1)).sum()),
+        changed=int(changed.sum()),
+        max_difference=float(distance.max(initial=0)),
         excess=float(np.where(decided, per_pixel, 0).max(initial=0)),
-        worst=_sample(np.where(decided, per_pixel, -1), excess, got, expected.targets),
-        overflow=_sample(np.where(overflows, 0.0, -1.0), beyond, got, expected.targets),
+        bite=_bite(low, high, np.stack(steps), decided & expected.covered),
+        worst=_sample(decided, excess, drawn, pictures),
+        overflow=_sample(overflowing, overflows.astype(np.float64), drawn, pictures),
+        change=_sample(changed, change, source, pictures),
     )
 
 
-def _distance(got: Floats, expected: Floats) -> Floats:
+def ends_of(expected: Expected) -> tuple[Floats, Floats, Floats]:
+    """The values and both bounds of all targets, (targets, height, width, 4) each."""
+    return np.stack(expected.targets), np.stack(expected.low), np.stack(expected.high)
+
+
+def proves_little(comparisons: Sequence[Comparison]) -> bool:
+    """Whether agreement of a material's pictures proves little: too few pixels can be compared."""
+    seen = any(one.proven > SEEN_SHARE * one.pixels for one in comparisons)
+    covered = sum(one.covered for one in comparisons)
+    unproven = sum(max(one.covered - one.proven, one.undecided) for one in comparisons)
+    return not seen or unproven > max(FEW, covered - PROVEN_SHARE * covered)
+
+
+def _distance(got: Floats, values: Floats) -> Floats:
     """The difference of each lane; a value that is not finite is infinitely far from all others."""
     with np.errstate(invalid="ignore"):
-        distance = np.abs(got - expected)
+        distance = np.abs(got - values)
     return np.where(np.isfinite(distance), distance, np.inf)
 
 
-def _in_tolerances(distance: Floats, allowed: Floats) -> Floats:
-    """Differences divided by tolerances; where the reference's radius is not finite, infinite."""
+def shares(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
+    """How far each lane is on the way from its value to the bound on that side, which is 1.
+
+    Where the bounds are infinite, nothing is known, and everything agrees, NaN included.
+    """
+    with np.errstate(all="ignore"):
+        room = np.where(got > values, high - values, values - low)
+        share = np.abs(got - values) / room
+    share = np.where(np.isnan(share), np.inf, share)
+    inside = (got >= low) & (got <= high)
+    # Rounding of the quotient must not decide.
+    share = np.where(inside, np.minimum(share, 1.0), np.maximum(share, 1.0 + 2.0**-20))
+    unknown = np.isneginf(low) & np.isposinf(high)
+    return np.where(unknown | (got == values), 0.0, share)
+
+
+def _larger_of(values: Floats, seen: Bools) -> Floats:
+    """The magnitude of each lane, or if that is larger, what is usual in its target."""
+    usual = [np.quantile(np.abs(value[seen]), USUAL[1]) if seen.any() else 0.0 for value in values]
+    larger: Floats = np.maximum(np.abs(values), np.reshape(usual, (-1, 1, 1, 1)))
+    return larger
+
+
+def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bools:
+    """Where some lane's bounds are wider than a part of the range of values of its target."""
+    found = np.zeros(seen.shape, dtype=np.bool_)
+    for value, least, most in zip(values, low, high, strict=True):
+        if seen.any():
+            ends = np.quantile(value[seen], USUAL, axis=0)
+            span = np.maximum(ends[1] - ends[0], CONSTANT * np.abs(ends).max(axis=0))
+            with np.errstate(invalid="ignore"):
+                width = most - least
+            found |= ~(width <= SAYS_NOTHING * (span.max() or 1.0)).all(axis=-1)
+    return found
+
+
+def _bite(low: Floats, high: Floats, steps: Floats, seen: Bools) -> float:
+    """The median of the bounds in steps, over the lanes that are seen and not exact."""
+    usual = [np.median(step[seen]) if seen.any() else 0.0 for step in steps]
+    steps = np.maximum(steps, np.reshape(usual, (-1, 1, 1, 1)))
     with np.errstate(invalid="ignore"):
-        return np.where(np.isfinite(allowed), distance / allowed, np.inf)
+        bounds = ((high - low) / 2 / steps)[:, seen]
+    bounds = bounds[bounds > 0]
+    return float(np.median(bounds)) if bounds.size else 0.0
 
 
 def _sample(
-    per_pixel: Floats,
-    per_lane: Floats | NDArray[np.bool_],
-    got: tuple[Floats, ...],
-    expected: tuple[Floats, ...],
+    where: Bools, amount: Floats, got: Floats, pictures: tuple[Floats, Floats, Floats]
 ) -> Sample | None:
-    """The pixel with the largest value, and in it the target; ``None`` if all are below zero."""
-    if not per_pixel.size or per_pixel.max() < 0:
+    """Of the pixels ``where``, the one with the largest amount, in the target that has it."""
+    if not where.any():
         return None
+    per_pixel = np.where(where, amount.max(axis=(0, 3)), -1.0)
     y, x = np.unravel_index(int(per_pixel.argmax()), per_pixel.shape)
-    target = int(per_lane[:, y, x].max(axis=1).argmax())
-    return Sample(
-        int(x), int(y), target, tuple(got[target][y, x].tolist()),
-        tuple(expected[target][y, x].tolist()),
-    )  # fmt: skip
+    target = int(amount[:, y, x].max(axis=1).argmax())
+    drawn, *ends = (tuple(picture[target, y, x].tolist()) for picture in (got, *pictures))
+    return Sample(int(x), int(y), target, drawn, *ends)

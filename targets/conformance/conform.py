@@ -19,9 +19,9 @@ from ..runner.runner import Runner
 from ..runner.store import Store
 from ..runner.subject import Subject
 from ..toolchain import Toolchain
+from .compare import proves_little
 from .plan import Plan
 from .rows import CaseResult, Row, Status
-from .tolerances import PROVEN_SHARE
 
 Done = Callable[[int, int], None]
 """Called with the number of finished rows and the number of all rows."""
@@ -88,9 +88,8 @@ def _row(plan: Plan | tuple[str, str], route: Route, runner: Runner, toolchain: 
 
 def _status(results: Sequence[CaseResult]) -> Status:
     comparisons = [result.comparison for result in results]
-    if any(comparison.wrong for comparison in comparisons):
+    if any(comparison.wrong or comparison.changed for comparison in comparisons):
         return "differs"
     if any(comparison.overflowing for comparison in comparisons):
         return "overflows"
-    seen = any(c.proven > PROVEN_SHARE * c.pixels for c in comparisons)
-    return "agrees" if seen and all(c.agrees for c in comparisons) else "undecided"
+    return "proves little" if proves_little(comparisons) else "agrees"

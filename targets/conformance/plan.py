@@ -3,29 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from threading import Lock
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiler.ir import shader as ir
-from ...compiler.reference.picture import Expected, RasterRules
+from ...compiler.ir.shader import Result, Shader
+from ...compiler.reference.bounds.errors import Errors
+from ...compiler.reference.picture import Expected, RasterRules, formats
 from ...frozen import changed
+from ...stdlib.builtins.accuracy import Platform
+from ..runner.binding import FORMATS
 from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
-from ..runner.reference import remembered
+from ..runner.reference import graph_text, remembered
 from ..runner.routes import Route
 from ..runner.scene_state import SceneState
 from ..runner.store import Store
 from ..runner.subject import Subject
 from .cases import Series, series_of
-from .compare import compare
-from .formats import as_stored, format_steps
+from .compare import Comparison, Level, compare
+from .drivers import DRIVERS, Driver, Hardware
+from .measured import ENVELOPES
 from .rows import CaseResult
-from .tolerances import DRIVERS, Tolerance
 
 Floats = NDArray[np.float64]
+
+_ANY: tuple[Platform, ...] = ("vulkan",)
+"""The errors of functions that were not measured follow from those that were, on any platform. So
+all routes to a driver share one picture."""
+_EXACT = "rgba32f"
+"""A format that holds every float, for series that show what shaders write."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """What the reference allows a device: how it rasterises, and how far functions may be off."""
+
+    level: Level
+    rules: RasterRules
+    errors: Errors
 
 
 class Plan:
@@ -43,40 +61,106 @@ class Plan:
             for series in series_of(subject.reflection, seed)
         ]
         """Each series with its draws."""
-        self._expected: dict[tuple[int, RasterRules], Expected] = {}
+        self._expected: dict[object, Expected] = {}
+        self._emitted: dict[str, Shader] = {}
         self._lock = Lock()
         self._store = store
-        self._unblended = changed(
-            subject.shader, results=tuple(map(_unblended, subject.shader.results))
-        )
-        self._formats = [row["format"] for row in subject.reflection["targets"]]
 
     def compared(
         self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
     ) -> Iterator[CaseResult]:
         """A result for each case of a series, from the pictures that a route has drawn."""
-        driver = DRIVERS[route.driver]
         for case, picture in zip(series.cases, pictures, strict=True):
-            expected = self._wanted(case.state, rules_of(case.state, device, driver), series.exact)
+            questions = bounds_of(case.state, route, device)
             got = arrays(picture)
-            steps: Sequence[Floats | float] = [0.0] * len(got)
-            if not series.exact:
-                stored = as_stored(expected.targets, self._formats)
-                expected, got = replace(expected, targets=stored), as_stored(got, self._formats)
-                steps = format_steps(stored, self._formats)
-            comparison = compare(got, expected, driver, steps)
-            yield CaseResult(case.name, comparison, got, expected)
+            found = [(c, e) for c, e in self._answers(case.state, got, route, questions, series)]
+            yield CaseResult(case.name, _summed_up([c for c, _ in found]), got, found[-1][1])
 
-    def _wanted(self, state: SceneState, rules: RasterRules, exact: bool) -> Expected:
-        key = id(state), rules
+    def _answers(
+        self,
+        state: SceneState,
+        got: Sequence[Floats],
+        route: Route,
+        questions: Sequence[Bounds],
+        series: Series,
+    ) -> Iterator[tuple[Comparison, Expected]]:
+        """The comparisons with the first bounds, and with the next ones where these are left."""
+        with self._lock:
+            emitted = self._emitted_for(route.profile)
+        for bounds in questions:
+            program, source = (
+                to_targets(shader, exact=series.exact) for shader in (emitted, self.subject.shader)
+            )
+            expected = self._wanted(program, state, bounds.rules, bounds.errors)
+            meant = self._wanted(source, state, _precise(bounds.rules), None)
+            targets = [result.state.format for result in source.results if result.state]
+            pairs = list(zip(targets, meant.targets, strict=True))
+            comparison = compare(
+                got,
+                expected,
+                [formats.clamped(name, values) for name, values in pairs],
+                [formats.step(name, values) for name, values in pairs],
+                bounds.level,
+            )
+            yield comparison, expected
+            if not comparison.wrong:
+                return
+
+    def _emitted_for(self, profile: str) -> Shader:
+        if profile not in self._emitted:
+            self._emitted[profile] = self.subject.emitted(profile)
+        return self._emitted[profile]
+
+    def _wanted(
+        self, shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None
+    ) -> Expected:
+        key = graph_text(shader), id(state), rules, errors
         with self._lock:
             if key not in self._expected:
-                shader = self._unblended if exact else self.subject.shader
-                self._expected[key] = remembered(shader, state, rules, self._store)
+                self._expected[key] = remembered(shader, state, rules, self._store, errors)
             return self._expected[key]
 
 
-def rules_of(state: SceneState, device: Device, driver: Tolerance) -> RasterRules:
+def _summed_up(found: Sequence[Comparison]) -> Comparison:
+    """The last comparison, with how tight the first one was."""
+    first, last = found[0], found[-1]
+    if first is last:
+        return first
+    return replace(
+        last, proven=first.proven, wide=first.wide, bite=first.bite,
+        beyond=None if last.wrong else first.worst,
+    )  # fmt: skip
+
+
+def bounds_of(state: SceneState, route: Route, device: Device) -> tuple[Bounds, ...]:
+    """The bounds of a picture: those that were measured of the driver, then the guaranteed ones."""
+    driver = DRIVERS[route.driver]
+    guaranteed = Bounds(
+        "guaranteed",
+        rules_of(state, device, driver, _guaranteed(driver.assumed, device)),
+        Errors(route.platforms),
+    )
+    if driver.measured is None:
+        return (guaranteed,)
+    functions = ENVELOPES[route.driver].allowed()
+    measured = Bounds(
+        "measured",
+        rules_of(state, device, driver, driver.measured),
+        Errors(_ANY, tuple(sorted(functions.items()))),
+    )
+    return measured, guaranteed
+
+
+def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
+    """What a device reports, and what is assumed of the rest."""
+    return replace(
+        assumed,
+        subtexel_bits=device.subtexel_bits or assumed.subtexel_bits,
+        mip_bits=device.mip_bits or assumed.mip_bits,
+    )
+
+
+def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardware) -> RasterRules:
     """The rules by which a device rasterises a state."""
     return RasterRules(
         state.width,
@@ -85,18 +169,42 @@ def rules_of(state: SceneState, device: Device, driver: Tolerance) -> RasterRule
         interpolates_snapped=driver.interpolates_snapped,
         clips_sides=driver.clips_sides,
         edge_slack=driver.edge_slack,
-        subtexel_bits=device.subtexel_bits or driver.subtexel_bits,
-        functions=tuple(sorted(driver.functions.items())),
-        rounding_bits=driver.rounding_bits,
-        varying_bits=driver.varying_bits,
-        mip_bits=device.mip_bits or driver.mip_bits,
-        mixing_bits=driver.mixing_bits,
+        subtexel_bits=hardware.subtexel_bits,
+        varying_bits=hardware.varying_bits,
+        frag_coord_bits=hardware.frag_coord_bits,
+        mip_bits=hardware.mip_bits,
+        mixing_bits=hardware.mixing_bits,
+        own_derivatives=hardware.own_derivatives,
+        euclidean_steps=hardware.euclidean_steps,
         level_power=driver.level_power,
         bottom_up=driver.bottom_up,
         projects_cubes=driver.projects_cubes,
     )
 
 
-def _unblended(result: ir.Result) -> ir.Result:
-    """The same result, written over what is there."""
-    return changed(result, state=result.state and changed(result.state, blend="none"))
+def _precise(rules: RasterRules) -> RasterRules:
+    """The rules of a device that covers the same pixels, but rounds nothing."""
+    return replace(
+        rules,
+        subtexel_bits=None,
+        varying_bits=None,
+        frag_coord_bits=None,
+        mip_bits=None,
+        mixing_bits=None,
+    )
+
+
+def to_targets(shader: Shader, *, exact: bool) -> Shader:
+    """The shader with the targets that a series draws to; ``exact`` ones hold every float."""
+    return changed(shader, results=tuple(_to_target(one, exact=exact) for one in shader.results))
+
+
+def _to_target(result: Result, *, exact: bool) -> Result:
+    state = result.state
+    if state is None:
+        return result
+    if exact:
+        return changed(result, state=changed(state, format=_EXACT, blend="none"))
+    drawn = FORMATS[state.format]
+    name = next(name for name, other in FORMATS.items() if other == drawn)
+    return changed(result, state=changed(state, format=name))

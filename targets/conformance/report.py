@@ -2,28 +2,43 @@
 
 from __future__ import annotations
 
-import base64
-import io
 import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
-from numpy.typing import NDArray
 
-from ..runner.pictures import to_image
-from .compare import Comparison
-from .rows import CaseResult, Row
-from .summary import by_material, counted, details, devices, lacking, share, tools
+from .compare import Comparison, Sample
+from .pixel_maps import EDGES, bound_map, decision_map, difference_map, histogram, picture
+from .rows import STATUSES, CaseResult, Row
+from .summary import (
+    bite,
+    by_material,
+    counted,
+    devices,
+    is_failure,
+    lacking,
+    messages,
+    share,
+    tools,
+    unproven,
+)
 
 TEMPLATE = "report.html.j2"
+_BINS = ("0", *(f"≤ {edge:g}" for edge in EDGES[1:]), "> 1")
+"""What stands below the bars of a histogram."""
 
 
-def as_json(rows: Sequence[Row]) -> dict[str, Any]:
+def as_json(rows: Sequence[Row], *, strict: bool = False) -> dict[str, Any]:
     """The whole run; numbers that are not finite become ``null``."""
-    return {"format": 1, "rows": [_row_json(row) for row in rows]}
+    statuses = {status: sum(row.status == status for row in rows) for status in STATUSES}
+    return {
+        "format": 2,
+        "statuses": statuses,
+        "failures": sum(is_failure(row, strict=strict) for row in rows),
+        "rows": [_row_json(row) for row in rows],
+    }
 
 
 def page(rows: Sequence[Row]) -> str:
@@ -36,18 +51,18 @@ def page(rows: Sequence[Row]) -> str:
         lstrip_blocks=True,
     )
     routes = {row.route.name: row.route for row in rows}
-    materials = [
-        {"name": name, "references": list(_references(own)), "rows": list(map(_row_page, own))}
-        for name, own in by_material(rows).items()
-    ]
     return environment.get_template(TEMPLATE).render(
         summary=counted(rows),
         routes=[{"name": name.split(":"), "title": r.title} for name, r in routes.items()],
-        materials=materials,
+        materials=[_material(name, own) for name, own in by_material(rows).items()],
         devices=devices(rows),
         tools=tools(rows),
         lacking=lacking(rows),
+        bins=_BINS,
     )
+
+
+# --- JSON -----------------------------------------------------------------------------------------
 
 
 def _row_json(row: Row) -> dict[str, Any]:
@@ -57,6 +72,8 @@ def _row_json(row: Row) -> dict[str, Any]:
         "route": row.route.name,
         "status": row.status,
         "problem": row.problem or None,
+        "reasons": list(row.reasons),
+        "bound_in_steps": _finite(row.bite),
         "device": None if device is None else f"{device.name} {device.version}",
         "versions": dict(row.versions),
         "cases": {r.case: _comparison_json(r.comparison) for r in row.results},
@@ -64,84 +81,104 @@ def _row_json(row: Row) -> dict[str, Any]:
 
 
 def _comparison_json(comparison: Comparison) -> dict[str, Any]:
-    worst = comparison.worst
     return {
+        "level": comparison.level,
         "pixels": comparison.pixels,
         "covered": comparison.covered,
+        "proven": comparison.proven,
         "undecided": comparison.undecided,
+        "wide": comparison.wide,
         "overflowing": comparison.overflowing,
         "wrong": comparison.wrong,
+        "changed_by_the_compiler": comparison.changed,
         "max_difference": _finite(comparison.max_difference),
-        "max_difference_in_tolerances": _finite(comparison.excess),
-        "worst": worst
-        and {
-            "x": worst.x,
-            "y": worst.y,
-            "target": worst.target,
-            "got": [_finite(lane) for lane in worst.got],
-            "expected": [_finite(lane) for lane in worst.expected],
-        },
+        "max_difference_in_bounds": _finite(comparison.excess),
+        "bound_in_steps": _finite(comparison.bite),
+        "worst": _sample_json(comparison.worst),
+        "changed": _sample_json(comparison.change),
+        "beyond_what_was_measured": _sample_json(comparison.beyond),
     }
 
 
-def _row_page(row: Row) -> dict[str, Any]:
+def _sample_json(sample: Sample | None) -> dict[str, Any] | None:
+    if sample is None:
+        return None
+    lanes = {name: getattr(sample, name) for name in ("got", "expected", "low", "high")}
     return {
-        "route": row.route.name,
-        "status": row.status,
-        "share": share(row) if row.results else "",
-        "difference": f"{row.max_difference:.2e}" if row.results else "",
-        "undecided": f"{row.undecided} of {row.covered}" if row.results else "",
-        "details": list(details(row)) if row.status != "not run" else [],
-        "pictures": [_pictures(r) for r in row.results if not r.comparison.agrees],
+        "x": sample.x,
+        "y": sample.y,
+        "target": sample.target,
+        **{name: [_finite(lane) for lane in values] for name, values in lanes.items()},
     }
-
-
-def _references(rows: Sequence[Row]) -> Iterator[dict[str, str]]:
-    """The reference's picture of each case and target, from the first row that has results."""
-    for result in next((row.results for row in rows if row.results), ()):
-        targets = result.expected.targets
-        for number, target in enumerate(targets):
-            name = f"{result.case}, target {number}" if len(targets) > 1 else result.case
-            yield {"name": name, "picture": _embedded(target)}
-
-
-def _pictures(result: CaseResult) -> dict[str, str]:
-    """The pictures that show a disagreement, of the target with the worst pixel."""
-    worst = result.comparison.worst
-    number = worst.target if worst else 0
-    got, expected = result.got[number], result.expected.targets[number]
-    difference, times = _difference(got, expected, result.expected.undecided)
-    return {
-        "case": f"{result.case}, target {number}" if len(result.got) > 1 else result.case,
-        "got": _embedded(got),
-        "expected": _embedded(expected),
-        "difference": _embedded(difference),
-        "times": f"{times:.0e}",
-    }
-
-
-def _difference(
-    got: NDArray[np.float64], expected: NDArray[np.float64], undecided: NDArray[np.bool_]
-) -> tuple[NDArray[np.float64], float]:
-    """The largest difference of any lane in grey, and the power of ten by which it is
-    brightened."""
-    with np.errstate(invalid="ignore"):
-        distance = np.abs(got - expected).max(axis=2)
-    distance = np.where(np.isfinite(distance), distance, np.inf)
-    measured = distance[np.isfinite(distance) & ~undecided]
-    largest = measured.max(initial=0.0)
-    times = 10.0 ** math.floor(-math.log10(largest)) if largest > 0 else 1.0
-    shown = np.repeat(np.minimum(distance * times, 1.0)[:, :, None], 4, axis=2)
-    shown[undecided] = [0.0, 0.2, 0.6, 1.0]
-    return shown, times
-
-
-def _embedded(pixels: NDArray[np.float64]) -> str:
-    """A picture as a ``data:`` URL."""
-    file = io.BytesIO()
-    to_image(pixels).save(file, "PNG")
-    return f"data:image/png;base64,{base64.b64encode(file.getvalue()).decode('ascii')}"
 
 
 def _finite(number: float) -> float | None:
     return number if math.isfinite(number) else None
+
+
+# --- the page -------------------------------------------------------------------------------------
+
+
+def _material(name: str, rows: Sequence[Row]) -> dict[str, Any]:
+    shown = _shown(rows)
+    return {
+        "name": name,
+        "rows": [_row_page(row) for row in rows],
+        "messages": [
+            {"routes": [row.route.name for row in said], "status": said[0].status, "lines": lines}
+            for said, lines in messages(rows)
+        ],
+        "agrees": all(row.status in ("agrees", "not run") for row in rows),
+        "shown": shown.route.name if shown else "",
+        "cases": list(_cases(name, shown)) if shown else [],
+    }
+
+
+def _shown(rows: Sequence[Row]) -> Row | None:
+    """The row whose pictures are shown: the one that needs most of its bounds."""
+    drawn = [row for row in rows if row.results]
+    return max(drawn, key=lambda row: max(r.comparison.excess for r in row.results), default=None)
+
+
+def _cases(material: str, row: Row) -> Iterator[dict[str, Any]]:
+    """The pictures of each case and target."""
+    for result in row.results:
+        for target in range(len(result.got)):
+            name = f"{result.case}, target {target}" if len(result.got) > 1 else result.case
+            yield {"name": name, "figures": list(_figures(material, name, result, target))}
+
+
+def _figures(material: str, name: str, result: CaseResult, target: int) -> Iterator[dict[str, str]]:
+    difference, times = difference_map(result, target)
+    rows = (
+        ("reference", "as it has to be", result.expected.targets[target]),
+        ("drawn", "as this route has drawn it", result.got[target]),
+        (f"difference × {times:.0e}", "blue: undecided", difference),
+        ("bound", "black is 1e-8, white 1 or more", bound_map(result, target)),
+        ("decided", "orange: the bound says nothing; blue: undecided; red: out of bounds",
+         decision_map(result)),
+    )  # fmt: skip
+    for title, words, pixels in rows:
+        yield {
+            "title": title, "words": words, "picture": picture(pixels),
+            "alternative": f"{material}, {name}: {title}, {words}",
+        }  # fmt: skip
+
+
+def _row_page(row: Row) -> dict[str, Any]:
+    counts = histogram(row.results) if row.results else []
+    return {
+        "route": row.route.name,
+        "status": row.status,
+        "share": share(row) if row.results else "",
+        "bite": bite(row) if row.results else "",
+        "difference": f"{row.max_difference:.2e}" if row.results else "",
+        "unproven": unproven(row) if row.results else "",
+        "histogram": counts,
+        "heights": [_height(count, counts) for count in counts],
+    }
+
+
+def _height(count: int, counts: Sequence[int]) -> float:
+    """The height of a bar, on a logarithmic scale, so that a single lane is seen."""
+    return round(math.log1p(count) / math.log1p(max(*counts, 1)), 3)

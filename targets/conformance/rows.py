@@ -16,14 +16,15 @@ from .compare import Comparison
 
 Floats = NDArray[np.float64]
 
-Status = Literal["agrees", "differs", "overflows", "undecided", "failed", "not run"]
+Status = Literal["agrees", "differs", "proves little", "overflows", "failed", "not run"]
 STATUSES: tuple[Status, ...] = (
-    "agrees", "differs", "overflows", "undecided", "failed", "not run"
+    "agrees", "differs", "proves little", "overflows", "failed", "not run"
 )  # fmt: skip
-"""``undecided``: so many pixels depend on rounding that agreement of the others proves too little.
-``overflows``: a value is too large for float32, where Burnish promises nothing. ``failed``: a
-compiler or driver of the route refused. ``not run``: the route lacks its tools, or its profile
-lacks what the material needs."""
+"""``differs``: a device has a value that no conforming one may have. ``proves little``: nothing
+contradicts it, but the bounds of so many pixels are so wide that this says little. ``overflows``:
+a value is too large for float32, where Burnish promises nothing. ``failed``: a compiler or driver
+of the route refused. ``not run``: the route lacks its tools, or its profile lacks what the material
+needs."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -50,6 +51,9 @@ class Row:
     versions: Mapping[str, str] = field(default_factory=dict)
     """The versions of the route's tools."""
     results: tuple[CaseResult, ...] = ()
+    reasons: tuple[str, ...] = ()
+    """Where in the source precision is lost, if that is why it proves little; or which operation is
+    to blame for most of what a pixel that differs may be off."""
 
     @property
     def max_difference(self) -> float:
@@ -57,11 +61,16 @@ class Row:
         return max((result.comparison.max_difference for result in self.results), default=0.0)
 
     @property
-    def undecided(self) -> int:
-        """Pixels that were not compared."""
-        return sum(result.comparison.undecided for result in self.results)
+    def bite(self) -> float:
+        """The largest of the cases' medians of how many steps their bounds leave open."""
+        return max((result.comparison.bite for result in self.results), default=0.0)
 
     @property
     def covered(self) -> int:
         """Pixels that the reference covers."""
         return sum(result.comparison.covered for result in self.results)
+
+    @property
+    def proven(self) -> int:
+        """Those of them whose bounds say something."""
+        return sum(result.comparison.proven for result in self.results)

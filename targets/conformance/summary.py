@@ -6,23 +6,48 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from .rows import STATUSES, Row
+from .compare import Sample
+from .rows import STATUSES, CaseResult, Row, Status
 
-HEADINGS = ("route", "result", "max |difference|", "of tolerance", "undecided")
+FAILURES: frozenset[Status] = frozenset({"differs", "overflows", "failed"})
+"""The statuses that make the exit code 1."""
+
+HEADINGS = ("route", "result", "max |difference|", "of bound", "bound in steps", "unproven")
 
 
 def cells(row: Row) -> tuple[str, ...]:
     """The texts of a row under ``HEADINGS``."""
     if not row.results:
-        return row.route.name, row.status, "", "", ""
-    difference, undecided = f"{row.max_difference:.1e}", f"{row.undecided} of {row.covered}"
-    return row.route.name, row.status, difference, share(row), undecided
+        return row.route.name, row.status, "", "", "", ""
+    difference = f"{row.max_difference:.1e}"
+    return row.route.name, row.status, difference, share(row), bite(row), unproven(row)
 
 
 def share(row: Row) -> str:
-    """How much of its tolerance the worst pixel needs; more than 100% is a disagreement."""
+    """How much of its bound the worst pixel needs; more than 100% is a violation."""
     worst = max(result.comparison.excess for result in row.results)
-    return f"{worst:.0%}" if math.isfinite(worst) else "infinite"
+    return (
+        f"{worst:.0%}" if worst < 1000 else f"{worst:.0e}" if math.isfinite(worst) else "infinite"
+    )
+
+
+def bite(row: Row) -> str:
+    """How tight the bounds were: the median of their width, in steps of the target's format."""
+    if not math.isfinite(row.bite):
+        return "infinite"
+    if row.bite >= 1e5:
+        return f"{row.bite:.0e}"
+    return f"{row.bite:.0f}" if row.bite >= 10 else f"{row.bite:.1f}"
+
+
+def unproven(row: Row) -> str:
+    """How many of the object's pixels have bounds that say nothing, or are not compared."""
+    return f"{row.covered - row.proven} of {row.covered}"
+
+
+def is_failure(row: Row, *, strict: bool) -> bool:
+    """Whether the row is one that must not be; with ``strict``, what proves little is one."""
+    return row.status in FAILURES or (strict and row.status == "proves little")
 
 
 def by_material(rows: Iterable[Row]) -> dict[str, list[Row]]:
@@ -36,7 +61,10 @@ def by_material(rows: Iterable[Row]) -> dict[str, list[Row]]:
 def counted(rows: Iterable[Row]) -> str:
     """The number of rows of each status: ``12 agree, 1 differs``."""
     counts = Counter(row.status for row in rows)
-    words = {"agrees": "agree", "differs": "differ", "overflows": "overflow"}
+    words = {
+        "agrees": "agree", "differs": "differ", "proves little": "prove little",
+        "overflows": "overflow",
+    }  # fmt: skip
     shown = (
         f"{counts[status]} {words.get(status, status) if counts[status] != 1 else status}"
         for status in STATUSES
@@ -69,35 +97,76 @@ def lacking(rows: Iterable[Row]) -> Mapping[str, Sequence[str]]:
     return {problem: tuple(names) for problem, names in found.items()}
 
 
+def messages(rows: Sequence[Row]) -> Iterator[tuple[Sequence[Row], Sequence[str]]]:
+    """What there is to say of the rows of one material: the rows of which it is said, and the
+    lines.
+
+    What proves little does so on all routes, for the same reason, and is said once: of the route
+    that proves the least.
+    """
+    weak = [row for row in rows if row.status == "proves little"]
+    for row in rows:
+        if row is min(weak, key=lambda one: one.proven, default=None):
+            yield weak, list(details(row))
+        elif row.status not in ("proves little", "not run") and (lines := list(details(row))):
+            yield [row], lines
+
+
 def details(row: Row) -> Iterator[str]:
-    """Lines that say what is wrong with a row; none if it agrees."""
+    """Lines that say what is wrong with a row, or weak; none if it agrees."""
     yield from row.problem.splitlines()
     if row.results and not row.covered:
         yield "no scene shows anything of it, which proves nothing"
     for result in row.results:
-        comparison = result.comparison
-        if comparison.wrong and comparison.worst:
-            worst = comparison.worst
-            place = f"at ({worst.x}, {worst.y})"
-            if len(result.got) > 1:
-                place += f" of target {worst.target}"
-            yield (
-                f"{result.case}: {comparison.wrong} of {comparison.covered} pixels; the worst, "
-                f"{place}, is {_lanes(worst.got)} and should be {_lanes(worst.expected)}"
-            )
-        elif comparison.overflow:
-            overflow = comparison.overflow
-            yield (
-                f"{result.case}: in {comparison.overflowing} of {comparison.covered} pixels the "
-                "value leaves what float32 holds, where nothing is promised; at "
-                f"({overflow.x}, {overflow.y}) it is {_lanes(overflow.expected)}"
-            )
-        elif comparison.too_undecided:
-            yield (
-                f"{result.case}: {comparison.undecided} of {comparison.pixels} pixels hang on "
-                "rounding, which is too many to prove anything"
-            )
+        weak = row.status == "proves little"
+        yield from (f"{result.case}: {line}" for line in _about(result, weak=weak))
+    yield from row.reasons
+
+
+def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
+    """What is wrong with one case, or ``weak``."""
+    comparison = result.comparison
+    covered = comparison.covered
+    if (change := comparison.change) is not None:
+        yield (
+            f"the compiler has changed the meaning of {comparison.changed} of {covered} pixels: "
+            f"{_place(change, result)} the material means {_lanes(change.got)}, but what was "
+            f"emitted gives a value {_range(change)}"
+        )
+    if comparison.wrong and (worst := comparison.worst) is not None:
+        yield (
+            f"{comparison.wrong} of {covered} pixels are out of bounds; the worst, "
+            f"{_place(worst, result)}, is {_lanes(worst.got)} and must be {_range(worst)}"
+        )
+    elif (overflow := comparison.overflow) is not None:
+        yield (
+            f"in {comparison.overflowing} of {covered} pixels the value leaves what float32 holds, "
+            f"where nothing is promised; at ({overflow.x}, {overflow.y}) it is "
+            f"{_lanes(overflow.expected)}"
+        )
+    elif weak and (comparison.wide or comparison.undecided):
+        yield (
+            f"nearly nothing is known of {comparison.wide} of {covered} pixels, and what is drawn "
+            f"hangs on rounding at {comparison.undecided}"
+        )
+    if (beyond := comparison.beyond) is not None:
+        yield (
+            f"{_place(beyond, result)} it is {_lanes(beyond.got)}, which is within what is "
+            f"guaranteed, but not {_range(beyond)}, as was measured of this driver before"
+        )
+
+
+def _place(sample: Sample, result: CaseResult) -> str:
+    place = f"at ({sample.x}, {sample.y})"
+    return f"{place} of target {sample.target}" if len(result.got) > 1 else place
+
+
+def _range(sample: Sample) -> str:
+    """Between which values a pixel has to be."""
+    if sample.low == sample.high:
+        return f"exactly {_lanes(sample.low)}"
+    return f"from {_lanes(sample.low)} to {_lanes(sample.high)}"
 
 
 def _lanes(values: Sequence[float]) -> str:
-    return f"({', '.join(f'{value:.6g}' for value in values)})"
+    return f"({', '.join(f'{value:.7g}' for value in values)})"

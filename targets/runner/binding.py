@@ -20,7 +20,7 @@ from .drivers.draw import (
     VertexFormat,
 )
 from .drivers.draw import VertexInput as Input
-from .routes import DRIVERS, Route
+from .routes import EVERY_DRIVER, Route
 
 FORMATS: Mapping[str, TargetFormat] = {
     "r8": "r8unorm",
@@ -73,7 +73,7 @@ def pipeline(
     route's profile.
     """
     backend = reflection["backends"][route.profile]
-    on_vulkan = DRIVERS[route.driver].module == "vulkan"
+    on_vulkan = EVERY_DRIVER[route.driver].module == "vulkan"
     return Pipeline(
         stages=codes.stages,
         inputs=tuple(_input(row, backend) for row in reflection["vertex_inputs"]),

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from ...compiler.reference.transfer import encode_srgb
 from .textures.kinds import PictureError
-from .textures.srgb import encode_srgb
 
 Floats = NDArray[np.float64]
 

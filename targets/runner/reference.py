@@ -19,6 +19,7 @@ from ...compiler.ir.leaves import Attribute, Parameter
 from ...compiler.ir.node import Formal, Node, formals_of, reachable
 from ...compiler.ir.shader import Shader
 from ...compiler.ir.types import Array, Struct, scalar_kind, width
+from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, Geometry, RasterRules, Texels, draw
 from .drivers.wire import to_json
 from .instances.derived import Inputs, computed
@@ -35,16 +36,24 @@ Progress = Callable[[float], None]
 
 
 def expected(
-    shader: Shader, state: SceneState, rules: RasterRules, progress: Progress | None = None
+    shader: Shader,
+    state: SceneState,
+    rules: RasterRules,
+    errors: Errors | None = None,
+    progress: Progress | None = None,
 ) -> Expected:
-    """The picture that every driver must draw; always computed again."""
+    """The picture that every driver must draw; always computed again.
+
+    With the ``errors`` of functions, it has the bounds between which a driver's picture must be.
+    """
     return draw(
         shader,
         values_for(shader, state.instance),
-        {n: Texels(tuple(texture.linear())) for n, texture in state.instance.textures().items()},
-        _whole(state.geometry(), shader),
+        texels_of(state.instance),
+        geometry_for(shader, state.geometry()),
         rules,
         state.clear,
+        errors,
         progress,
     )
 
@@ -75,7 +84,15 @@ def _derived(parameter: Parameter, found: Mapping[str, Any]) -> Any:
     return tuple(zip(*columns, strict=True))
 
 
-def _whole(geometry: Geometry, shader: Shader) -> Geometry:
+def texels_of(instance: Instance) -> dict[str, Texels]:
+    """The texels of all textures, by name."""
+    return {
+        name: Texels(tuple(texture.linear()), texture.format.endswith("-srgb"))
+        for name, texture in instance.textures().items()
+    }
+
+
+def geometry_for(shader: Shader, geometry: Geometry) -> Geometry:
     """The geometry with arbitrary numbers for inputs that the compiler has proven unnecessary.
 
     Nothing binds these inputs. If the compiler were wrong, the picture would show it.
@@ -90,13 +107,19 @@ def _whole(geometry: Geometry, shader: Shader) -> Geometry:
     return replace(geometry, attributes=attributes)
 
 
-def remembered(shader: Shader, state: SceneState, rules: RasterRules, store: Store) -> Expected:
+def remembered(
+    shader: Shader,
+    state: SceneState,
+    rules: RasterRules,
+    store: Store,
+    errors: Errors | None = None,
+) -> Expected:
     """The expected picture, from the store if the reference has drawn it before."""
-    name = _digest(shader, state, rules)
+    name = _digest(shader, state, rules, errors)
     kept = store.read(name)
     if kept is not None:
         return _loaded(kept)
-    made = expected(shader, state, rules)
+    made = expected(shader, state, rules, errors)
     store.write(name, _dumped(made))
     return made
 
@@ -104,7 +127,8 @@ def remembered(shader: Shader, state: SceneState, rules: RasterRules, store: Sto
 def _dumped(picture: Expected) -> bytes:
     """A picture as its arrays, one after the other in NumPy's format."""
     stream = BytesIO()
-    for array in (picture.covered, picture.undecided, *picture.targets, *picture.radius):
+    ends = *picture.targets, *picture.low, *picture.high
+    for array in (picture.covered, picture.undecided, picture.layers, *ends):
         np.save(stream, array, allow_pickle=False)
     return stream.getvalue()
 
@@ -115,17 +139,20 @@ def _loaded(data: bytes) -> Expected:
     arrays = []
     while stream.tell() < len(data):
         arrays.append(np.load(stream, allow_pickle=False))
-    covered, undecided, *floats = arrays
-    count = len(floats) // 2
-    return Expected(tuple(floats[:count]), covered, undecided, tuple(floats[count:]))
+    covered, undecided, layers, *floats = arrays
+    count = len(floats) // 3
+    targets, low, high = (tuple(floats[i * count :][:count]) for i in range(3))
+    return Expected(targets, covered, undecided, low, high, layers)
 
 
-def _digest(shader: Shader, state: SceneState, rules: RasterRules) -> str:
+def _digest(
+    shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None = None
+) -> str:
     """A digest of everything that the picture depends on."""
     kinds = [(name, str(values.dtype)) for name, values in state.attributes.items()]
     drawn = json.dumps([to_json(state.draw()), kinds])
-    values = repr(state.instance.values())
-    return digest(_code_digest(), np.__version__, graph_text(shader), repr(rules), values, drawn)
+    allowed, values = repr((rules, errors)), repr(state.instance.values())
+    return digest(_code_digest(), np.__version__, graph_text(shader), allowed, values, drawn)
 
 
 def graph_text(shader: Shader) -> str:

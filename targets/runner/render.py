@@ -27,7 +27,7 @@ def by_reference(
     """The targets, each of shape (height, width, 4), not rounded to their formats; and the values
     that are zero somewhere although they were promised not to be."""
     rules = RasterRules(state.width, state.height)
-    drawn = expected(subject.shader, state, rules, progress)
+    drawn = expected(subject.shader, state, rules, progress=progress)
     kept = promises(subject.shader)
     return drawn.targets, tuple(one.value for one in kept if one.node.id in drawn.broken)
 

@@ -7,7 +7,7 @@ compiles them to DXIL, which is not drawn.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from itertools import chain
@@ -32,11 +32,15 @@ class DriverRow:
     """The worker's arguments; ``{name}`` is replaced by the path of that tool's first file."""
     one_worker: bool = False
     """Whether one process is enough, because it starts slowly and uses all cores anyway."""
+    any_device: bool = False
+    """Whether it draws with any device of the machine, which ``--device`` names."""
 
-    def command(self, states: Mapping[str, ToolState]) -> list[str]:
+    def command(self, states: Mapping[str, ToolState], device: str = "") -> list[str]:
         """The command that starts a worker; ``states`` has all the tools that it needs."""
         paths = {name: state.paths[0] for name, state in states.items() if state.paths}
-        arguments = (argument.format_map(paths) for argument in self.arguments)
+        arguments = [argument.format_map(paths) for argument in self.arguments]
+        if self.any_device:
+            arguments.append(device)
         return [sys.executable, "-m", f"{_PACKAGE}.drivers.{self.module}", *arguments]
 
 
@@ -70,7 +74,7 @@ class Route:
     def needs(self) -> tuple[str, ...]:
         """The names of all tools that it needs."""
         compiler = CHECKERS[self.compiler].needs if self.compiler else ()
-        return (*compiler, *DRIVERS[self.driver].needs, *_EVERYTHING)
+        return (*compiler, *EVERY_DRIVER[self.driver].needs, *_EVERYTHING)
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +124,24 @@ DRIVERS: Mapping[str, DriverRow] = {
         ),
     )
 }  # fmt: skip
+"""The drivers that draw the same on every machine, because they need no GPU."""
+
+DEVICE_DRIVERS: Mapping[str, DriverRow] = {
+    row.name: row
+    for row in (
+        DriverRow(
+            "vulkan", "Vulkan on a device of this machine", "vulkan",
+            _VULKAN, ("",), one_worker=True, any_device=True,
+        ),
+        DriverRow(
+            "wgpu", "wgpu's WebGPU on a device of this machine", "wgpu",
+            ("wgpu",), one_worker=True, any_device=True,
+        ),
+    )
+}  # fmt: skip
+"""The drivers that draw with any device, real GPUs among them."""
+
+EVERY_DRIVER: Mapping[str, DriverRow] = {**DRIVERS, **DEVICE_DRIVERS}
 
 # HLSL is written for Direct3D, where SV_Position.w is the reciprocal of Vulkan's, so both compilers
 # need a flag. DXC lays out blocks by Direct3D's rules only if it is asked to. naga's command line
@@ -134,17 +156,20 @@ _TO_VULKAN = (
     _Way("wgsl-naga", "WGSL by naga", "wgsl:webgpu", "naga", ("--keep-coordinate-space",)),
 )  # fmt: skip
 
+
+def _vulkan_routes(driver: str) -> Iterator[Route]:
+    """All ways to a Vulkan driver."""
+    for way in _TO_VULKAN:
+        title = f"{way.title}, {EVERY_DRIVER[driver].title}"
+        name = f"{driver}:{way.name}"
+        yield Route(name, title, way.profile, driver, way.compiler, way.flags)
+
+
 ROUTES: Mapping[str, Route] = {
     route.name: route
     for route in (
-        *(
-            Route(
-                f"{driver}:{way.name}", f"{way.title}, {DRIVERS[driver].title}",
-                way.profile, driver, way.compiler, way.flags,
-            )
-            for driver in ("lavapipe", "swiftshader")
-            for way in _TO_VULKAN
-        ),
+        *_vulkan_routes("lavapipe"),
+        *_vulkan_routes("swiftshader"),
         Route(
             "llvmpipe:gl330", f"GLSL 3.30, {DRIVERS['llvmpipe'].title}",
             "glsl:gl330", "llvmpipe",
@@ -159,6 +184,18 @@ ROUTES: Mapping[str, Route] = {
         ),
     )
 }  # fmt: skip
+"""The routes that draw the same on every machine: those that ``all`` means."""
+
+DEVICE_ROUTES: Mapping[str, Route] = {
+    route.name: route
+    for route in (
+        *_vulkan_routes("vulkan"),
+        Route("wgpu:wgsl", f"WGSL, {DEVICE_DRIVERS['wgpu'].title}", "wgsl:webgpu", "wgpu"),
+    )
+}
+"""The routes that draw with any device of the machine, and only if they are named."""
+
+EVERY_ROUTE: Mapping[str, Route] = {**ROUTES, **DEVICE_ROUTES}
 
 ALL = "all"
 
@@ -172,24 +209,29 @@ def select(names: Iterable[str]) -> tuple[Route, ...]:
 
     A name is that of a route, or one half of it, which means all routes that have it (``lavapipe``,
     ``hlsl-dxc``), or a pattern with ``*``, or ``all``, or several of these separated by commas.
-    Raises ``UnknownRouteError``.
+    Routes that draw with any device are meant only by names that no other route has: ``vulkan``,
+    ``vulkan:glsl``. Raises ``UnknownRouteError``.
     """
     wanted = [part.strip() for name in names for part in name.split(",")]
     chosen = set(chain.from_iterable(_meant(name) for name in wanted if name))
-    return tuple(route for name, route in ROUTES.items() if name in chosen)
+    return tuple(route for name, route in EVERY_ROUTE.items() if name in chosen)
 
 
 def _meant(name: str) -> list[str]:
-    found = [
-        route for route in ROUTES
-        if name == ALL or any(fnmatchcase(part, name) for part in (route, *route.split(":")))
-    ]  # fmt: skip
+    found = list(ROUTES) if name == ALL else _named(ROUTES, name) or _named(DEVICE_ROUTES, name)
     if not found:
-        halves = chain.from_iterable(route.split(":") for route in ROUTES)
-        known = (*ROUTES, *halves, ALL)
-        hint = suggestion(name, known) or f"there are {', '.join(ROUTES)}, and all"
+        halves = chain.from_iterable(route.split(":") for route in EVERY_ROUTE)
+        known = (*EVERY_ROUTE, *halves, ALL)
+        hint = suggestion(name, known) or f"there are {', '.join(EVERY_ROUTE)}, and all"
         raise UnknownRouteError(f"there is no route `{name}`; {hint}")
     return found
+
+
+def _named(routes: Iterable[str], name: str) -> list[str]:
+    return [
+        route for route in routes
+        if any(fnmatchcase(part, name) for part in (route, *route.split(":")))
+    ]  # fmt: skip
 
 
 def inspect_tools(routes: Iterable[Route]) -> dict[str, ToolState]:
@@ -212,4 +254,4 @@ def versions(route: Route, states: Mapping[str, ToolState]) -> dict[str, str]:
 
 def routes_needing(tool: str) -> tuple[str, ...]:
     """The names of the routes that cannot draw without a tool."""
-    return tuple(name for name, route in ROUTES.items() if tool in route.needs)
+    return tuple(name for name, route in EVERY_ROUTE.items() if tool in route.needs)

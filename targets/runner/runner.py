@@ -18,7 +18,7 @@ from ..closing import Closing
 from ..toolchain.workers import Pool, Worker
 from .drivers.draw import Device, DriverError, Job, Picture
 from .drivers.wire import from_json, to_json
-from .routes import DRIVERS, DriverRow, Route, inspect_tools, problem, versions
+from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
 
 STORE = "pictures"
@@ -38,19 +38,22 @@ class Runner(Closing):
         time_limit: float = TIME_LIMIT,
         parallel: int | None = None,
         reuse: bool = True,
+        device: str = "",
     ) -> None:
         """For these routes. ``parallel`` workers of each driver draw at once, by default one per
         core.
 
-        Without ``reuse`` nothing is taken from the store.
+        Without ``reuse`` nothing is taken from the store. ``device`` is what the drivers draw with
+        that can draw with any: a part of its name, or its number; empty for the usual one.
         """
+        self._wanted = device
         self._time_limit = time_limit
         self._states = inspect_tools(routes)
         self._store = Store(STORE) if reuse else None
         count = parallel or os.cpu_count() or 1
-        self._pools = {row.name: self._pool(row, count) for row in DRIVERS.values()}
+        self._pools = {row.name: self._pool(row, count) for row in EVERY_DRIVER.values()}
         self._devices: dict[str, Device | DriverError] = {}
-        self._locks = {name: Lock() for name in DRIVERS}
+        self._locks = {name: Lock() for name in EVERY_DRIVER}
 
     def close(self) -> None:
         """End all workers."""
@@ -98,7 +101,8 @@ class Runner(Closing):
 
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(
-            1 if row.one_worker else count, lambda: Worker(lambda: row.command(self._states))
+            1 if row.one_worker else count,
+            lambda: Worker(lambda: row.command(self._states, self._wanted)),
         )
 
     def _ask(self, driver: str, request: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -225,6 +225,7 @@ TOOLS: tuple[Tool, ...] = (
     _python_package("vulkan", "run", "calls Vulkan from Python"),
     _python_package("moderngl", "run", "calls OpenGL from Python"),
     _python_package("playwright", "run", "drives the browser"),
+    _python_package("wgpu", "wgpu", "calls Direct3D 12, Metal or Vulkan, by wgpu's WebGPU"),
 )
 
 

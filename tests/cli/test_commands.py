@@ -17,7 +17,7 @@ from burnish.commands.terminal import wants_color
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.targets import registry
-from burnish.targets.runner.routes import ROUTES
+from burnish.targets.runner.routes import EVERY_ROUTE
 from burnish.targets.toolchain import TOOLS, ToolState, tools
 
 from ..suite.processes import run, started, until
@@ -102,7 +102,7 @@ def test_doctor_finds_what_the_tests_need() -> None:
         ["ok", tool.name] for tool in TOOLS
     ]
     *routes, direct3d = drawn.splitlines()
-    assert [line.split()[:2] for line in routes] == [["draws", name] for name in ROUTES]
+    assert [line.split()[:2] for line in routes] == [["draws", name] for name in EVERY_ROUTE]
     assert direct3d.startswith("Direct3D itself draws nothing here")
 
 
@@ -112,7 +112,7 @@ def test_doctor_says_how_to_install() -> None:
     assert result.exit_code == 1
     for tool in TOOLS:
         assert f"install it with: {tool.install}\n" in result.stdout
-    for route in ROUTES.values():
+    for route in EVERY_ROUTE.values():
         assert f"{route.title}  (needs {', '.join(route.needs)})\n" in result.stdout
     assert "nothing is checked by dxc-spirv, dxc-dxil\n" in result.stdout
     assert "nothing is drawn by chromium:webgpu, chromium:webgl2\n" in result.stdout

@@ -7,14 +7,17 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import sync_playwright
 
+from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance import plan
-from burnish.targets.conformance.tolerances import Tolerance
 from burnish.targets.runner import routes
+from burnish.targets.runner.reference import remembered
 from burnish.targets.toolchain import tools
 from burnish.targets.toolchain.tools import Tool, ToolState, tool_named
 
@@ -38,11 +41,13 @@ def test_agreement() -> None:
     assert (result.exit_code, result.stderr) == (0, "")
     table, told = result.stdout.split("\n\n")
     heading, material, *rows = table.splitlines()
-    assert heading == "  route           result  max |difference|  of tolerance  undecided"
+    assert heading == (
+        "  route           result  max |difference|  of bound  bound in steps  unproven"
+    )
     assert material == "m.burnish: Up"
     assert [row.split()[0] for row in rows] == ["lavapipe:glsl", "llvmpipe:gl330"]
     for row in rows:
-        line = rf"  \S+ +agrees  {NUMBER} {{11}}\d+% {{9,12}}\d+ of \d{{4,}}"
+        line = rf"  \S+ +agrees  {NUMBER} {{11}}\d+% {{5,8}}\d+ {{5,16}}\d+ of \d{{4,}}"
         assert re.fullmatch(line, row), row
     lavapipe, llvmpipe, tools, count = told.splitlines()
     assert re.fullmatch(r"drawn by lavapipe: llvmpipe \(LLVM .*\), Mesa [\d.]+.*", lavapipe)
@@ -146,17 +151,24 @@ def test_warnings_are_told_once() -> None:
 
 
 def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where nothing at all is tolerated, some pixel is wrong; the report shows which."""
-    strict = Tolerance(1e-12, 0.0, "to see what happens", rounding_bits=52, varying_bits=52)
-    monkeypatch.setattr(plan, "DRIVERS", {"llvmpipe": strict})
+    """Where a device may not round at all, some pixel is wrong; the report shows which."""
+
+    def exactly(*of: Any) -> Expected:
+        found = remembered(*of)
+        return replace(found, low=found.targets, high=found.targets)
+
+    monkeypatch.setattr(plan, "remembered", exactly)
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--report", "out")
     assert result.exit_code == 1
     assert re.search(rf"^  llvmpipe:gl330  differs  {NUMBER}  ", result.stdout, re.MULTILINE)
     assert result.stdout.endswith(f"\n1 differs\nreport: {Path('out/index.html')}\n")
-    lanes = r"\((-?[\d.]+, ){3}1\)"
-    detail = rf"\d+ of \d+ pixels; the worst, at \(\d+, \d+\), is {lanes} and should be {lanes}"
-    cases = "".join(rf"  {case}: {detail}\n" for case in ("defaults", "stretched"))
-    assert re.match(rf"error: m\.burnish: Up, llvmpipe:gl330 differs\n{cases}", result.stderr)
+    lanes = r"\((-?[\d.]+(e-\d+)?, ){3}1\)"
+    detail = (
+        rf"\d+ of \d+ pixels are out of bounds; the worst, at \(\d+, \d+\), is {lanes} and must be "
+        rf"exactly {lanes}"
+    )
+    assert re.match(rf"error: m\.burnish: Up, llvmpipe:gl330: differs\n  defaults: {detail}\n",
+                    result.stderr)  # fmt: skip
 
     (row,) = json.loads(Path("out/report.json").read_text())["rows"]
     assert (row["material"], row["route"], row["status"]) == (
@@ -165,30 +177,93 @@ def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
     assert row["cases"]["defaults"]["wrong"] > 0
     page = Path("out/index.html").read_text()
     assert re.search(r"difference × 1e\+0[4-9]", page)
-    assert tree(Path("out")) == {"report.json", "index.html"}
+    assert '<failure type="differs"' in Path("out/junit.xml").read_text()
+    assert tree(Path("out")) == {"report.json", "junit.xml", "index.html"}
 
 
-UNDECIDED = {
-    "all on an edge": (
-        "material Edge { color = fract(position.zzz) }",
-        "  behind: {n} of 4032 pixels hang on rounding, which is too many to prove anything\n",
-    ),
-    "nowhere to be seen": (
-        "material Far { position = vec3(0, 0, 9) color = #ffffff }",
-        "  no scene shows anything of it, which proves nothing\n",
-    ),
-}
+HASH = "material Hash { color = vec3(fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453)) }\n"
 
 
-@pytest.mark.parametrize(("text", "reason"), UNDECIDED.values(), ids=list(UNDECIDED))
-def test_what_proves_nothing_is_no_pass(text: str, reason: str) -> None:
-    Path("m.burnish").write_text(text)
-    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+def test_what_proves_little_is_a_warning() -> None:
+    """It names the place in the source, and is a failure only with --strict."""
+    Path("m.burnish").write_text(HASH)
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe,lavapipe:glsl")
+    assert result.exit_code == 0
+    assert result.stdout.endswith("\n2 prove little\n")
+    heading, *cases, reason = result.stderr.splitlines()
+    assert heading == "warning: m.burnish: Hash, lavapipe:glsl, llvmpipe:gl330: proves little"
+    assert all(": nearly nothing is known of " in line for line in cases) and len(cases) == 4
+    expression = "`fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453)`"
+    assert re.fullmatch(
+        rf"  {re.escape(expression)} magnifies rounding (\d·)?10\^\d times \(m\.burnish:1\)", reason
+    )
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--strict", "--report", "out")
     assert result.exit_code == 1
-    said = re.sub(r"\d+ of 4032", "{n} of 4032", result.stderr)
-    name = text.split()[1]
-    assert said == f"error: m.burnish: {name}, llvmpipe:gl330 undecided\n{reason}"
-    assert result.stdout.endswith("\n1 undecided\n")
+    assert result.stderr.startswith("error: m.burnish: Hash, llvmpipe:gl330: proves little\n")
+    assert '<failure type="proves little"' in Path("out/junit.xml").read_text()
+
+
+def test_what_is_nowhere_to_be_seen_proves_little() -> None:
+    Path("m.burnish").write_text("material Far { position = vec3(0, 0, 9) color = #ffffff }")
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe")
+    assert result.exit_code == 0
+    assert result.stderr == (
+        "warning: m.burnish: Far, llvmpipe:gl330: proves little\n"
+        "  no scene shows anything of it, which proves nothing\n"
+    )
+    assert result.stdout.endswith("\n1 proves little\n")
+
+
+def test_explaining_a_pixel() -> None:
+    """Its value, its bounds, what each route has drawn, and the way of the error."""
+    Path("m.burnish").write_text(HASH)
+    result = invoke(
+        "conform", "m.burnish", "--routes", "llvmpipe,lavapipe:glsl", "--explain", "36,28",
+        "--case", "defaults",
+    )  # fmt: skip
+    assert (result.exit_code, result.stderr) == (0, "")
+    text = result.stdout
+    assert text.startswith(
+        "m.burnish: Hash\n  pixel 36,28 of `defaults`, by the rules of lavapipe:glsl\n\n  value "
+    )
+    assert re.search(r"^  llvmpipe:gl330  \(0\.\d+, 0\.\d+, 0\.\d+, 1\)$", text, re.MULTILINE)
+    assert re.search(r"^    from  +\(.*\)\n    to  +\(.*\)$", text, re.MULTILINE)
+    headings = re.findall(r"^  (\w.*):$", text, re.MULTILINE)
+    assert headings == [
+        "where precision is lost", "what contributes", "the way of the largest contribution",
+    ]  # fmt: skip
+    expression = "`fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453)` (m.burnish:1)"
+    assert text.count(expression) >= 2
+    # Without a case, one is chosen.
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--explain", "36,28")
+    assert re.search(r"pixel 36,28 of `(stretched|behind|inside)`", result.stdout)
+
+
+NOT_EXPLAINED = {
+    "72,0": (2, "there is no pixel 72,0: pictures have 72 columns and 56 rows, counted"),
+    "3": (2, "'3' is no pixel, which would be like 36,28"),
+    "0,0 --case defaults": (
+        1, "error: nothing is drawn at 0,0 of `defaults`; the nearest pixel that shows the mesh is",
+    ),
+    "9,9 --case default": (1, "error: there is no case `default`; did you mean `defaults`?"),
+    "9,9 --case x": (
+        1, "error: there is no case `x`; its cases are `defaults`, `stretched`, `behind`, `inside`",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("words", NOT_EXPLAINED)
+def test_pixels_that_cannot_be_explained(words: str) -> None:
+    code, message = NOT_EXPLAINED[words]
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--explain", *words.split())
+    assert result.exit_code == code
+    assert message in result.stderr
+
+
+def test_a_case_without_a_pixel() -> None:
+    result = invoke("conform", "m.burnish", "--case", "defaults")
+    assert result.exit_code == 2
+    assert "--case names the scene of a pixel: it goes with --explain" in result.stderr
 
 
 def test_a_driver_that_breaks_down(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -199,7 +274,7 @@ def test_a_driver_that_breaks_down(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "\n  llvmpipe:gl330  failed\n" in result.stdout
     assert result.stdout.endswith("\n1 failed\n")
     assert result.stderr == (
-        "error: m.burnish: Up, llvmpipe:gl330 failed\n"
+        "error: m.burnish: Up, llvmpipe:gl330: failed\n"
         f"  llvmpipe crashed: {sys.executable}: killed by signal 9\n"
     )
 
@@ -293,9 +368,10 @@ def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
         asked: list[str] = []
         page.on("request", lambda request: asked.append(request.url))
         page.goto(Path("out/index.html").absolute().as_uri())
-        cells = page.locator("#overview tbody tr").all_inner_texts()
+        cells = page.locator("#matrix tbody tr").all_inner_texts()
         targets = page.evaluate(
-            "[...document.links].map(link => document.querySelector(link.hash)?.innerText)"
+            "[...document.links].map(link =>"
+            " document.querySelector(link.hash)?.querySelector('summary')?.innerText)"
         )
         broken = page.evaluate("[...document.images].filter(i => !i.naturalWidth).length")
         pictures = page.locator("img").count()
@@ -304,9 +380,9 @@ def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
         browser.close()
     names = ["m.burnish: Up", "w.burnish: Wall", "w.burnish: Wall × Two"]
     assert [re.split(r"\s*\t\s*", row)[0] for row in cells] == names
-    assert all(re.search(r"\t\d+%\tnot run\tnot run$", row) for row in cells)
+    assert all(re.search(r"\tagrees\n[\d.]+ steps\n\tnot run\tnot run$", row) for row in cells)
     assert targets == names
-    assert (broken, pictures) == (0, 4 + 4 + 8)
+    assert (broken, pictures) == (0, 5 * (4 + 4 + 8))
     assert wide <= 500, "what is wide scrolls by itself"
     assert "not run: chromium:webgpu, chromium:webgl2" in text
     assert [url for url in asked if not url.startswith(("file:", "data:"))] == []

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
@@ -99,3 +101,47 @@ def test_what_is_too_large_to_draw_is_said(file: Path) -> None:
     assert "error[B0451]: Long has 30" in result.stderr
     assert tree(file.parent) == {"plain.burnish"}
     assert "x2999" in invoke("graph", file, "--format", "dot").stdout
+
+
+ERROR = """
+material Bands {
+    wave  = fract(sin(uv.x * 40) * 700)
+    color = vec3(wave, uv.y, 0)
+}
+"""
+
+
+def test_values_are_coloured_by_their_part_in_the_error_of_a_pixel(tmp_path: Path) -> None:
+    path = tmp_path / "bands.burnish"
+    path.write_text(ERROR)
+    result = invoke("graph", path, "--error", "36,28")
+    assert (result.exit_code, result.stderr) == (0, "")
+    wave, crossing = (
+        re.search(rf"^  {name} +\w+ · .*?([\d.]+)% of the error", result.stdout, re.MULTILINE)
+        for name in ("wave", "vertex_uv")
+    )
+    assert wave is not None and float(wave[1]) > 50
+    assert crossing is not None and float(crossing[1]) < 50
+    assert "% of the error" not in invoke("graph", path).stdout
+    drawn = tmp_path / "bands.svg"
+    assert invoke("graph", path, "--error", "36,28", "-o", drawn).exit_code == 0
+    root = ET.fromstring(drawn.read_text())
+    texts = [text.text for text in root.iter("{http://www.w3.org/2000/svg}text")]
+    assert texts[-3:] == ["1% of the error", "25%", "all of it"]
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "message"),
+    [
+        (("0,0",), 1, "error: nothing is drawn at 0,0 of `defaults`\n"),
+        (("0,60",), 1, "error: there is no pixel 0,60: pictures have 72 columns and 56 rows"),
+        (("9,9", "--case", "behin"), 1, "there is no case `behin`; did you mean `behind`?\n"),
+        (("36,28", "--why"), 2, "proofs have no pixel: --why goes without --error\n"),
+        (("36",), 2, "'36' is no pixel, which would be like 36,28\n"),
+    ],
+)
+def test_pixels_without_an_error(
+    file: Path, words: tuple[str, ...], code: int, message: str
+) -> None:
+    result = invoke("graph", file, "--error", *words)
+    assert result.exit_code == code and message in result.stderr

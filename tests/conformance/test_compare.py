@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,12 +11,17 @@ import pytest
 from numpy.typing import NDArray
 
 from burnish.compiler.reference.picture import Expected
-from burnish.targets.conformance.compare import Comparison, compare
-from burnish.targets.conformance.tolerances import UNDECIDED_SHARE, Tolerance
+from burnish.targets.conformance.compare import (
+    FEW,
+    PROVEN_SHARE,
+    Comparison,
+    compare,
+    proves_little,
+)
 
-HEIGHT, WIDTH = 4, 50
+HEIGHT, WIDTH = 20, 50
 CLEAR = -8.0
-TOLERANCE = Tolerance(0.01, 0.1, "for tests", functions={"sin": 0.5, "cos": 0.25})
+STEP = 0.001
 NOWHERE = np.zeros((HEIGHT, WIDTH), dtype=np.bool_)
 
 Floats = NDArray[np.float64]
@@ -26,15 +32,27 @@ def picture(value: float = 1.0) -> Floats:
     return np.full((HEIGHT, WIDTH, 4), value)
 
 
-def expected(*targets: Floats, radius: float = 0.0, undecided: Any = NOWHERE) -> Expected:
-    """Targets that are covered where they are not clear."""
+def expected(*targets: Floats, below: float = 0.001, above: float = 0.002) -> Expected:
+    """Targets that are covered where they are not clear, with bounds at these distances."""
     covered = targets[0][..., 0] != CLEAR
-    return Expected(targets, covered, undecided, tuple(picture(radius) for _ in targets))
+    seen = covered[..., None]
+    return Expected(
+        targets=targets,
+        covered=covered,
+        undecided=NOWHERE,
+        low=tuple(np.where(seen, target - below, target) for target in targets),
+        high=tuple(np.where(seen, target + above, target) for target in targets),
+        layers=covered.astype(np.int64),
+    )
 
 
-def compared(got: Floats, wanted: Expected | None = None, step: float = 0.0) -> Comparison:
+def compared(
+    got: Floats, wanted: Expected | None = None, meant: Floats | None = None
+) -> Comparison:
     """A picture of one target against the reference's, which is 1 everywhere unless given."""
-    return compare((got,), wanted or expected(picture()), TOLERANCE, [step])
+    wanted = wanted or expected(picture())
+    source = wanted.targets if meant is None else (meant,)
+    return compare((got,), wanted, source, [picture(STEP)], "guaranteed")
 
 
 def changed(value: float, *, x: int = 7, y: int = 2, lane: int = 3) -> Floats:
@@ -44,29 +62,37 @@ def changed(value: float, *, x: int = 7, y: int = 2, lane: int = 3) -> Floats:
     return got
 
 
+def with_bounds(low: float, high: float, *, wide: Any = None) -> Expected:
+    """A picture of ones, that has other bounds in some pixels: in one, unless they are given."""
+    wanted = expected(picture())
+    where = NOWHERE.copy()
+    where[2, 7] = True
+    chosen = (where if wide is None else wide)[..., None]
+    return replace(
+        wanted,
+        low=(np.where(chosen, low, wanted.low[0]),),
+        high=(np.where(chosen, high, wanted.high[0]),),
+    )
+
+
 def test_equal_pictures_agree() -> None:
     found = compared(picture())
-    assert found.agrees
-    assert (found.pixels, found.covered, found.undecided, found.wrong) == (200, 200, 0, 0)
+    assert found.agrees and not found.blames_compiler
+    assert (found.pixels, found.covered, found.proven) == (1000, 1000, 1000)
+    assert (found.undecided, found.wide, found.wrong, found.changed) == (0, 0, 0, 0)
     assert found.max_difference == found.excess == 0.0
 
 
 @pytest.mark.parametrize(
-    ("value", "radius", "step", "agrees"),
-    [
-        (1.1, 0.0, 0.0, True),
-        (1.12, 0.0, 0.0, False),
-        (0.88, 0.0, 0.0, False),
-        (1.12, 0.02, 0.0, True),
-        (1.12, 0.0, 0.02, True),
-    ],
+    ("value", "agrees", "excess"),
+    [(1.002, True, 1.0), (1.0021, False, 1.05), (0.999, True, 1.0), (0.9989, False, 1.1)],
 )
-def test_the_tolerance_is_a_sum(value: float, radius: float, step: float, agrees: bool) -> None:
-    found = compared(changed(value), expected(picture(), radius=radius), step)
+def test_a_value_lies_between_its_bounds(value: float, agrees: bool, excess: float) -> None:
+    found = compared(changed(value))
     assert found.agrees is agrees
     assert found.wrong == (not agrees)
     assert found.max_difference == pytest.approx(abs(value - 1))
-    assert found.excess == pytest.approx(abs(value - 1) / (0.11 + 1.25 * radius + step))
+    assert found.excess == pytest.approx(excess)
 
 
 def test_one_wrong_lane_of_one_pixel_is_found() -> None:
@@ -75,13 +101,15 @@ def test_one_wrong_lane_of_one_pixel_is_found() -> None:
     assert (found.worst.x, found.worst.y, found.worst.target) == (7, 2, 0)
     assert found.worst.got == (1.0, 1.0, 1.0, 2.0)
     assert found.worst.expected == (1.0, 1.0, 1.0, 1.0)
+    assert (found.worst.low[3], found.worst.high[3]) == (0.999, 1.002)
 
 
-def test_the_worst_is_measured_in_tolerances_and_in_any_target() -> None:
+def test_the_worst_is_measured_in_bounds_and_in_any_target() -> None:
     wanted = expected(picture(100.0), picture(1.0))
+    wanted = replace(wanted, high=(picture(110.0), picture(1.002)))
     first, second = picture(100.0), picture(1.0)
-    first[0, 0, 0], second[1, 3, 2] = 105.0, 1.1
-    found = compare((first, second), wanted, TOLERANCE, [0.0, 0.0])
+    first[0, 0, 0], second[1, 3, 2] = 105.0, 1.0019
+    found = compare((first, second), wanted, wanted.targets, [picture(STEP)] * 2, "guaranteed")
     assert found.agrees
     assert found.max_difference == pytest.approx(5.0)
     assert found.worst is not None
@@ -89,18 +117,32 @@ def test_the_worst_is_measured_in_tolerances_and_in_any_target() -> None:
 
 
 @pytest.mark.parametrize("got", [math.nan, math.inf, -math.inf])
-def test_what_is_not_finite_never_agrees(got: float) -> None:
+def test_what_is_not_finite_does_not_agree(got: float) -> None:
     found = compared(changed(got))
     assert not found.agrees and found.wrong == 1
     assert found.max_difference == found.excess == math.inf
 
 
+@pytest.mark.parametrize("got", [-1e30, math.nan, math.inf, -math.inf])
+def test_where_nothing_is_known_everything_agrees_and_proves_nothing(got: float) -> None:
+    found = compared(changed(got), with_bounds(-math.inf, math.inf))
+    assert found.agrees
+    assert (found.wide, found.proven) == (1, 999)
+
+
+def test_what_may_overflow_may_be_infinite_on_that_side_only() -> None:
+    wanted = with_bounds(0.5, math.inf)
+    assert compared(changed(math.inf), wanted).agrees
+    assert not compared(changed(-math.inf), wanted).agrees
+    assert not compared(changed(math.nan), wanted).agrees
+
+
 @pytest.mark.parametrize("got", [1.0, math.nan, math.inf, -math.inf])
-@pytest.mark.parametrize("wanted", [1e39, -1e39, math.nan, math.inf, -math.inf])
-def test_nothing_is_promised_where_the_reference_leaves_float32(got: float, wanted: float) -> None:
+@pytest.mark.parametrize("value", [1e39, -1e39, math.nan, math.inf, -math.inf])
+def test_nothing_is_promised_where_the_value_leaves_float32(got: float, value: float) -> None:
     """It is no agreement, and no fault of the driver's."""
-    found = compared(changed(got), expected(changed(wanted)))
-    assert not found.agrees and (found.wrong, found.overflowing) == (0, 1)
+    found = compared(changed(got), expected(changed(value)))
+    assert not found.agrees and (found.wrong, found.changed, found.overflowing) == (0, 0, 1)
     assert found.proven == found.covered - 1
     assert found.max_difference == found.excess == 0
     assert found.overflow is not None
@@ -115,11 +157,8 @@ def test_the_largest_float_is_one() -> None:
 def test_an_undecided_pixel_does_not_overflow() -> None:
     undecided = NOWHERE.copy()
     undecided[2, 7] = True
-    assert compared(picture(), expected(changed(math.inf), undecided=undecided)).agrees
-
-
-def test_an_infinite_radius_allows_nothing() -> None:
-    assert not compared(picture(), expected(picture(), radius=math.inf)).agrees
+    wanted = replace(expected(changed(math.inf)), undecided=undecided)
+    assert compared(picture(), wanted).agrees
 
 
 def test_a_pixel_covered_by_one_of_the_two_only_is_wrong() -> None:
@@ -134,21 +173,75 @@ def test_undecided_pixels_are_not_compared() -> None:
     undecided = NOWHERE.copy()
     undecided[2, 7] = True
     for value in (5.0, math.nan):
-        found = compared(changed(value), expected(picture(), undecided=undecided))
+        found = compared(changed(value), replace(expected(picture()), undecided=undecided))
         assert found.agrees and found.undecided == 1
         assert found.max_difference == 0.0
 
 
-def test_too_many_undecided_pixels_prove_nothing() -> None:
-    undecided = NOWHERE.copy()
-    allowed = int(UNDECIDED_SHARE * undecided.size)
-    undecided.flat[:allowed] = True
-    assert compared(picture(), expected(picture(), undecided=undecided)).agrees
-    undecided.flat[allowed] = True
-    found = compared(picture(), expected(picture(), undecided=undecided))
-    assert found.too_undecided and not found.agrees and not found.wrong
+# --- the meaning ---------------------------------------------------------------------------------
 
 
-def test_where_nothing_is_decided_there_is_no_worst_pixel() -> None:
-    found = compared(changed(2.0), expected(picture(), undecided=~NOWHERE))
-    assert found.worst is None and not found.agrees
+def test_the_compiler_is_to_blame_if_the_meaning_is_out_of_bounds() -> None:
+    found = compared(picture(), meant=changed(1.5))
+    assert found.blames_compiler and not found.agrees
+    assert (found.changed, found.wrong) == (1, 0)
+    assert found.change is not None
+    assert (found.change.x, found.change.y) == (7, 2)
+    assert (found.change.got[3], found.change.expected[3]) == (1.5, 1.0)
+
+
+def test_rounding_to_float64_is_no_change_of_meaning() -> None:
+    """Even where every device has exactly one value."""
+    wanted = expected(picture(), below=0.0, above=0.0)
+    assert compared(picture(), wanted, changed(1.0 + 1e-14)).agrees
+    assert not compared(picture(), wanted, changed(1.0 + 1e-9)).agrees
+
+
+# --- what is proven ------------------------------------------------------------------------------
+
+
+def test_a_bound_says_nothing_if_it_leaves_most_of_the_range_open() -> None:
+    ramp = np.broadcast_to(np.linspace(0, 1, WIDTH)[None, :, None], (HEIGHT, WIDTH, 4)).copy()
+    assert compared(ramp, expected(ramp, below=0.05, above=0.05)).wide == 0
+    assert compared(ramp, expected(ramp, below=0.07, above=0.07)).wide == 1000
+
+
+def test_a_picture_of_one_colour_is_judged_by_its_magnitude() -> None:
+    assert compared(picture(), expected(picture(), below=0.003, above=0.003)).wide == 0
+    assert compared(picture(), expected(picture(), below=0.03, above=0.03)).wide == 1000
+
+
+def test_of_a_black_picture_tiny_bounds_say_enough() -> None:
+    black = np.zeros((HEIGHT, WIDTH, 4))
+    assert compared(black, expected(black, below=0.0, above=1e-40)).wide == 0
+    assert compared(black, expected(black, below=0.5, above=0.5)).wide == 1000
+
+
+def test_too_many_pixels_without_proof_prove_little() -> None:
+    most = max(FEW, round((1.0 - PROVEN_SHARE) * NOWHERE.size))
+    wide = NOWHERE.copy()
+    wide.flat[:most] = True
+    assert not proves_little([compared(picture(), with_bounds(-math.inf, math.inf, wide=wide))])
+    wide.flat[most] = True
+    little = compared(picture(), with_bounds(-math.inf, math.inf, wide=wide))
+    assert proves_little([little]) and little.agrees
+    undecided = replace(expected(picture()), undecided=wide)
+    assert proves_little([compared(picture(), undecided)])
+    # What other cases prove counts, too.
+    assert not proves_little([little, compared(picture())])
+
+
+def test_where_nothing_is_seen_nothing_is_proven() -> None:
+    clear = picture(CLEAR)
+    found = compared(clear, expected(clear))
+    assert found.agrees and found.worst is not None
+    assert proves_little([found])
+    undecided = compared(changed(2.0), replace(expected(picture()), undecided=~NOWHERE))
+    assert undecided.worst is None and proves_little([undecided])
+
+
+def test_the_bite_is_the_median_of_the_bounds_in_steps() -> None:
+    assert compared(picture(), expected(picture(), below=0.01, above=0.01)).bite == (
+        pytest.approx(10.0)
+    )
+    assert compared(picture(), expected(picture(), below=0.0, above=0.0)).bite == 0.0

@@ -12,7 +12,7 @@ from dataclasses import replace
 import pytest
 
 from burnish.targets.conformance import plan
-from burnish.targets.conformance.tolerances import DRIVERS
+from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.runner.routes import ROUTES
 
 from .kit import Studio
@@ -25,8 +25,6 @@ from .subjects import row
         ("swiftshader:glsl", {"projects_cubes": True}, "kinds: Slopes"),
         ("swiftshader:glsl", {"interpolates_snapped": False}, "operations: Limits"),
         ("lavapipe:glsl", {"interpolates_snapped": True}, "operations: Limits"),
-        ("lavapipe:glsl", {"functions": {}}, "operations: Angles"),
-        ("swiftshader:glsl", {"functions": {}}, "operations: Angles"),
     ],
 )
 def test_it_differs_without(

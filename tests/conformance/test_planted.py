@@ -32,4 +32,4 @@ def test_it_is_found(
 
 
 def _told(found: Row) -> str:
-    return found.problem or f"undecided: {found.undecided}, max: {found.max_difference:g}"
+    return found.problem or f"{found.proven} of {found.covered}, max: {found.max_difference:g}"

@@ -35,9 +35,9 @@ from burnish.stdlib.builtins import (
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
+from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.conformance.measured import ENVELOPES
-from burnish.targets.conformance.tolerances import DRIVERS
-from burnish.targets.runner.routes import ROUTES
+from burnish.targets.runner.routes import EVERY_ROUTE
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -362,27 +362,27 @@ def conformance_page() -> str:
     """The page on conformance with its tables of routes and drivers brought up to date."""
     page = (DOCS / "conformance.md").read_text(encoding="utf-8")
     page = _spliced(page, "routes", _table(("route", "text", "how"), _routes()))
-    heading = ("driver", "absolute", "relative", "reason", "functions with larger errors")
-    page = _spliced(page, "tolerances", _table(heading, _tolerances()))
-    places = ("driver", "interpolated", "operations", "subtexel", "level", "edges, in pixels")
-    return _spliced(page, "places", _table(places, _places()))
+    heading = (
+        "driver", "", "interpolated", "position", "subtexel", "level", "mixed", "edges, in pixels",
+    )  # fmt: skip
+    return _spliced(page, "drivers", _table(heading, _drivers()))
 
 
 def _routes() -> Iterator[tuple[str, ...]]:
-    for route in ROUTES.values():
+    for route in EVERY_ROUTE.values():
         yield f"`{route.name}`", f"`{route.profile}`", route.title
 
 
-def _tolerances() -> Iterator[tuple[str, ...]]:
+def _drivers() -> Iterator[tuple[str, ...]]:
     for name, row in DRIVERS.items():
-        extra = ", ".join(f"`{called}` {off:.1e}" for called, off in row.functions.items())
-        yield f"`{name}`", f"{row.absolute:g}", f"{row.relative:g}", row.reason, extra
-
-
-def _places() -> Iterator[tuple[str, ...]]:
-    for name, row in DRIVERS.items():
-        bits = (row.varying_bits, row.rounding_bits, row.subtexel_bits, row.mip_bits)
-        yield f"`{name}`", *map(str, bits), f"{row.edge_slack:.1e}" if row.edge_slack else "0"
+        slack = f"{row.edge_slack:.1e}" if row.edge_slack else "0"
+        for what, found in (("assumed", row.assumed), ("measured", row.measured)):
+            if found is not None:
+                bits = (
+                    found.varying_bits, found.frag_coord_bits, found.subtexel_bits, found.mip_bits,
+                    found.mixing_bits or "",
+                )  # fmt: skip
+                yield f"`{name}`", what, *map(str, bits), slack
 
 
 def graph_page() -> str:

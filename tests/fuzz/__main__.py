@@ -13,17 +13,22 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator
 from itertools import count
 from pathlib import Path
+from random import Random
 
 from burnish.targets.runner.routes import select
 
 from .oracles import ORACLES, Case, Finding, Tools, ask
 from .programs import program
+from .robustness import found
 from .shrink import shrunk
 from .tree import Node
 
 SHARES = {"rewritten": 0.3, "accepted": 0.3, "drawn": 0.3}
 """The shares of the whole time that these questions may take, at most. If no others are asked, they
 share all of it."""
+
+MUTATED_SHARE = 0.15
+"""The further time, as a share, for programs with mistakes."""
 
 TELL_EVERY = 15.0
 """Seconds between two lines of progress."""
@@ -110,7 +115,7 @@ class Run:
         )
         again = f"python -m burnish.tests.fuzz --program {name} --oracles {finding.oracle}"
         if finding.oracle == "drawn":
-            again += f" --routes {finding.place}"
+            again += f" --routes {finding.place or self._asked.routes}"
         case = Case(str(small), seed_of(name), self._tools, small, finding.place)
         told = [each for each in ask(case, finding.oracle).findings if finding.is_like(each)]
         print(f"{(told or [finding])[0].detail}\n\n{small}\nagain: {again}", flush=True)
@@ -168,7 +173,21 @@ def main() -> int:
     with Tools(select([asked.routes])) as tools:
         run = Run(asked, tools)
         run.programs()
-    return 1 if run.findings else 0
+    troubles = 0 if asked.program else _mutated(asked)
+    return 1 if run.findings or troubles else 0
+
+
+def _mutated(asked: Namespace) -> int:
+    """Try programs with mistakes, too, and return how many of them made trouble."""
+    first = Random(asked.seed).randrange(10**9)
+    print(f"programs with mistakes, from {first} on", flush=True)
+    troubles = 0
+    for number, text, trouble in found(first, MUTATED_SHARE * asked.seconds):
+        troubles += 1
+        print(f"\nfound with mistakes {number}:\n{trouble}", flush=True)
+        asked.output.mkdir(parents=True, exist_ok=True)
+        (asked.output / f"mistakes-{number}.burnish").write_text(text, encoding="utf-8")
+    return troubles
 
 
 raise SystemExit(main())

@@ -12,6 +12,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import TARGET
+from burnish.compiler.reference.bounds import Errors
 from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.reference.picture import (
     Expected,
@@ -102,6 +103,11 @@ def defaults(given: Shader) -> dict[str, Lanes]:
     return values
 
 
+def few_ulps(_name: str, _operand: Any, result: Any) -> Any:
+    """Errors of a platform whose functions are nearly exact."""
+    return 4 * 2.0**-23 * np.abs(result)
+
+
 WHITE = Texels((np.ones((1, 1, 4)),))
 
 
@@ -111,6 +117,7 @@ def picture(
     rules: RasterRules,
     textures: Mapping[str, Texels] | None = None,
     clear: Sequence[float] = BLACK,
+    errors: Errors | None = None,
     **values: Lanes,
 ) -> Expected:
     """The picture with the given values, or else the declared ones; textures are white."""
@@ -122,4 +129,5 @@ def picture(
         mesh,
         rules,
         [clear] * len(given.results_of(TARGET)),
+        errors,
     )

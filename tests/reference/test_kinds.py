@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import count
 from typing import Any
 
 import numpy as np
@@ -10,62 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from burnish.compiler.ir.leaves import Resource
-from burnish.compiler.ir.types import Dimension, Sample, Texture
+from burnish.compiler.reference.bounds import Bounded, exact
 from burnish.compiler.reference.picture.cube import across_edges, met
-from burnish.compiler.reference.picture.margins import Margins
-from burnish.compiler.reference.picture.sampler import QuadReader
-from burnish.compiler.reference.picture.scene import RasterRules, Texels
-from burnish.compiler.reference.picture.texels import Image
-from burnish.compiler.reference.picture.variants import EXACT, Variants, variants
+from burnish.compiler.reference.picture.scene import RasterRules
 
-RULES = RasterRules(1, 1)
-DEFAULTS = {"filter": "nearest", "mip": "nearest", "wrap": "clamp"}
+from .reads import DEVICE, Read, near, numbered, steps
 
-
-class Read:
-    """A texture that is read at single places."""
-
-    def __init__(
-        self,
-        dimension: Dimension,
-        sample: Sample,
-        *levels: Any,
-        ways: Variants = EXACT,
-        rules: RasterRules = RULES,
-        **state: str,
-    ) -> None:
-        whole = tuple(sorted({**DEFAULTS, **state}.items()))
-        resource = Resource("t", Texture(dimension, sample), "material", "white", whole)
-        arrays = tuple(np.asarray(level) for level in levels)
-        self.margins = Margins((1, 1, 1))
-        self._reader = QuadReader(
-            Image(Texels(arrays), resource, rules), ways, self.margins, count()
-        )
-
-    def __call__(self, name: str, *operands: Any) -> list[Any]:
-        """The lanes of a read, in its exact variant."""
-        found = self._reader.read(name, tuple(map(_lanes, operands)))
-        return [np.ravel(lane)[0].item() for lane in found]
-
-    def spread(self, name: str, *operands: Any) -> list[float]:
-        """The first lane in all variants."""
-        found = self._reader.read(name, tuple(map(_lanes, operands)))
-        return [float(value) for value in np.ravel(found[0])]
-
-
-def _lanes(operand: Any) -> Any:
-    """Whole numbers are constants; all else differs from pixel to pixel, of which there is one."""
-    if isinstance(operand, int):
-        return (operand,)
-    return tuple(np.full((1, 1, 1), lane) for lane in np.atleast_1d(operand))
-
-
-def numbered(*shape: int) -> Any:
-    """Texels whose first lane counts them, and whose others are that and 1000, 2000, 3000."""
-    lanes = np.array([0.0, 1000.0, 2000.0, 3000.0])
-    return np.arange(np.prod(shape)).reshape(*shape, 1) + lanes
-
+ROUGH = RasterRules(1, 1, subtexel_bits=4, mip_bits=4)
+"""A device with few bits."""
 
 # --- layers and volumes --------------------------------------------------------------------------
 
@@ -85,19 +36,9 @@ def test_slices_are_mixed() -> None:
 
 
 def test_a_filter_is_off_along_all_three_axes() -> None:
-    ways = variants(4, None, None, None, False, volumes=True)
-    volume = Read("3d", "float", numbered(2, 2, 2), ways=ways, filter="linear")
-    exact, *moved = volume.spread("sample_level", (0.5, 0.5, 0.5), 0.0)
-    assert sorted({abs(value - exact) for value in moved}) == [1 / 16, 2 / 16, 4 / 16]
-
-
-def test_what_two_reads_are_off_by_does_not_cancel_out() -> None:
-    ways = variants(4, None, None, None, False, reads=2)
-    ramp = Read("2d", "float", numbered(1, 4), ways=ways, filter="linear")
-    first, second = (np.array(ramp.spread("sample_level", (0.5, 0.5), 0.0)) for _ in range(2))
-    off = np.abs(second - first - (second[0] - first[0]))
-    assert off.max() == pytest.approx(2 / 16)
-    assert np.abs(first - first[0]).max() == pytest.approx(1 / 16)
+    volume = Read("3d", "float", numbered(2, 2, 2), filter="linear", rules=ROUGH)
+    low, high = volume.hull("sample_level", (0.5, 0.5, 0.5), 0.0)
+    assert (low, high) == pytest.approx((3.5 - 7 / 16, 3.5 + 7 / 16), abs=1e-5)
 
 
 # --- cubes ---------------------------------------------------------------------------------------
@@ -115,10 +56,15 @@ def test_what_two_reads_are_off_by_does_not_cancel_out() -> None:
     ],
 )
 def test_faces(direction: tuple[float, ...], face: int, across: float, down: float) -> None:
-    """Right and down from the middle of a face, -1 to 1."""
-    found = met([np.array(lane, dtype=float) for lane in direction])
-    assert int(found.face) == face
-    assert (2 * float(found.across) - 1, 2 * float(found.down) - 1) == (across, down)
+    assert _met(direction) == (face, across, down)
+
+
+def _met(direction: tuple[float, ...]) -> tuple[int, float, float]:
+    """The face that a direction meets, and where: right and down from its middle, -1 to 1."""
+    (_, found), *others = met([exact(np.array([float(lane)])) for lane in direction], True)
+    assert not others
+    across, down = (2 * float(lane.value[0]) - 1 for lane in (found.across, found.down))
+    return int(found.face[0]), across, down
 
 
 def direction_of(face: int, across: float, down: float) -> tuple[float, ...]:
@@ -128,9 +74,9 @@ def direction_of(face: int, across: float, down: float) -> tuple[float, ...]:
 
 @given(st.integers(0, 5), st.floats(-0.99, 0.99), st.floats(-0.99, 0.99))
 def test_every_place_of_every_face_is_met(face: int, across: float, down: float) -> None:
-    found = met([np.array(lane) for lane in direction_of(face, across, down)])
-    assert int(found.face) == face
-    assert (2 * found.across - 1, 2 * found.down - 1) == pytest.approx((across, down))
+    other, *place = _met(direction_of(face, across, down))
+    assert other == face
+    assert place == pytest.approx((across, down))
 
 
 @given(st.integers(0, 5), st.integers(1, 9), st.integers(0, 8), st.integers(0, 3))
@@ -176,25 +122,21 @@ def test_beyond_a_corner_is_the_mean_of_the_three_texels_around_it() -> None:
     faces[0], faces[2], faces[4] = 3, 6, 30
     sky = Read("cube", "float", faces, filter="linear")
     assert sky("sample_level", (1, 1, 1), 0.0)[0] == pytest.approx((3 + 6 + 30 + 13) / 4)
-    ways = variants(8, None, None, None, False, cubes=True)
-    sky = Read("cube", "float", faces, filter="linear", ways=ways)
-    corners = np.array(sky.spread("sample_level", (1, 1, 1), 0.0))[ways.kind == 12]
-    assert sorted(corners) == pytest.approx([(39 + x) / 4 for x in (3, 6, 30)])
+    sky = Read("cube", "float", faces, filter="linear", rules=DEVICE)
+    low, high = sky.hull("sample_level", (1, 1, 1), 0.0)
+    assert low == pytest.approx((39 + 3) / 4, abs=0.2)
+    assert high == pytest.approx((39 + 30) / 4, abs=0.2)
 
 
-def test_between_two_faces_the_nearest_texel_is_undecided() -> None:
-    sky = Read("cube", "float", numbered(6, 4, 4))
-    sky("sample_level", (1, 0.3, 0.9), 0.0)
-    assert not sky.margins.undecided.any()
-    sky("sample_level", (1, 0.3, 1 + 1e-7), 0.0)
-    assert sky.margins.undecided.all()
+def test_between_two_faces_there_may_be_a_texel_of_either() -> None:
+    sky = Read("cube", "float", numbered(6, 1, 1), rules=DEVICE)
+    assert sky.hull("sample_level", (1, 0.3, 0.9), 0.0) == (0, 0)
+    assert sky.hull("sample_level", (1, 0.3, 1 + 1e-7), 0.0) == (0, 4)
+    assert sky.hull("sample_level", (near(1, 0.2), 0.3, 0.9), 0.0) == (0, 4)
+    assert sky.hull("sample_level", (near(0, 0.01), 0.0, near(0, 0.01)), 0.0) == (0, 5)
 
 
 # --- levels --------------------------------------------------------------------------------------
-
-
-def steps(layers: tuple[int, ...] = ()) -> list[Any]:
-    return [np.full((*layers, 8 >> n, 8 >> n, 4), float(n)) for n in range(4)]
 
 
 @pytest.mark.parametrize(("level", "expected"), [(-1, 0), (0.25, 0.25), (1.5, 1.5), (9, 3)])
@@ -238,14 +180,20 @@ def test_a_level_that_is_read_off_bits() -> None:
 
 
 def test_means_of_levels_have_so_many_bits() -> None:
-    ways = variants(None, None, None, None, False, mixing_bits=4)
+    rules = RasterRules(1, 1, subtexel_bits=8, mixing_bits=4)
     found = [
-        Read("2d", "float", *steps(), mip="linear", ways=ways, filter=filter_).spread(
+        Read("2d", "float", *steps(), mip="linear", rules=rules, filter=filter_).hull(
             "sample_level", (0.5, 0.5), 0.5
         )
         for filter_ in ("nearest", "linear")
     ]
-    assert found == [pytest.approx([0.5, 0.4375, 0.5625]), pytest.approx([0.5] * 3)]
+    expected = [(0.4375, 0.5625), (0.5, 0.5)]
+    assert [pytest.approx(each, abs=1e-5) for each in expected] == found
+    # A device may weigh a single level, too, and even the only texel that there is.
+    for levels in (steps(), [np.ones((1, 1, 4))]):
+        single = Read("2d", "float", *levels, mip="linear", rules=rules)
+        low, high = single.hull("sample_level", (0.5, 0.5), 0.0)
+        assert high - low == pytest.approx(2 / 16, abs=1e-5)
 
 
 def test_gradients_of_a_cube_on_a_device_that_does_not_project_them() -> None:
@@ -282,12 +230,11 @@ def test_comparisons_are_filtered_and_not_depths() -> None:
     assert depths("gather_compare", (0.5, 0.5), 0.42) == [0, 1, 1, 0]
 
 
-def test_a_reference_close_to_a_depth_is_undecided() -> None:
-    depths = Read("2d", "depth", np.full((1, 1, 1), 0.5), compare="less", mip="none")
-    depths("compare", (0.5, 0.5), 0.5001)
-    assert not depths.margins.undecided.any()
-    depths("compare", (0.5, 0.5), 0.500001)
-    assert depths.margins.undecided.all()
+def test_a_reference_that_may_be_on_either_side_of_a_depth() -> None:
+    depths = Read("2d", "depth", np.full((1, 1, 1), 0.5), compare="less", mip="none", rules=DEVICE)
+    assert depths.hull("compare", (0.5, 0.5), near(0.5001, 1e-5)) == (0, 0)
+    assert depths.hull("compare", (0.5, 0.5), near(0.5001, 1e-3)) == (0, 1)
+    assert depths.hull("compare", (0.5, 0.5), near(0.4, 1e-3)) == (1, 1)
 
 
 # --- texels --------------------------------------------------------------------------------------
@@ -299,12 +246,10 @@ def test_gathered_texels_go_round_from_the_lower_left() -> None:
     assert flat("gather", (0.1, 0.45), 2) == [2005, 2003, 2000, 2002]
 
 
-def test_gathering_between_four_and_four_is_undecided() -> None:
-    flat = Read("2d", "float", numbered(4, 4))
-    flat("gather", (0.6, 0.6), 0)
-    assert not flat.margins.undecided.any()
-    flat("gather", (0.625 + 1e-6, 0.6), 0)
-    assert flat.margins.undecided.all()
+def test_between_four_and_four_either_may_be_gathered() -> None:
+    flat = Read("2d", "float", numbered(4, 4), rules=DEVICE)
+    assert flat.hull("gather", (0.6, 0.6), 0) == (9, 9)
+    assert flat.hull("gather", (0.625 + 1e-6, 0.6), 0) == (9, 10)
 
 
 @pytest.mark.parametrize(
@@ -318,6 +263,14 @@ def test_loads_beyond_the_texture_take_the_nearest_texel(
     numbers = Read("2d", "int", *levels)
     assert numbers("load", place, level)[0] == expected
     assert isinstance(numbers("load", place, level)[0], int)
+
+
+def test_a_load_by_an_uncertain_index() -> None:
+    numbers = Read("2d", "int", np.arange(16).reshape(4, 4, 1) + [0] * 4)
+    index = Bounded(np.int64(1), np.int64(0), np.int64(2))
+    assert numbers.hull("load", (index, np.int64(1)), 0) == (4, 6)
+    anywhere = Bounded(np.int64(1), np.int64(-(2**31)), np.int64(2**31))
+    assert numbers.hull("load", (anywhere, anywhere), 0) == (0, 15)
 
 
 def test_sizes() -> None:

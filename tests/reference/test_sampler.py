@@ -9,7 +9,7 @@ import pytest
 
 from burnish.compiler.reference.picture import Expected, RasterRules, Texels
 
-from .kit import geometry, picture, shader
+from .kit import few_ulps, geometry, picture, shader
 
 WIDTH = 8
 
@@ -33,6 +33,7 @@ def read(
     """A square picture of ``WIDTH`` pixels whose coordinates run from edge to edge as given.
 
     Or with these coordinates at the top left, twice as far to the right, and twice as far down.
+    With ``rules`` for a device, it has bounds.
     """
     given = shader(f"""
         abstract material Base {{
@@ -49,7 +50,8 @@ def read(
     edges = [(u[0], v[0]), (2 * u[1] - u[0], v[0]), (u[0], 2 * v[1] - v[0])]
     s = np.array(corners or edges, dtype=np.float64)
     mesh = geometry([(0, 1, 2)], place=place, s=s)
-    return picture(given, mesh, RasterRules(WIDTH, WIDTH, **rules), {"m": texture})
+    errors = few_ulps if rules else None
+    return picture(given, mesh, RasterRules(WIDTH, WIDTH, **rules), {"m": texture}, errors=errors)
 
 
 def row(texture: Texels, state: str, u: tuple[float, float], **rules: Any) -> list[float]:
@@ -155,44 +157,62 @@ def test_levels_of_a_plane_that_leans_away() -> None:
     assert np.allclose(found.targets[0][y, x, 0][inside], level[inside])
 
 
-def test_a_nearest_texel_at_its_border_is_undecided() -> None:
+def reds(found: Expected) -> tuple[Any, Any]:
+    """The bounds of all pixels' red."""
+    return found.low[0][..., 0], found.high[0][..., 0]
+
+
+def test_at_its_border_a_nearest_texel_may_be_either() -> None:
     state = "filter = nearest, wrap = repeat"
     # Shifted by half a texel, pixel centres lie on the borders of texels.
-    assert read(FOUR, state, (-1.125, 0.875)).undecided.all()
-    assert not read(FOUR, state, (-1, 1)).undecided.any()
+    low, high = reds(read(FOUR, state, (-1.125, 0.875), subtexel_bits=8))
+    assert low[0].tolist() == [1, 1, 2, 4, 1, 1, 2, 4]
+    assert high[0].tolist() == [8, 2, 4, 8, 8, 2, 4, 8]
+    low, high = reds(read(FOUR, state, (-1, 1), subtexel_bits=8))
+    assert low[0].tolist() == high[0].tolist() == [1, 2, 4, 8, 1, 2, 4, 8]
 
 
-def test_a_nearest_level_half_way_is_undecided() -> None:
-    assert read(LEVELS, "mip = nearest", (0, 2**1.5)).undecided.all()
-    assert not read(LEVELS, "mip = nearest", (0, 2)).undecided.any()
+def test_half_way_between_two_the_nearest_level_may_be_either() -> None:
+    low, high = reds(read(LEVELS, "mip = nearest", (0, 2**1.5), subtexel_bits=8, mip_bits=8))
+    assert np.allclose((low, high), [np.full_like(low, 1), np.full_like(low, 2)])
+    # A step to the right and one down have a single lane each, whose length is certain.
+    low, high = reds(read(LEVELS, "mip = nearest", (0, 2), subtexel_bits=8, mip_bits=8))
+    assert np.allclose((low, high), 1)
 
 
-def test_the_radius_is_that_of_the_filters_bits() -> None:
+def test_the_bounds_are_those_of_the_filters_bits() -> None:
     exact = read(FOUR, "mip = none", (0, 1))
-    assert not exact.radius[0].any()
-    found = read(FOUR, "mip = none, wrap = clamp", (0.3, 0.32), subtexel_bits=4)
+    assert (exact.low[0] == exact.high[0]).all()
     # Between the texels 1 and 2 apart by one, a sixteenth of a texel's width.
     u = 0.3 + 0.02 * (np.arange(WIDTH) + 0.5) / WIDTH
     assert ((u * 4 - 0.5 > 0.6) & (u * 4 - 0.5 < 0.9)).all()
-    assert np.allclose(found.radius[0][..., 0], 1 / 16)
-    assert not found.radius[0][..., 1:].any()
     upright = texels([[1.0], [2.0], [4.0], [8.0]])
     state = "mip = none, wrap = clamp"
-    downwards = read(upright, state, (0.5, 0.5), (0.3, 0.32), subtexel_bits=4)
-    assert np.allclose(downwards.radius[0][..., 0], 1 / 16)
+    for found in (
+        read(FOUR, state, (0.3, 0.32), subtexel_bits=4),
+        read(upright, state, (0.5, 0.5), (0.3, 0.32), subtexel_bits=4),
+    ):
+        low, high = reds(found)
+        assert np.allclose(high - found.targets[0][..., 0], 1 / 16, atol=1e-5)
+        assert np.allclose(found.targets[0][..., 0] - low, 1 / 16, atol=1e-5)
+        assert (found.low[0][..., 1:] == found.high[0][..., 1:]).all()
 
 
-def test_the_radius_is_that_of_the_levels_bits() -> None:
-    found = read(LEVELS, "", (0, 3), mip_bits=6)
-    assert np.allclose(found.radius[0][..., 0], 2.0**-6)
+def test_the_bounds_are_those_of_the_levels_bits() -> None:
+    low, high = reds(read(LEVELS, "", (0, 3), subtexel_bits=8, mip_bits=6))
+    assert np.allclose(high - low, 2.0**-5, atol=1e-4)
     # A step along x moves as far in u as in v; its length may be taken for the larger of the two
     # or for their sum, half a level to either side.
-    turned = read(LEVELS, "", corners=[(0, 0), (6, 6), (-6, 6)], mip_bits=6)
-    assert np.allclose(turned.targets[0][..., 0], np.log2(3 * np.sqrt(2)))
-    assert np.allclose(turned.radius[0][..., 0], 0.5 + 2.0**-6)
+    turned = [(0, 0), (6, 6), (-6, 6)]
+    found = read(LEVELS, "", corners=turned, subtexel_bits=8, mip_bits=6)
+    middle = np.log2(3 * np.sqrt(2))
+    low, high = reds(found)
+    assert np.allclose(found.targets[0][..., 0], middle)
+    assert np.allclose(high, middle + 0.5 + 2.0**-6, atol=1e-4)
+    assert np.allclose(low, middle - 0.5 - 2.0**-6, atol=1e-4)
 
 
-def test_a_decision_that_filtering_may_tip_is_undecided() -> None:
+def test_a_decision_that_filtering_may_tip_is_either() -> None:
     given = shader("""
         material M {
             map m : texture2d with { mip = none, wrap = clamp }
@@ -203,21 +223,20 @@ def test_a_decision_that_filtering_may_tip_is_undecided() -> None:
     uv = np.array([(0.125, 0.5), (1.125, 0.5), (0.125, 0.5)])
     mesh = geometry([(0, 1, 2)], vertex_position=place, vertex_uv=uv)
 
-    def undecided(bits: int | None) -> list[int]:
+    def either(bits: int) -> list[int]:
         rules = RasterRules(64, 1, subtexel_bits=bits)
-        found = picture(given, mesh, rules, {"m": FOUR}).undecided[0]
-        return list(map(int, found.nonzero()[0]))
+        low, high = reds(picture(given, mesh, rules, {"m": FOUR}, errors=few_ulps))
+        return list(map(int, (high - low > 0.1)[0].nonzero()[0]))
 
     # u grows by 1/128 a pixel, which is 1/32 texel; 1.5 is half way between two pixels.
-    assert undecided(None) == []
-    assert undecided(8) == []
-    assert undecided(5) == [15, 16]
+    assert either(8) == []
+    assert either(5) == [15, 16]
 
 
 def test_a_choice_in_doubt_is_so_for_all_who_take_differences_with_it() -> None:
     """Of four pixels the first hangs on a comparison, and by it so do the levels of its quad."""
 
-    def undecided(read: str) -> list[list[int]]:
+    def doubtful(read: str) -> list[list[int]]:
         given = shader(f"""
             material M {{
                 map m : texture2d
@@ -228,9 +247,29 @@ def test_a_choice_in_doubt_is_so_for_all_who_take_differences_with_it() -> None:
         mesh = geometry(
             [(0, 1, 2)], vertex_position=place, vertex_uv=np.array([(0, 0), (2, 0), (0, 2)], float)
         )
-        found = picture(given, mesh, RasterRules(4, 2), {"m": LEVELS}).undecided
-        return np.argwhere(found).tolist()
+        rules = RasterRules(4, 2, subtexel_bits=8, mip_bits=8)
+        low, high = reds(picture(given, mesh, rules, {"m": LEVELS}, errors=few_ulps))
+        return np.argwhere(high - low > 0.1).tolist()
 
-    chosen = "if uv.x + uv.y <= 0.375 then uv else 2 * uv"
-    assert undecided(f"m.level({chosen}, 0)") == [[0, 0]]
-    assert undecided(f"m({chosen})") == [[0, 0], [0, 1], [1, 0], [1, 1]]
+    chosen = "if uv.x + uv.y <= 0.375 then uv + 2 else 2 * uv"
+    assert doubtful(f"m.level({chosen}, uv.x + uv.y + ({chosen}).x)") == [[0, 0]]
+    assert doubtful(f"m({chosen})") == [[0, 0], [0, 1], [1, 0], [1, 1]]
+
+
+@pytest.mark.parametrize("bottom_up", [False, True])
+def test_a_level_is_that_of_a_quads_first_row(bottom_up: bool) -> None:
+    """In each quad u grows twice as fast along the lower row."""
+    given = shader("""
+        material M {
+            map m : texture2d
+            clip_position : vec4 = vec4(vertex_position, 1)
+            color = m(vec2(uv.x * (1 + floor(uv.y / 3)), 0.5)).rgb
+        }""")
+    place = np.array([(-1, 1, 0), (3, 1, 0), (-1, -3, 0)], float)
+    # u grows by 1/4 of the texture a pixel, which is 2 texels; v is 1.5 and 4.5.
+    mesh = geometry(
+        [(0, 1, 2)], vertex_position=place, vertex_uv=np.array([(0, 0), (1, 0), (0, 12)], float)
+    )
+    rules = RasterRules(2, 2, bottom_up=bottom_up)
+    found = picture(given, mesh, rules, {"m": LEVELS}).targets[0][..., 0]
+    assert found == pytest.approx(np.full((2, 2), 2.0 if bottom_up else 1.0))

@@ -12,7 +12,9 @@ import pytest
 
 import burnish
 from burnish.compiler.ir.shader import Shader
+from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.picture import RasterRules
+from burnish.stdlib.builtins.accuracy import Error, Within
 from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.reference import remembered
@@ -25,6 +27,7 @@ from ..suite.processes import run
 ROOT = Path(__file__).parents[2]
 TEXT = "material M { map m : texture2d  param k : float = 1  color = m(uv).rgb * k }"
 RULES = RasterRules(8, 8, 8)
+ERRORS = Errors(("vulkan",))
 
 
 def asked(
@@ -38,8 +41,16 @@ def asked(
     return material.shader, set_up(instance, plane(2), Scene(), (8, 8))
 
 
-def name(question: tuple[Shader, SceneState], rules: RasterRules = RULES) -> str:
-    return reference._digest(*question, rules)
+def name(
+    question: tuple[Shader, SceneState], rules: RasterRules = RULES, errors: Errors | None = None
+) -> str:
+    return reference._digest(*question, rules, errors)
+
+
+def test_every_allowed_error_has_a_part_in_the_name() -> None:
+    names = {name(asked(), errors=Errors((platform,))) for platform in ("vulkan", "wgsl")}
+    measured = Errors(("vulkan",), (("sin", Within(Error(ulp=1.0))),))
+    assert len(names | {name(asked(), errors=measured)}) == 3
 
 
 def test_the_same_question_has_the_same_name() -> None:
@@ -54,9 +65,9 @@ def test_the_same_question_has_the_same_name() -> None:
         lambda: name(asked(TEXT.replace("* k", "+ k"))),
         lambda: name(asked(TEXT.replace("texture2d", "texture2d with { wrap = clamp }"))),
         lambda: name(asked(), replace(RULES, subpixel_bits=4)),
-        lambda: name(asked(), replace(RULES, functions=(("sin", 0.1),))),
+        lambda: name(asked(), errors=Errors(("vulkan",))),
     ],
-    ids=["texture's shape", "value", "graph", "sampler", "rules", "functions"],
+    ids=["texture's shape", "value", "graph", "sampler", "rules", "errors"],
 )
 def test_another_question_has_another_name(other: Callable[[], str]) -> None:
     assert other() != name(asked())
@@ -67,15 +78,17 @@ def test_what_was_drawn_is_the_same_when_it_is_found_again(
 ) -> None:
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
     question, store = asked(), Store("pictures")
-    drawn = remembered(*question, RULES, store)
+    drawn = remembered(*question, RULES, store, ERRORS)
     monkeypatch.setattr(reference, "draw", None)
-    found = remembered(*question, RULES, store)
+    found = remembered(*question, RULES, store, ERRORS)
     assert [found.covered.dtype, found.targets[0].dtype] == [np.dtype(bool), np.dtype(float)]
     for before, after in (
         (drawn.covered, found.covered),
         (drawn.undecided, found.undecided),
         *zip(drawn.targets, found.targets, strict=True),
-        *zip(drawn.radius, found.radius, strict=True),
+        (drawn.layers, found.layers),
+        *zip(drawn.low, found.low, strict=True),
+        *zip(drawn.high, found.high, strict=True),
     ):
         assert np.array_equal(before, after, equal_nan=before.dtype != np.bool_)
 

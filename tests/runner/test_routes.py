@@ -43,6 +43,8 @@ def test_every_profile_that_is_proven_is_drawn_and_every_driver_used() -> None:
         (["hlsl-dxc"], ["lavapipe:hlsl-dxc", "swiftshader:hlsl-dxc"]),
         (["lavapipe:hlsl-*"], ["lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc"]),
         (["webgl2, lavapipe:glsl", "lavapipe:glsl"], ["lavapipe:glsl", "chromium:webgl2"]),
+        (["wgpu"], ["wgpu:wgsl"]),
+        (["vulkan:hlsl-*"], ["vulkan:hlsl-glslang", "vulkan:hlsl-dxc"]),
         ([], []),
     ],
 )
@@ -97,5 +99,7 @@ def test_a_route_without_its_tools_says_what_is_missing() -> None:
 
 
 def test_what_a_tool_is_needed_for() -> None:
-    assert routes.routes_needing("dxc") == ("lavapipe:hlsl-dxc", "swiftshader:hlsl-dxc")
+    assert routes.routes_needing("dxc") == tuple(
+        f"{driver}:hlsl-dxc" for driver in ("lavapipe", "swiftshader", "vulkan")
+    )
     assert routes.routes_needing("tint") == ()

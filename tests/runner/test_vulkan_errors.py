@@ -282,7 +282,7 @@ def endless() -> tuple[Pipeline, dict[str, Any]]:
 
 def test_a_draw_without_end_ends_the_worker(vulkan: Asker) -> None:
     pipeline, draw = endless()
-    worker = run([*vulkan.command, "0.5"], text=request(pipeline, **draw))
+    worker = run([*vulkan.command, "", "0.5"], text=request(pipeline, **draw))
     assert worker.returncode == 3
     assert worker.stdout == ""
     assert worker.stderr == "the device did not finish drawing within 0.5 s\n"

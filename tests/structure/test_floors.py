@@ -33,7 +33,7 @@ FLOORS: dict[str, str] = {
     "compiler.formula": "stdlib ir",
     "compiler.promises": "frozen stdlib ir formula",
     "compiler.source_map": "diagnostics ir",
-    "compiler.reference": "frozen stdlib ir",
+    "compiler.reference": "frozen stdlib diagnostics ir formula",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
     "compiler.semantics.names": "frozen diagnostics syntax types",
     "compiler.library_trees": "cache precomputed diagnostics syntax names",
@@ -74,7 +74,7 @@ FLOORS: dict[str, str] = {
     "targets.runner": (
         "frozen stdlib arguments cache diagnostics srgb ir promises reference closing toolchain"
     ),
-    "targets.conformance": "frozen stdlib ir reference runner toolchain",
+    "targets.conformance": "frozen stdlib diagnostics ir reference runner toolchain",
     # The door.
     "compiled": (
         "frozen garbage inputs diagnostics ir passes reflection description legalise emit "

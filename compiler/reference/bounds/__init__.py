@@ -4,7 +4,17 @@ The reference's pictures evaluate graphs with it, as with numbers: a lane is a `
 array library is a ``Bounds``. It needs NumPy, so nothing that compiles imports it.
 """
 
-from .bounded import Bounded, as_bounded, between, exact, hull
+from .bounded import Bounded, as_bounded, between, exact, given, hull, remembered
 from .functions import Bounds, Errors
 
-__all__ = ["Bounded", "Bounds", "Errors", "as_bounded", "between", "exact", "hull"]
+__all__ = [
+    "Bounded",
+    "Bounds",
+    "Errors",
+    "as_bounded",
+    "between",
+    "exact",
+    "given",
+    "hull",
+    "remembered",
+]

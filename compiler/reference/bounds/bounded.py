@@ -9,37 +9,30 @@ may round them.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
-from .rounding import HALF_STEP, ULP, Array, constant_ends, is_float32, outward
+from .affine import Form, alone, chosen
+from .orders import Single, Sum, Term, in_any_order, is_coarse
+from .rounding import (
+    ROUNDED_UP,
+    SUBNORMAL_STEP,
+    ULP,
+    Array,
+    constant_ends,
+    is_float32,
+    of_device,
+    outward,
+)
 
-_EXACT_SUM = 2.0**12
-"""Sums of multiples of its reciprocal are exact in any order while they stay below it."""
+_numbers = count()
 
-
-@dataclass(slots=True, eq=False)
-class _Sum:
-    """That a lane is a sum, whose terms a compiler may add in another order."""
-
-    additions: int
-    left: Bounded
-    right: Bounded
-    is_exact: bool
-    """Whether every partial sum of its terms is a float32."""
-    widened: Array = 0.0
-    """By how much the lane was widened because of the order of its terms."""
-    _magnitude: Array | None = None
-
-    @property
-    def magnitude(self) -> Array:
-        """The sum of the magnitudes of all terms, which limits every partial sum."""
-        if self._magnitude is None:
-            self._magnitude = _terms(self.left) + _terms(self.right)
-        return self._magnitude
+_STEP = 2.0**-52
+"""The largest error of a float64, relative to the number."""
 
 
 class Bounded:
@@ -50,13 +43,25 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_sum", "high", "low", "value")
+    __slots__ = ("_factors", "_number", "_of", "_radius", "_sum", "form", "high", "low", "value")
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, value: Array, low: Array, high: Array, sum_: _Sum | None = None) -> None:
-        self.value, self.low, self.high, self._sum = value, low, high, sum_
+    def __init__(self, value: Array, low: Array, high: Array, form: Form | None = None) -> None:
+        """``form`` limits the interval further, if it is known how errors are shared."""
+        self.value, self.low, self.high, self.form = value, low, high, form
+        self._radius: Array | None = None
+        self._sum: Sum | None = None
+        self._factors = 0
+        """How many multiplications made it."""
+        self._number = next(_numbers)
+        self._of: frozenset[int] = frozenset()
+        """The numbers of all its factors, if it is a product."""
+        if form is not None:
+            radius = form.radius
+            self.low = np.maximum(low, value - radius)
+            self.high = np.minimum(high, value + radius)
 
     @property
     def is_exact(self) -> bool:
@@ -82,6 +87,23 @@ class Bounded:
     def magnitude(self) -> Array:
         """The largest magnitude that a device may have."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
+
+    @property
+    def radius(self) -> Array:
+        """By how much a device's value may differ from the exact one, to the farther side."""
+        if self._radius is None:
+            farther = np.maximum(self.high - self.value, self.value - self.low)
+            self._radius = farther * ROUNDED_UP
+        return self._radius
+
+    @property
+    def any_form(self) -> Form:
+        """Its form, or one that shares no error."""
+        return alone(self.radius) if self.form is None else self.form
+
+    def __bool__(self) -> bool:
+        """Whether a condition that is the same for all elements certainly holds."""
+        return bool(np.all(self.low))
 
     def any(self) -> bool:
         """Whether a condition may hold anywhere."""
@@ -109,8 +131,7 @@ class Bounded:
     # --- sums and products ------------------------------------------------------------------------
 
     def __add__(self, other: Any) -> Bounded:
-        other = as_bounded(other)
-        return _added(self, other, self.low + other.low, self.high + other.high)
+        return _added(self, as_bounded(other))
 
     def __sub__(self, other: Any) -> Bounded:
         if self is other:
@@ -118,33 +139,33 @@ class Bounded:
         return self + -as_bounded(other)
 
     def __mul__(self, other: Any) -> Bounded:
-        other = as_bounded(other)
-        value = self.value * other.value
-        if self.is_exact and other.is_exact:
-            return _rounded(value, value, value)
-        if self is other:
-            near = np.where((self.low <= 0) & (self.high >= 0), 0.0, np.minimum(
-                np.abs(self.low), np.abs(self.high)))  # fmt: skip
-            return _rounded(value, near * near, self.magnitude**2)
-        return _rounded(value, *products(self, other))
+        return _multiplied(self, as_bounded(other))
 
     def __truediv__(self, divisor: float) -> Bounded:
-        """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, "Accuracy of
-        concrete floating point expressions"); ``Bounds.divide`` divides by other lanes."""
+        """A quotient by a constant, or a product with its reciprocal: 2.5 ulp (WGSL, the table of
+        accuracies); ``Bounds.divide`` divides by other lanes."""
         quotient = Bounded(self.value / divisor, *products(self, exact(1.0 / divisor)))
         return widened(quotient, 2.5 * ULP * quotient.magnitude)
 
     def __neg__(self) -> Bounded:
-        if self.is_exact:
-            return exact(-self.value)
-        return Bounded(-self.value, -self.high, -self.low, self._sum)
+        made = exact(-self.value)
+        if not self.is_exact:
+            form = None if self.form is None else self.form.scaled(-1.0)
+            made = Bounded(made.value, -self.high, -self.low, form)
+        made._sum, made._factors, made._of = self._sum, self._factors, self._of
+        made._number = self._number
+        return made
 
     def __abs__(self) -> Bounded:
         if self.is_exact:
             return exact(np.abs(self.value))
         inside = (self.low <= 0) & (self.high >= 0)
         low = np.minimum(np.abs(self.low), np.abs(self.high))
-        return Bounded(np.abs(self.value), np.where(inside, 0, low), self.magnitude)
+        form = None
+        if self.form is not None:
+            form = chosen(self.low >= 0, self.high <= 0, self.form, self.form.scaled(-1.0),
+                          self.radius)  # fmt: skip
+        return Bounded(np.abs(self.value), np.where(inside, 0, low), self.magnitude, form)
 
     def __radd__(self, other: Any) -> Bounded:
         return as_bounded(other) + self
@@ -233,9 +254,26 @@ class Bounded:
 
 
 def exact(value: Any) -> Bounded:
-    """A lane that every device has exactly, such as a uniform, a texel or an integer."""
+    """A lane that every device has exactly, such as an integer."""
     array = np.asarray(value)[()]
     return Bounded(array, array, array)
+
+
+def given(value: Any) -> Bounded:
+    """A lane from outside, such as a vertex input; devices may flush what is subnormal."""
+    array = np.asarray(value)[()]
+    if array.dtype.kind != "f" or is_float32(array):
+        return exact(array)
+    return Bounded(array, *constant_ends(array))
+
+
+def remembered(lane: Any) -> Any:
+    """A lane whose error is shared by all that is computed from it."""
+    if not isinstance(lane, Bounded) or lane.is_exact or lane.kind != "f":
+        return lane
+    made = Bounded(lane.value, lane.low, lane.high, lane.any_form.shared())
+    made._sum, made._factors, made._of = lane._sum, lane._factors, lane._of
+    return made
 
 
 def constant(value: float) -> Bounded:
@@ -252,7 +290,7 @@ def as_bounded(lane: Any) -> Bounded:
 
 
 def between(value: Array, low: Array, high: Array) -> Bounded:
-    """A lane whose device's value lies between these ends, which need not contain ``value``."""
+    """A lane with a device's value from ``low`` to ``high``, which need not contain ``value``."""
     return Bounded(value, np.minimum(value, low), np.maximum(value, high))
 
 
@@ -261,18 +299,58 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
     return Bounded(x.value, np.minimum(x.low, y.low), np.maximum(x.high, y.high))
 
 
+def either(x: Bounded, y: Bounded) -> Bounded:
+    """The result of one of two formulas for the same value; its terms are those of the first."""
+    found = hull(x, y)
+    if x.form is not None and y.form is not None:
+        found = Bounded(x.value, found.low, found.high, x.form.or_else(y.form))
+    found._sum = x._sum
+    return found
+
+
 def widened(x: Bounded, by: Array) -> Bounded:
-    """The lane with an interval that is larger by an absolute error on both sides."""
-    return Bounded(x.value, x.low - by, x.high + by)
+    """The lane of a device whose function has an absolute error of its own.
+
+    Among subnormal numbers, the nearest one may be farther away than the error.
+    """
+    by = by + SUBNORMAL_STEP
+    low, high = of_device(x.low - by, x.high + by)
+    form = x.form
+    if form is not None:
+        form = form.widened(by + _lost(np.maximum(np.abs(low), np.abs(high))))
+    return Bounded(x.value, low, high, form)
+
+
+def _lost(magnitude: Array) -> Array:
+    """What a form has to allow for besides rounding: what is flushed to zero, or infinite."""
+    return np.where(np.isfinite(magnitude), np.minimum(magnitude, SMALLEST_NORMAL), np.inf)
 
 
 # --- operations -----------------------------------------------------------------------------------
 
 
 def products(x: Bounded, y: Bounded) -> tuple[Array, Array]:
-    """The ends of all products; zero times an infinite end is zero, as that is never reached."""
+    """The ends of all products; NaN where one may be infinite and the other one zero."""
+    if y.is_exact:
+        one, other = x.low * y.value, x.high * y.value
+        return np.minimum(one, other), np.maximum(one, other)
+    if x.is_exact:
+        return products(y, x)
     a, b, c, d = x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high
-    return np.fmin(np.fmin(a, b), np.fmin(c, d)), np.fmax(np.fmax(a, b), np.fmax(c, d))
+    low = np.minimum(np.minimum(a, b), np.minimum(c, d))
+    high = np.maximum(np.maximum(a, b), np.maximum(c, d))
+    if np.isfinite((high - low).sum()):
+        return low, high
+    nothing = (_is_infinite(x) & _has_zero(y)) | (_has_zero(x) & _is_infinite(y))
+    return np.where(nothing, np.nan, low), np.where(nothing, np.nan, high)
+
+
+def _is_infinite(x: Bounded) -> Array:
+    return ~(np.isfinite(x.low) & np.isfinite(x.high))
+
+
+def _has_zero(x: Bounded) -> Array:
+    return (x.low <= 0) & (x.high >= 0)
 
 
 def negated(condition: Bounded) -> Bounded:
@@ -289,54 +367,106 @@ def _condition(x: Bounded, y: Bounded, compare: Any, holds: Array, fails: Array)
     return Bounded(value, holds, np.logical_not(fails))
 
 
-def _rounded(value: Array, low: Array, high: Array) -> Bounded:
-    """The result of a correctly rounded operation, from the ends of its exact results."""
+def _rounded(
+    value: Array, low: Array, high: Array, form: Form | None = None, times: int = 1
+) -> Bounded:
+    """The result of a correctly rounded operation, from the ends of its exact results.
+
+    ``times`` says how often it may be rounded: in another order, results that are less than half
+    as large are, too, whose steps are not finer beside them.
+    """
     if np.asarray(value).dtype.kind != "f":
         return exact(value) if low is high else Bounded(value, low, high)
-    if low is high and is_float32(value):
+    if low is high and times == 1 and is_float32(value):
         return exact(value)
-    return Bounded(value, *outward(low, high))
+    if times > 1:
+        magnitude = np.maximum(np.abs(low), np.abs(high))
+        error = times * (ULP * magnitude + (magnitude > 0) * SUBNORMAL_STEP)
+        low, high = of_device(low - error, high + error)
+    else:
+        low, high = outward(low, high)
+        if form is None:
+            return Bounded(value, low, high)
+        magnitude = np.maximum(np.abs(low), np.abs(high))
+        error = ULP * magnitude
+    if form is not None:
+        form = form.widened(error + _lost(magnitude))
+    return Bounded(value, low, high, form)
 
 
-def _added(x: Bounded, y: Bounded, low: Array, high: Array) -> Bounded:
-    """A sum, with the error that any order of its terms may have.
-
-    GLSL and HLSL let a compiler reassociate what is not ``precise``, and WGSL does so as well
-    ("Reassociation and Fusion"). Each of n additions rounds a partial sum, which no order makes
-    larger than the sum of all magnitudes (Higham, "Accuracy and Stability", section 4.2).
-    """
+def _added(x: Bounded, y: Bounded) -> Bounded:
+    """A sum, with the error that any order of its terms may have."""
     value = x.value + y.value
-    if x.is_exact and y.is_exact:
-        low = high = value
-    made = _rounded(value, low, high)
+    are_exact = x.is_exact and y.is_exact
+    low, high = (value, value) if are_exact else (x.low + y.low, x.high + y.high)
+    if are_exact and x.kind == "f" and not _is_whole_sum(value, x.value, y.value):
+        low, high = value - _STEP * np.abs(value), value + _STEP * np.abs(value)
+    form = None if x.form is None and y.form is None else x.any_form.plus(y.any_form)
+    made = _rounded(value, low, high, form)
     if made.kind != "f":
         return made
-    before = [lane._sum for lane in (x, y) if lane._sum is not None]
-    sum_ = _Sum(1 + sum(each.additions for each in before), x, y, _in_any_order(x, y, made))
-    if before and not sum_.is_exact:
-        sum_.widened = sum_.additions * HALF_STEP * sum_.magnitude
-        more = sum_.widened - sum([each.widened for each in before])
-        made = Bounded(value, np.minimum(made.low, low - more), np.maximum(made.high, high + more))
+    terms = _term(x), _term(y)
+    before = [term.roundings for term in terms if isinstance(term, Sum)]
+    is_exact = are_exact and made.is_exact and all(map(_is_coarse, (x, y)))
+    # A common factor may be taken out: then the sum of the others is rounded, too.
+    roundings = 2 if (x._of | {x._number}) & (y._of | {y._number}) else 1
+    sum_ = Sum(roundings + sum(before), terms, is_exact)
+    if sum_.roundings > 1 and not is_exact:
+        more = in_any_order(sum_)
+        low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
+        made = Bounded(value, low, high, None if made.form is None else made.form.widened(more))
     made._sum = sum_
     return made
 
 
-def _in_any_order(x: Bounded, y: Bounded, made: Bounded) -> bool:
-    """Whether adding the terms in any order is exact: they are small multiples of a fraction."""
-    if not (x.is_exact and y.is_exact and made.is_exact):
-        return False
-    return all(_is_coarse(lane) for lane in (x, y))
+def _multiplied(x: Bounded, y: Bounded) -> Bounded:
+    """A product, with the error that any order of its factors may have.
+
+    In another order other products round, on either side. Orders with partial products that are
+    no normal numbers, where those of the written order are, are not allowed for.
+    """
+    value = x.value * y.value
+    factors = x._factors + y._factors + 1
+    if x.is_exact and y.is_exact:
+        made = _rounded(value, value, value, times=factors)
+    else:
+        ends = _square(x) if x is y else products(x, y)
+        made = _rounded(value, *ends, _product_form(x, y), times=factors)
+    if made.kind == "f":
+        made._factors = factors
+        made._of = x._of | y._of | {x._number, y._number}
+    return made
+
+
+def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
+    """Whether float64 holds a sum exactly; else a device may round it to either side."""
+    return bool(((value - x == y) & (value - y == x)).all())
+
+
+def _term(lane: Bounded) -> Term:
+    return Single(lane.low, lane.high) if lane._sum is None else lane._sum
+
+
+def _square(x: Bounded) -> tuple[Array, Array]:
+    nearest = np.minimum(np.abs(x.low), np.abs(x.high))
+    near = np.where((x.low <= 0) & (x.high >= 0), 0.0, nearest)
+    return near * near, x.magnitude**2
+
+
+def _product_form(x: Bounded, y: Bounded) -> Form | None:
+    if x.form is None and y.form is None:
+        return None
+    if y.is_exact:
+        assert x.form is not None
+        return x.form.scaled(y.value)
+    if x.is_exact:
+        return _product_form(y, x)
+    form = x.any_form.scaled(y.value).plus(y.any_form.scaled(x.value))
+    return form.widened(x.radius * y.radius)
 
 
 def _is_coarse(lane: Bounded) -> bool:
-    if lane._sum is not None:
-        return lane._sum.is_exact
-    scaled = lane.value * _EXACT_SUM
-    return bool((np.abs(lane.value) < _EXACT_SUM / 64).all() and (np.rint(scaled) == scaled).all())
-
-
-def _terms(lane: Bounded) -> Array:
-    return lane.magnitude if lane._sum is None else lane._sum.magnitude
+    return is_coarse(lane.value) if lane._sum is None else lane._sum.is_exact
 
 
 def _whole(operation: whole.Operation, x: Bounded, other: Any) -> Bounded:

@@ -8,7 +8,8 @@ limit for all operands and results up to the given magnitudes, not only at these
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -27,14 +28,16 @@ _LEAST = 2.0**-149
 _ROUNDED = Error(ulp=1.0)
 
 
+@dataclass(frozen=True)
 class Errors:
     """The largest errors on several platforms, of which the weakest promise counts.
 
     A text for Direct3D that is drawn with Vulkan, for instance, has to allow what either does.
     """
 
-    def __init__(self, platforms: Sequence[Platform]) -> None:
-        self.platforms = tuple(platforms)
+    platforms: tuple[Platform, ...]
+    measured: tuple[tuple[str, Bound], ...] = ()
+    """Builtins of which a driver was found to be more accurate than its platforms promise."""
 
     def __call__(self, name: str, operand: Floats, result: Floats) -> Floats:
         """The largest absolute error of the builtin ``name``, for magnitudes up to these.
@@ -44,15 +47,15 @@ class Errors:
         """
         operand, result = np.asarray(operand, np.float64), np.asarray(result, np.float64)
         with np.errstate(all="ignore"):
-            found = [each.error(name, operand, result) for each in _distinct(name, self.platforms)]
+            found = [each.error(name, operand, result) for each in _distinct(name, self)]
             worst = np.maximum.reduce(np.broadcast_arrays(*found))
         return np.where(np.isnan(worst), np.inf, worst)
 
 
 @cache
-def _distinct(name: str, platforms: tuple[Platform, ...]) -> tuple[_OfPlatform, ...]:
+def _distinct(name: str, errors: Errors) -> tuple[_OfPlatform, ...]:
     """One platform of those that promise the same, also of what the error is inherited from."""
-    each = {_OfPlatform(platform): None for platform in platforms}
+    each = {_OfPlatform(platform, dict(errors.measured)): None for platform in errors.platforms}
     names = (name, *_INHERITED_FROM)
     return tuple({tuple(map(one.bound, names)): one for one in each}.values())
 
@@ -60,16 +63,27 @@ def _distinct(name: str, platforms: tuple[Platform, ...]) -> tuple[_OfPlatform, 
 class _OfPlatform:
     """The errors of a single platform."""
 
-    def __init__(self, platform: Platform) -> None:
+    def __init__(self, platform: Platform, measured: Mapping[str, Bound]) -> None:
         self._platform = platform
+        self._measured = measured
 
     def bound(self, name: str) -> Bound:
         """What holds of a builtin."""
-        return BUILTINS[name].accuracy.on(self._platform).bound
+        return self._measured.get(name) or self._promise(name)
 
     def error(self, name: str, operand: Floats, result: Floats) -> Floats:
         """The largest error for magnitudes up to these."""
-        bound = self.bound(name)
+        if name not in self._measured:
+            return self._by(self._promise(name), name, operand, result)
+        # What is allowed besides what was measured must not be more than what is promised.
+        bounds = self._measured[name], self._promise(name)
+        return np.minimum(*(self._by(bound, name, operand, result) for bound in bounds))
+
+    def _promise(self, name: str) -> Bound:
+        return BUILTINS[name].accuracy.on(self._platform).bound
+
+    def _by(self, bound: Bound, name: str, operand: Floats, result: Floats) -> Floats:
+        """The largest error that a bound allows."""
         if isinstance(bound, Exact):
             return np.zeros_like(result)
         if isinstance(bound, Rounded):

@@ -12,17 +12,18 @@ from typing import Any
 
 import numpy as np
 
+from .affine import Derivative, Form, chosen, curved
 from .bounded import (
     Bounded,
     as_bounded,
-    constant,
+    either,
     exact,
     hull,
     negated,
     products,
     widened,
 )
-from .rounding import Array, outward
+from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
@@ -30,6 +31,7 @@ Errors = Callable[[str, Array, Array], Array]
 of its operand and of its result."""
 
 _TURN = 2.0 * math.pi
+_LN2 = math.log(2.0)
 
 
 class Bounds:
@@ -55,15 +57,9 @@ class Bounds:
         if condition.is_exact:
             if x.is_exact and y.is_exact:
                 return exact(value)
-            low = np.where(condition.value, x.low, y.low)
-            return Bounded(value, low, np.where(condition.value, x.high, y.high))
+            return _chosen(value, condition.value, np.logical_not(condition.value), x, y, x)
         both = hull(x, y)
-        holds, fails = condition.low, np.logical_not(condition.high)
-        return Bounded(
-            value,
-            np.where(holds, x.low, np.where(fails, y.low, both.low)),
-            np.where(holds, x.high, np.where(fails, y.high, both.high)),
-        )
+        return _chosen(value, condition.low, np.logical_not(condition.high), x, y, both)
 
     def logical_and(self, x: Any, y: Any, /) -> Bounded:
         """Whether both conditions hold."""
@@ -79,11 +75,20 @@ class Bounds:
 
     def minimum(self, x: Any, y: Any, /) -> Bounded:
         """The lesser number."""
-        return _of_ends(np.minimum, x, y)
+        return _of_ends(np.minimum, np.less_equal, x, y)
 
     def maximum(self, x: Any, y: Any, /) -> Bounded:
         """The greater number."""
-        return _of_ends(np.maximum, x, y)
+        return _of_ends(np.maximum, np.greater_equal, x, y)
+
+    def mix(self, x: Any, y: Any, a: Any, /) -> Bounded:
+        """A blend, computed as ``x * (1 - a) + y * a`` or as ``x + (y - x) * a``.
+
+        WGSL and Vulkan name the first formula, Direct3D's ``lerp`` the second, and drivers of both
+        use either.
+        """
+        x, y, a = as_bounded(x), as_bounded(y), as_bounded(a)
+        return either(x * (1.0 - a) + y * a, x + (y - x) * a)
 
     # --- conversions ------------------------------------------------------------------------------
 
@@ -152,10 +157,15 @@ class Bounds:
         crosses = (y.low <= 0) & (y.high >= 0)
         with np.errstate(all="ignore"):
             low, high = products(x, Bounded(y.value, 1.0 / y.high, 1.0 / y.low))
+            form = _quotient_form(x, y)
         nothing = (x.low == 0) & (x.high == 0)
         low = np.where(crosses, np.where(nothing, 0.0, -np.inf), low)
         high = np.where(crosses, np.where(nothing, 0.0, np.inf), high)
-        return self._with_error("div", y, Bounded(value, low, high))
+        if not (np.isfinite(low).all() and np.isfinite(high).all()):
+            unknown = np.isnan(x.magnitude) | np.isnan(y.magnitude)
+            unknown |= np.isinf(x.magnitude) & np.isinf(y.magnitude)
+            low, high = np.where(unknown, np.nan, low), np.where(unknown, np.nan, high)
+        return self._with_error("div", y, Bounded(value, low, high, form))
 
     def remainder(self, x: Any, y: Any, /) -> Bounded:
         """The remainder of the quotient rounded down, computed as ``x - y * floor(x / y)``."""
@@ -163,36 +173,37 @@ class Bounds:
         if x.is_exact and y.is_exact and x.kind == "i":
             return exact(np.remainder(x.value, y.value))
         found = x - y * self.floor(self.divide(x, y))
-        return Bounded(np.remainder(x.value, y.value), found.low, found.high)
+        return Bounded(np.remainder(x.value, y.value), found.low, found.high, found.form)
 
     def sqrt(self, x: Any, /) -> Bounded:
         """The square root; its operand is not negative."""
-        root = self._rising("sqrt", np.sqrt, self.maximum(x, 0.0))
-        return Bounded(root.value, np.maximum(root.low, 0.0), root.high)
+        root = self._rising("sqrt", np.sqrt, self.maximum(x, 0.0), lambda at: 0.5 / np.sqrt(at))
+        return _not_negative(root)
 
     def inversesqrt(self, x: Any, /) -> Bounded:
         """The reciprocal of the square root; nothing is known of it at zero."""
         x = as_bounded(x)
-        root = Bounded(1 / np.sqrt(x.value), 1 / np.sqrt(x.high), 1 / np.sqrt(x.low))
+        form = _bent(x, lambda at: -0.5 / (at * np.sqrt(at)))
+        root = Bounded(1 / np.sqrt(x.value), 1 / np.sqrt(x.high), 1 / np.sqrt(x.low), form)
         return self._with_error("inversesqrt", x, root)
 
     def power(self, x: Any, y: Any, /) -> Bounded:
         """``x`` to the power of ``y``, for positive ``x``, computed as ``exp2(y * log2(x))``."""
         x, y = as_bounded(x), as_bounded(y)
         found = self.exp2(y * self.log2(x))
-        return Bounded(np.power(x.value, y.value), found.low, found.high)
+        return Bounded(np.power(x.value, y.value), found.low, found.high, found.form)
 
     def exp(self, x: Any, /) -> Bounded:
-        return _not_negative(self._rising("exp", np.exp, x))
+        return _not_negative(self._rising("exp", np.exp, x, np.exp))
 
     def exp2(self, x: Any, /) -> Bounded:
-        return _not_negative(self._rising("exp2", np.exp2, x))
+        return _not_negative(self._rising("exp2", np.exp2, x, lambda at: _LN2 * np.exp2(at)))
 
     def log(self, x: Any, /) -> Bounded:
-        return self._rising("log", np.log, x)
+        return self._rising("log", np.log, x, np.reciprocal)
 
     def log2(self, x: Any, /) -> Bounded:
-        return self._rising("log2", np.log2, x)
+        return self._rising("log2", np.log2, x, lambda at: 1.0 / (_LN2 * at))
 
     # --- angles -----------------------------------------------------------------------------------
 
@@ -254,10 +265,17 @@ class Bounds:
 
     # --- inside -----------------------------------------------------------------------------------
 
-    def _rising(self, name: str, function: Callable[[Array], Array], lane: Any) -> Bounded:
-        """A function that never falls."""
+    def _rising(
+        self,
+        name: str,
+        function: Callable[[Array], Array],
+        lane: Any,
+        derivative: Derivative | None = None,
+    ) -> Bounded:
+        """A function that never falls; it keeps the form of its operand if it has a derivative."""
         x = as_bounded(lane)
-        found = Bounded(function(x.value), function(x.low), function(x.high))
+        form = None if derivative is None else _bent(x, derivative)
+        found = Bounded(function(x.value), function(x.low), function(x.high), form)
         return self._with_error(name, x, found)
 
     def _wave(
@@ -268,10 +286,40 @@ class Bounds:
         one, other = function(x.low), function(x.high)
         low = np.where(_passes(x, crest + math.pi), -1.0, np.minimum(one, other))
         high = np.where(_passes(x, crest), 1.0, np.maximum(one, other))
-        return self._with_error(name, x, Bounded(function(x.value), low, high))
+        form = None
+        if x.form is not None:
+            slope = -np.sin(x.value - crest)
+            # The second derivative is between -1 and 1.
+            form = x.form.scaled(slope).widened(0.5 * x.radius**2)
+        return self._with_error(name, x, Bounded(function(x.value), low, high, form))
 
     def _with_error(self, name: str, operand: Bounded, result: Bounded) -> Bounded:
-        return widened(result, self._errors(name, operand.magnitude, result.magnitude))
+        # A result just below a power of two has half the step of the power itself.
+        largest = result.magnitude * ROUNDED_UP
+        return widened(result, self._errors(name, operand.magnitude, largest))
+
+
+def _bent(x: Bounded, derivative: Derivative) -> Form | None:
+    """The form of a function with this derivative, which must not turn."""
+    if x.form is None:
+        return None
+    ends = derivative(x.low), derivative(x.high)
+    return curved(x.form, derivative(x.value), ends, x.radius)
+
+
+def _quotient_form(x: Bounded, y: Bounded) -> Form | None:
+    """That of the product with the reciprocal; nothing is left of it where the divisor may be 0."""
+    if x.form is None and y.form is None:
+        return None
+    nearest = np.minimum(np.abs(y.low), np.abs(y.high))
+    inverse = 1.0 / y.value
+    bend = y.radius**2 * np.abs(inverse) * np.abs(inverse) / nearest
+    reciprocal = y.any_form.scaled(-inverse * inverse).widened(bend)
+    spread = np.abs(inverse) * y.radius / nearest
+    form = x.any_form.scaled(inverse).plus(reciprocal.scaled(x.value))
+    form = form.widened(x.radius * spread)
+    crosses = (y.low <= 0) & (y.high >= 0)
+    return form.widened(np.where(crosses, np.inf, 0.0))
 
 
 def _passes(x: Bounded, place: float) -> Array:
@@ -284,7 +332,7 @@ def _rounded(value: Array, low: Array, high: Array) -> Bounded:
 
 
 def _not_negative(x: Bounded) -> Bounded:
-    return Bounded(x.value, np.maximum(x.low, 0.0), x.high)
+    return Bounded(x.value, np.maximum(x.low, 0.0), x.high, x.form)
 
 
 def _of_conditions(function: Callable[[Any, Any], Array], x: Any, y: Any) -> Bounded:
@@ -295,13 +343,34 @@ def _of_conditions(function: Callable[[Any, Any], Array], x: Any, y: Any) -> Bou
     return Bounded(value, function(x.low, y.low), function(x.high, y.high))
 
 
-def _of_ends(function: Callable[[Array, Array], Array], x: Any, y: Any) -> Bounded:
-    """A function that never falls in either operand, and returns one of them."""
+def _of_ends(
+    function: Callable[[Array, Array], Array], wins: Callable[[Array, Array], Array], x: Any, y: Any
+) -> Bounded:
+    """The lesser or the greater number."""
     x, y = as_bounded(x), as_bounded(y)
     value = function(x.value, y.value)
     if x.is_exact and y.is_exact:
         return exact(value)
-    return Bounded(value, function(x.low, y.low), function(x.high, y.high))
+    low, high = function(x.low, y.low), function(x.high, y.high)
+    if x.form is None and y.form is None:
+        return Bounded(value, low, high)
+    first = wins(x.low, y.high) & wins(x.high, y.low)
+    second = wins(y.low, x.high) & wins(y.high, x.low)
+    farther = Bounded(value, low, high).radius
+    form = chosen(first, second, x.any_form, y.any_form, farther)
+    return Bounded(value, low, high, form)
+
+
+def _chosen(
+    value: Array, is_first: Array, is_second: Array, x: Bounded, y: Bounded, both: Bounded
+) -> Bounded:
+    """``x``, ``y``, or any value of ``both`` where it may be either."""
+    low = np.where(is_first, x.low, np.where(is_second, y.low, both.low))
+    high = np.where(is_first, x.high, np.where(is_second, y.high, both.high))
+    if x.form is None and y.form is None:
+        return Bounded(value, low, high)
+    farther = Bounded(value, low, high).radius
+    return Bounded(value, low, high, chosen(is_first, is_second, x.any_form, y.any_form, farther))
 
 
 def _stepped(function: Callable[[Array], Array], lane: Any) -> Bounded:
@@ -315,6 +384,3 @@ def _to_whole(x: Array, otherwise: int) -> Array:
     """The numbers truncated to integers; ``otherwise`` for NaN."""
     number = np.where(np.isnan(x), otherwise, np.clip(x, float(LEAST), float(LARGEST)))
     return number.astype(np.int64)[()]
-
-
-__all__ = ["Bounds", "Errors", "constant"]

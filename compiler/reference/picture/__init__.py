@@ -4,7 +4,8 @@
 imports it.
 """
 
+from . import formats
 from .drawing import draw
 from .scene import Expected, Geometry, RasterRules, Texels, instanced
 
-__all__ = ["Expected", "Geometry", "RasterRules", "Texels", "draw", "instanced"]
+__all__ = ["Expected", "Geometry", "RasterRules", "Texels", "draw", "formats", "instanced"]

@@ -7,11 +7,15 @@ Transformations" and "Cube Map Edge Handling". Direct3D, OpenGL and WebGPU have 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from ....stdlib.builtins.facts import SMALLEST_NORMAL
+from ..bounds import Bounded, exact
+from .choices import ALL, Part, lane_at
+from .intervals import difference, increasing, largest, product, quotient, widened
 from .scene import Bools, Floats, Ints
 
 _ACROSS = np.array([[0, 0, -1], [0, 0, 1], [1, 0, 0], [1, 0, 0], [1, 0, 0], [-1, 0, 0]])
@@ -21,49 +25,86 @@ _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0,
 
 _AXES = [(np.abs(axes).argmax(axis=1), axes.sum(axis=1)) for axes in (_ACROSS, _DOWN, _OUT)]
 """The same directions as numbers of lanes, with signs."""
+_FACES = [(int(axis), int(sign)) for axis, sign in zip(*_AXES[2], strict=True)]
+"""For each face, the lane that is the largest there, and its sign."""
+
+_ASSUMED = 2.0**-18
+"""How far a device may be off when it compares a direction's lanes and divides by the largest one,
+relative to that one. No API promises anything; measured."""
 
 
 @dataclass(frozen=True, slots=True)
 class Met:
-    """The places at which directions meet the cube."""
+    """The places at which directions meet the cube; arrays are (pixels,)."""
 
     face: Ints
-    across: Floats
-    down: Floats
+    across: Bounded
+    down: Bounded
     """Within the face, from 0 to 1."""
-    out: Floats
+    out: Bounded
     """The lane of the direction with the largest magnitude, without its sign."""
 
-    def change(self, lanes: Sequence[Floats]) -> list[Floats]:
+    def change(self, lanes: Sequence[Bounded]) -> list[Bounded]:
         """The rate of change of both coordinates, from that of the direction."""
-        along = _turned(self.face, lanes)
-        places = 2 * self.across - 1, 2 * self.down - 1
-        return [
-            0.5 * (step - place * along[2]) / self.out
-            for step, place in zip(along[:2], places, strict=True)
+        *along, outwards = _turned_lanes(self.face, lanes)
+        centred = (increasing(lambda x: 2 * x - 1, lane) for lane in (self.across, self.down))
+        changes = [
+            quotient(difference(step, product(place, outwards)), self.out)
+            for step, place in zip(along, centred, strict=True)
         ]
+        return [increasing(lambda x: 0.5 * x, change) for change in changes]
 
 
-def met(direction: Sequence[Floats]) -> Met:
-    """Where directions (three lanes) meet the cube; on an edge, z is preferred to y, and y to x.
+def met(direction: Sequence[Bounded], exactly: bool = False) -> Iterator[tuple[Part, Met]]:
+    """The faces that directions (three lanes, (pixels,)) meet, and which of the pixels may do so.
 
-    A direction of length zero meets the centre of a face.
+    The first one is the face of the exact direction, for all pixels. On an edge, z is preferred to
+    y, and y to x; a direction of length zero meets the centre of a face. ``exactly`` says that the
+    device does not round.
     """
+    face = face_of([lane.value for lane in direction])
+    out = largest([abs(lane) for lane in direction])
+    off = 0.0 if exactly else _ASSUMED
+    yield ALL, _met(face, direction, out, off)
+    if exactly and all(lane.is_exact for lane in direction):
+        return
+    for number, (axis, sign) in enumerate(_FACES):
+        lane = direction[axis]
+        farthest = lane.high if sign > 0 else -lane.low
+        possible = (farthest > 0) & (farthest * (1 + off) >= out.low) & (face != number)
+        pixels = np.flatnonzero(possible)
+        if len(pixels):
+            chosen = [lane_at(pixels, each) for each in direction]
+            yield pixels, _met(np.full(len(pixels), number), chosen, lane_at(pixels, out), off)
+
+
+def face_of(direction: Sequence[Floats]) -> Ints:
+    """The face that directions meet."""
     x, y, z = direction
     ax, ay, az = abs(x), abs(y), abs(z)
-    face = np.where(
+    return np.where(
         (az >= ax) & (az >= ay), np.where(z < 0, 5, 4),
         np.where(ay >= ax, np.where(y < 0, 3, 2), np.where(x < 0, 1, 0)),
     )  # fmt: skip
-    across, down, out = _turned(face, direction)
-    out = np.maximum(out, np.finfo(np.float64).tiny)
-    return Met(face, (across / out + 1) / 2, (down / out + 1) / 2, out)
 
 
-def between_faces(direction: Sequence[Floats], off: float) -> Bools:
-    """Whether a direction's largest lane is larger than another by less than ``off``."""
-    _, second, largest = np.sort(np.abs(np.stack(np.broadcast_arrays(*direction))), axis=0)
-    return np.asarray(largest - second <= off * largest)
+def _met(face: Ints, direction: Sequence[Bounded], out: Bounded, off: float) -> Met:
+    """Where directions meet these faces.
+
+    Only where the face's own lane is the largest, a device chooses the face. So that lane is not
+    smaller than ``out``, and the places are within the face. A direction that may be zero may meet
+    it anywhere.
+    """
+    out = increasing(lambda lane: np.maximum(lane, SMALLEST_NORMAL), out)
+
+    def place(lane: Bounded) -> Bounded:
+        share = increasing(lambda x: np.clip((x + 1) / 2, 0.0, 1.0), quotient(lane, out))
+        if not off:
+            return share
+        return increasing(lambda x: np.clip(x, 0.0, 1.0), widened(share, off))
+
+    across, down, _ = _turned_lanes(face, direction)
+    return Met(face, place(across), place(down), out)
 
 
 def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[Ints], Ints]:
@@ -79,11 +120,13 @@ def across_edges(place: Sequence[Ints], face: Ints, size: Ints) -> tuple[list[In
     sizes, faces = size[over], face[over]
     across, down = ((2 * i[over] + 1 - sizes) / sizes for i in (column, row))
     weights = (across[..., None] * _ACROSS[faces], down[..., None] * _DOWN[faces], _OUT[faces])
-    new = met(np.moveaxis(sum(weights[1:], weights[0]), -1, 0))
+    direction = np.moveaxis(sum(weights[1:], weights[0]), -1, 0)
+    new = face_of(list(direction))
+    *along, out = _turned(new, list(direction))
     column, row, face = column.copy(), row.copy(), face.copy()
-    column[over] = np.floor(new.across * sizes)
-    row[over] = np.floor(new.down * sizes)
-    face[over] = new.face
+    for found, lane in zip((column, row), along, strict=True):
+        found[over] = np.floor((lane / out + 1) / 2 * sizes)
+    face[over] = new
     return [column, row], face
 
 
@@ -97,3 +140,17 @@ def _turned(face: Ints, lanes: Sequence[Floats]) -> tuple[Floats, Floats, Floats
     """The lanes of a direction in a face's own axes: to its right, downwards, and out of it."""
     across, down, out = (np.choose(lane[face], lanes) * sign[face] for lane, sign in _AXES)
     return across, down, out
+
+
+def _turned_lanes(face: Ints, lanes: Sequence[Bounded]) -> list[Bounded]:
+    """The same for lanes with bounds."""
+    turned = _turned(face, [lane.value for lane in lanes])
+    if all(lane.is_exact for lane in lanes):
+        return [exact(value) for value in turned]
+    lows, highs = (
+        _turned(face, ends) for ends in zip(*((x.low, x.high) for x in lanes), strict=True)
+    )
+    return [
+        Bounded(value, np.minimum(low, high), np.maximum(low, high))
+        for value, low, high in zip(turned, lows, highs, strict=True)
+    ]

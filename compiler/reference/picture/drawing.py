@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from ...ir.shader import Shader
 from ...ir.stages import DISCARD
 from ...ir.types import width
+from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .coverage import Fragments, fragments_of
 from .faces import Faces, assemble
@@ -17,8 +19,8 @@ from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
 
-_LANES = 1 << 14
-"""How many pixels are shaded at once: few enough for their values to stay in the CPU's cache."""
+_LANES = 1 << 13
+"""How many pixels are shaded at once, so that a large picture needs no more memory than others."""
 
 
 def draw(
@@ -28,9 +30,13 @@ def draw(
     geometry: Geometry,
     rules: RasterRules,
     clear: Sequence[Sequence[float]],
+    errors: Errors | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Expected:
-    """The picture that every implementation must draw, up to rounding.
+    """The picture that every implementation must draw, with the bounds of a device's rounding.
+
+    ``errors`` are those that a platform allows its functions; without them, only the values are
+    computed, as with numbers that are not rounded at all.
 
     ``values`` are by parameter name, in the evaluator's form: a tuple of lanes, of a matrix's
     columns, of an array's elements, or of a struct's members. ``clear`` has four lanes for each
@@ -41,7 +47,7 @@ def draw(
     belong to.
     """
     with np.errstate(all="ignore"):
-        return _Drawing(shader, values, textures, geometry, rules, clear).drawn(progress)
+        return _Drawing(shader, values, textures, geometry, rules, clear, errors).drawn(progress)
 
 
 class _Drawing:
@@ -55,17 +61,20 @@ class _Drawing:
         geometry: Geometry,
         rules: RasterRules,
         clear: Sequence[Sequence[float]],
+        errors: Errors | None,
     ) -> None:
         self._rules = rules
-        self._stages = StageEvaluator(shader, values, textures, rules)
+        self._stages = StageEvaluator(shader, values, textures, rules, errors)
         self._vertices: Vertices = self._stages.vertices(geometry)
-        self._faces: Faces = assemble(self._vertices.positions, geometry.triangles, rules)
+        self._faces: Faces = assemble(
+            self._vertices.positions, geometry.triangles, rules, self._vertices.off
+        )
         written = [(r.state, r.value.type) for r in shader.results if r.state is not None]
         self._lanes = [width(type_) for _, type_ in written]
         blends = [target.blend != "none" for target, _ in written]
         self._opaque = not shader.results_of(DISCARD) and not any(blends)
         pixels = rules.width * rules.height
-        self._canvas = Canvas(pixels, len(self._stages.ways), clear, written)
+        self._canvas = Canvas(pixels, clear, written, rounds=self._stages.has_bounds)
 
     def drawn(self, progress: Callable[[float], None] | None) -> Expected:
         canvas = self._canvas
@@ -82,35 +91,41 @@ class _Drawing:
     def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:
         """The fragments' colours, computed for a limited number of quads at a time."""
         quads, lane = quads_of(fragments, self._rules.width, self._stages.side)
-        ways, count = len(self._stages.ways), len(lane)
-        colours = [np.empty((ways, count, 4)) for _ in self._lanes]
+        count = len(lane)
+        colours = [np.empty((3, count, 4)) for _ in self._lanes]
         shades = Shades(colours, np.empty(count, dtype=np.bool_), np.empty(count, dtype=np.bool_))
         order = np.argsort(lane, kind="stable")
-        step = max(_LANES // quads.side**2 // ways, 1)
+        step = max(_LANES // quads.side**2, 1)
         for begin in range(0, len(quads), step):
             limits = np.array([begin, begin + step]) * quads.side**2
             first, last = np.searchsorted(lane, limits, sorter=order)
-            members = order[first:last]
-            self._shade(quads.part(begin, begin + step), lane[members] - limits[0], members, shades)
+            members, part = order[first:last], quads.part(begin, begin + step)
+            self._shade(part, lane[members] - limits[0], members, shades)
             if progress is not None:
                 progress(last / count)
         return shades
 
     def _shade(self, quads: Quads, lane: Ints, members: Ints, into: Shades) -> None:
         """Shade quads, and store some of their lanes as these members of all fragments."""
-        place = Barycentric(self._faces, quads)
+        place = Barycentric(self._faces, quads, self._rules)
         shaded = self._stages.fragments(place, self._faces.front[quads.face], self._vertices)
         shape = (len(quads), quads.side, quads.side)
-        unsure = self._vertices.undecided[self._faces.corners[quads.face]]
-        corners = (unsure.any(axis=1) | self._faces.loose[quads.face]).reshape(-1, 1, 1)
-        into.undecided[members] = (shaded.undecided | corners).ravel()[lane]
-        discarded = np.asarray(shaded.discarded)
-        discarded = discarded[0] if discarded.ndim > len(shape) else discarded
-        into.discarded[members] = np.broadcast_to(discarded, shape).ravel()[lane]
+
+        def chosen(array: Any) -> Any:
+            return np.broadcast_to(array, shape).ravel()[lane]
+
+        discarded = as_bounded(shaded.discarded)
+        corners = self._vertices.undecided[self._faces.corners[quads.face]].any(axis=1)
+        unsure = corners.reshape(-1, 1, 1) | shaded.undecided
+        # A fragment that is certainly discarded has no colour that could be undecided.
+        doubtful = discarded.low != discarded.high
+        into.undecided[members] = chosen(np.where(discarded.low, False, unsure) | doubtful)
+        into.discarded[members] = chosen(discarded.value)
         for colours, lanes in zip(into.colours, shaded.targets, strict=True):
             for i, values in enumerate(with_missing(lanes, len(lanes))):
-                whole = np.broadcast_to(values, (len(colours), *shape))
-                colours[:, members, i] = whole.reshape(len(colours), -1)[:, lane]
+                bounded = as_bounded(values)
+                ends = (bounded.value, bounded.low, bounded.high)
+                colours[:, members, i] = np.stack([chosen(end) for end in ends])
 
     def _expected(self) -> Expected:
         canvas, shape = self._canvas, (self._rules.height, self._rules.width)
@@ -123,16 +138,16 @@ class _Drawing:
 
         return Expected(
             targets=tuple(picture(target[0]) for target in canvas.targets),
-            covered=mask(canvas.covered),
+            covered=mask(canvas.layers > 0),
             undecided=mask(canvas.undecided | canvas.shaky),
-            radius=tuple(picture(self._radius(target)) for target in canvas.targets),
+            low=tuple(picture(_known(target[1], -np.inf)) for target in canvas.targets),
+            high=tuple(picture(_known(target[2], np.inf)) for target in canvas.targets),
+            layers=canvas.layers.reshape(shape),
             broken=frozenset(self._stages.broken),
         )
 
-    def _radius(self, target: Floats) -> Floats:
-        """By how much a device's choices may change each lane: the sum of the changes of each
-        choice."""
-        kinds = self._stages.ways.kind
-        distance = np.abs(target - target[0])
-        parts = [distance[kinds == kind].max(axis=0) for kind in np.unique(kinds)]
-        return np.asarray(sum(parts))
+
+def _known(ends: Floats, otherwise: float) -> Floats:
+    """The ends of intervals, or infinity where nothing is known."""
+    known: Floats = np.where(np.isnan(ends), otherwise, ends)
+    return known

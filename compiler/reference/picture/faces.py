@@ -34,8 +34,11 @@ class Faces:
     """(faces,): twice the signed area, positive if the corners are clockwise on the screen."""
     unsure: Floats
     """(faces, 3): by how many pixels rounding to float32 may move a corner."""
-    loose: Bools
-    """(faces,): whether rounding may move the positions between which values are interpolated."""
+    moved: Floats
+    """(faces,): by how many pixels the corners may be elsewhere between which a device
+    interpolates."""
+    extent: Floats
+    """(faces,): the largest coordinate of a place in the picture, or of a corner, in pixels."""
     plane_x: Floats
     plane_y: Floats
     """(faces, 3): the positions between which values are interpolated."""
@@ -54,8 +57,13 @@ class Faces:
         return Faces(*(getattr(self, name)[kept] for name in self.__slots__))
 
 
-def assemble(positions: Floats, triangles: Ints, rules: RasterRules) -> Faces:
-    """The faces of triangles whose vertices have these clip positions, (vertices, 4)."""
+def assemble(
+    positions: Floats, triangles: Ints, rules: RasterRules, off: Floats | None = None
+) -> Faces:
+    """The faces of triangles whose vertices have these clip positions, (vertices, 4).
+
+    ``off`` says by how much a device's positions may differ.
+    """
     clipped = clip(positions[triangles], sides=rules.clips_sides)
     corners = triangles[clipped.triangle]
     places = clipped.weights @ positions[corners]
@@ -67,8 +75,15 @@ def assemble(positions: Floats, triangles: Ints, rules: RasterRules) -> Faces:
         planes = _on_snapped(positions[corners], clipped.weights, rules)
     # Snapping may reverse a sliver; then only the snapped positions are consistent.
     turned = (_twice_area(*planes) * area <= 0)[:, None]
-    whole = _window(positions[corners], rules)
-    loose = (_unsure(*whole, rules) > rules.edge_slack) & rules.interpolates_snapped
+    moved = _moved(
+        places,
+        np.zeros_like(places) if off is None else np.abs(clipped.weights) @ off[corners],
+        rules,
+    )
+    unsure = _unsure(across, down, moved[:, None], rules)
+    if rules.interpolates_snapped:
+        whole = _window(positions[corners], rules)
+        moved = moved + _unsure(*whole, moved[:, None], rules).max(axis=1)
     faces = Faces(
         corners=corners,
         weights=clipped.weights,
@@ -76,8 +91,9 @@ def assemble(positions: Floats, triangles: Ints, rules: RasterRules) -> Faces:
         x=snapped_x,
         y=snapped_y,
         area=area,
-        unsure=_unsure(across, down, rules),
-        loose=np.asarray(loose.any(axis=1)),
+        unsure=unsure,
+        moved=moved,
+        extent=_extent(planes, rules),
         plane_x=np.where(turned, snapped_x, planes[0]),
         plane_y=np.where(turned, snapped_y, planes[1]),
         z=places[..., 2] / places[..., 3],
@@ -124,21 +140,38 @@ def _snapped(places: Floats, rules: RasterRules) -> Floats:
     return np.ldexp(np.rint(np.ldexp(places, rules.subpixel_bits)), -rules.subpixel_bits)
 
 
-def _reach(rules: RasterRules) -> float:
-    """How far a vertex moves, in pixels, if it is snapped to its other neighbours in x and in y."""
-    if rules.subpixel_bits is None:
-        return _FLOAT32_STEPS * max(rules.width, rules.height)
-    return float(np.ldexp(np.sqrt(2.0), -rules.subpixel_bits))
+def _moved(places: Floats, off: Floats, rules: RasterRules) -> Floats:
+    """By how many pixels the corners (faces, 3, 4) of faces may be elsewhere, (faces,).
+
+    The viewport's transform and the planes through the corners are computed with float32, in
+    numbers as large as the picture.
+    """
+    w = np.abs(places[..., 3])
+    least = np.maximum(w - off[..., 3], 0.0)
+    pixels = [
+        (off[..., axis] + np.abs(places[..., axis]) / w * off[..., 3]) / least * size / 2
+        for axis, size in enumerate((rules.width, rules.height))
+    ]
+    largest = np.nan_to_num(np.maximum(*pixels).max(axis=1), nan=np.inf, posinf=np.inf)
+    moved: Floats = largest + _FLOAT32_STEPS * max(rules.width, rules.height)
+    return moved
 
 
-def _unsure(x: Floats, y: Floats, rules: RasterRules) -> Floats:
-    """By how many pixels a vertex at (x, y) may be elsewhere on a device."""
-    reach = _reach(rules)
+def _extent(planes: tuple[Floats, Floats], rules: RasterRules) -> Floats:
+    """The largest coordinate with which the plane through a face's corners is computed."""
+    corners = np.abs(np.stack(planes)).max(axis=(0, 2))
+    extent: Floats = np.maximum(corners, max(rules.width, rules.height))
+    return extent
+
+
+def _unsure(x: Floats, y: Floats, moved: Floats, rules: RasterRules) -> Floats:
+    """By how many pixels a vertex at (x, y) may be elsewhere on a device after snapping."""
     if rules.subpixel_bits is None:
-        return np.full_like(x, reach)
-    margin = _FLOAT32_STEPS * max(rules.width, rules.height) * 2.0**rules.subpixel_bits
+        return np.broadcast_to(moved, x.shape)
+    margin = moved * 2.0**rules.subpixel_bits
     ambiguous = np.zeros(x.shape, dtype=np.bool_)
     for places in (x, y):
         units = np.ldexp(places, rules.subpixel_bits)
         ambiguous |= np.abs(units - np.floor(units) - 0.5) < margin
-    return np.where(ambiguous, reach, rules.edge_slack)
+    elsewhere = np.sqrt(2.0) * (2.0**-rules.subpixel_bits + moved)
+    return np.where(ambiguous, elsewhere, rules.edge_slack)

@@ -1,103 +1,152 @@
 """Computes the level of detail of a texture read, for the sampler.
 
-Source: Vulkan, "Scale Factor Operation, Level-of-Detail Operation".
+Source: Vulkan, "Scale Factor Operation, Level-of-Detail Operation". A device may take differences
+between either two rows and columns of a quad, may take for the length of a step anything from its
+largest lane to the sum of all lanes, and rounds the level to a number of binary places.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from .cube import met
-from .scene import Floats, Ints
+from ..bounds import Bounded, between, exact
+from .choices import Part, lane_at
+from .intervals import difference, increasing, largest, quotient, widened
+from .scene import Floats, Ints, RasterRules
 from .texels import Image
-from .variants import Variants
 
 _TINY = 2.0**-60
 """The least change from pixel to pixel: smaller ones do not change the level."""
+_ROUNDING = 2.0**-23
+"""The error of a difference, relative to the larger operand: each is multiplied by the texture's
+size, and may be rounded to float32."""
 
 
-def given(image: Image, level: Floats, ways: Variants) -> Floats:
-    """The level that a program names, (variants, quads, side, side)."""
-    return _limited(image, np.broadcast_arrays(level, np.zeros((1, 1, 1, 1)))[0], ways)
+@dataclass(frozen=True, slots=True)
+class Steps:
+    """By how much a coordinate changes from one pixel to the next."""
+
+    across: Sequence[Bounded]
+    down: Sequence[Bounded]
+
+    def at(self, part: Part) -> Steps:
+        """Those of some pixels."""
+        return self.mapped(lambda lane: lane_at(part, lane))
+
+    def mapped(self, change: Callable[[Bounded], Bounded]) -> Steps:
+        """The steps with each lane changed."""
+        return Steps([change(lane) for lane in self.across], [change(lane) for lane in self.down])
 
 
-def implicit(image: Image, coordinate: Sequence[Floats], ways: Variants) -> Floats:
-    """The level for coordinates in quads of 2 × 2 pixels, (variants, quads, 2, 2) or (…, 1, 1)."""
-    if coordinate[0].shape[-1] == 1 or has_one(image):
-        return np.zeros((len(ways), 1, 1, 1))
-    if image.type.dimension != "cube" or image.rules.projects_cubes:
-        return by_changes(image, coordinate, *_differences(coordinate, ways), ways)
-    largest = _at_least_tiny(np.abs(np.stack(coordinate)).max(axis=0))
-    surface = [lane / largest / 2 for lane in coordinate]
-    return _on_surface(image, *_differences(surface, ways), ways)
+def named(image: Image, level: Bounded) -> Bounded:
+    """The level that a program names, rounded to one of the neighbouring levels that there are."""
+    bits = image.rules.mip_bits
+    if bits is None:
+        return _limited(image, level)
+    low, high = np.ldexp(level.low, bits), np.ldexp(level.high, bits)
+    low, high = np.ldexp(np.floor(low), -bits), np.ldexp(np.ceil(high), -bits)
+    return _limited(image, Bounded(level.value, low, high))
 
 
-def by_changes(
-    image: Image,
-    coordinate: Sequence[Floats],
-    across: Sequence[Floats],
-    down: Sequence[Floats],
-    ways: Variants,
-) -> Floats:
-    """The level if the coordinate changes by this much to the right and downwards."""
-    if has_one(image):
-        return np.zeros((len(ways), 1, 1, 1))
-    if image.type.dimension != "cube":
-        return _level(image, across, down, ways)
-    where = met(coordinate)
-    if image.rules.projects_cubes:
-        return _level(image, where.change(across), where.change(down), ways)
-    row = slice(-1, None) if image.rules.bottom_up else slice(1)
-    out = where.out[..., row, :1]
-    right, below = ([lane / out / 2 for lane in lanes] for lanes in (across, down))
-    return _on_surface(image, right, below, ways)
+def differences(coordinate: Sequence[Bounded], image: Image) -> Steps:
+    """The steps between the pixels of quads, (quads, 1, 1); the exact ones are at the first pixel.
+
+    Without quads (…, 2, 2) nothing changes.
+    """
+    across, down = ([_difference(lane, axis, image) for lane in coordinate] for axis in (-1, -2))
+    return Steps(across, down)
 
 
-def _differences(coordinate: Sequence[Floats], ways: Variants) -> tuple[list[Floats], list[Floats]]:
-    """Differences between columns and between rows of quads; each variant chooses which ones."""
-    across = [_chosen(t[..., :, 1] - t[..., :, 0], ways.row) for t in coordinate]
-    down = [_chosen(t[..., 1, :] - t[..., 0, :], ways.column) for t in coordinate]
-    return across, down
+def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
+    """The difference between the two columns (axis -1) or rows (axis -2) of a quad."""
+    if lane.ndim != 3 or lane.shape[axis] != 2:
+        return exact(np.float64(0))
+    first, second = (lane.take([i], axis) for i in (0, 1))
+    step = difference(second, first)
+    if not image.is_exact:
+        step = widened(step, _ROUNDING * np.maximum(first.magnitude, second.magnitude))
+    row = first_row(image.rules)
+    first_step = step.mapped(lambda array: array[..., row, :1])
+    if image.has_known_steps:
+        return first_step
+    low, high = step.low.min(axis=(-2, -1)), step.high.max(axis=(-2, -1))
+    return Bounded(first_step.value, low[..., None, None], high[..., None, None])
 
 
-def _level(
-    image: Image, across: Sequence[Floats], down: Sequence[Floats], ways: Variants
-) -> Floats:
-    """The level if the coordinate changes by this much, in units of the texture or face."""
-    sizes = image.sizes(np.zeros((), dtype=np.int64))
-    right, below = (
-        _length([size * lane for size, lane in zip(sizes, lanes, strict=True)], ways.order)
-        for lanes in (across, down)
-    )
-    footprint = np.maximum(right, below)
+def of_steps(image: Image, steps: Steps) -> Bounded:
+    """The level for these steps, in units of the texture or face."""
+    sizes = image.first_sizes
+    footprint = largest([_length(lanes, sizes, image) for lanes in (steps.across, steps.down)])
     power = image.rules.level_power
-    exact = np.log2(_at_least_tiny(footprint))
-    level = exact if power is None else _rough_logarithm(footprint, power)
-    return _limited(image, level, ways)
+    level = increasing(lambda x: _logarithm(x, power), footprint)
+    return _rounded(image, level)
 
 
-def _on_surface(
-    image: Image, across: Sequence[Floats], down: Sequence[Floats], ways: Variants
-) -> Floats:
+def on_surface(image: Image, steps: Steps) -> Bounded:
     """The level if a point on a cube's surface moves by this much, along three axes.
 
     Vulkan does not define this. SwiftShader adds the two axes with the largest changes, takes the
     logarithm from the bits of the square, and scales the gradients of a quad like those of its
     first pixel.
     """
-    size = image.sizes(np.zeros((), dtype=np.int64))[0]
-    changes = (np.abs(np.stack(np.broadcast_arrays(*lanes))) for lanes in (across, down))
-    right, below = (size * (lanes.sum(axis=0) - lanes.min(axis=0)) for lanes in changes)
-    return _limited(image, _rough_logarithm(np.maximum(right, below), 2), ways)
+    size = image.first_sizes[0]
+
+    def length(*lanes: Floats) -> Floats:
+        changes = np.stack(np.broadcast_arrays(*lanes))
+        total: Floats = size * (changes.sum(axis=0) - changes.min(axis=0))
+        return total
+
+    footprint = largest([
+        increasing(length, *map(abs, lanes)) for lanes in (steps.across, steps.down)
+    ])  # fmt: skip
+    return _rounded(image, increasing(lambda x: _logarithm(x, 2), footprint))
 
 
-def _rough_logarithm(footprint: Floats, power: int) -> Floats:
-    """The logarithm from a power's bits, which is too small by up to 0.086 divided by that power.
+def on_cube(direction: Sequence[Bounded]) -> list[Bounded]:
+    """The point on the surface of a cube of size 1 that a direction meets."""
+    out = increasing(lambda x: 2 * _at_least_tiny(x), largest([abs(lane) for lane in direction]))
+    return [quotient(lane, out) for lane in direction]
 
-    A float's exponent is the integer part of its logarithm, and its mantissa is roughly the rest.
+
+def first_row(rules: RasterRules) -> slice:
+    """The row of a quad whose first pixel a device knows as the quad's first."""
+    return slice(-1, None) if rules.bottom_up else slice(1)
+
+
+def scaled(direction: Sequence[Bounded], steps: Steps, rules: RasterRules) -> Steps:
+    """The steps of a direction, as a quad's first pixel scales them onto a cube's surface."""
+    out = increasing(lambda x: 2 * _at_least_tiny(x), largest([abs(lane) for lane in direction]))
+    if out.ndim == 3:
+        row = first_row(rules)
+        out = out.mapped(lambda array: array[..., row, :1])
+    return steps.mapped(lambda lane: quotient(lane, out))
+
+
+def _length(lanes: Sequence[Bounded], sizes: Sequence[Ints], image: Image) -> Bounded:
+    """The length of a step in texels."""
+    texels = [
+        increasing(lambda x, size=size: x * size, abs(lane))
+        for lane, size in zip(lanes, sizes, strict=True)
+    ]
+    euclidean = increasing(lambda *x: np.sqrt(sum(size * size for size in x)), *texels)
+    if image.has_known_steps:
+        return euclidean
+    low = np.max(np.broadcast_arrays(*(lane.low for lane in texels)), axis=0)
+    return between(euclidean.value, low, sum(lane.high for lane in texels))
+
+
+def _logarithm(footprint: Floats, power: int | None) -> Floats:
+    """The logarithm, or with a power the one from this power's bits.
+
+    That is too small by up to 0.086 divided by the power: a float's exponent is the integer part of
+    its logarithm, and its mantissa is roughly the rest.
     """
+    if power is None:
+        exact_one: Floats = np.log2(_at_least_tiny(footprint))
+        return exact_one
     mantissa, exponent = np.frexp(_at_least_tiny(footprint) ** power)
     rough: Floats = (exponent + 2 * mantissa - 2) / power
     return rough
@@ -108,32 +157,11 @@ def _at_least_tiny(number: Floats) -> Floats:
     return np.maximum(number, _TINY)
 
 
-def has_one(image: Image) -> bool:
-    """Whether all reads use the same level."""
-    return image.state["mip"] == "none" or image.levels == 1
+def _rounded(image: Image, level: Bounded) -> Bounded:
+    """A level that a device computes with so many binary places."""
+    bits = image.rules.mip_bits
+    return _limited(image, level if bits is None else widened(level, 2.0**-bits))
 
 
-def _limited(image: Image, level: Floats, ways: Variants) -> Floats:
-    if has_one(image):
-        return np.zeros((len(ways), 1, 1, 1))
-    return np.clip(level + ways.level[:, None, None, None], 0, image.levels - 1)
-
-
-def _chosen(differences: Floats, which: Ints) -> Floats:
-    """Each variant's choice (variants, quads, 1, 1) between two differences (…, quads, 2)."""
-    shape = (len(which), *differences.shape[-2:])
-    chosen: Floats = np.broadcast_to(differences, shape)[
-        np.arange(len(which)), :, np.maximum(which, 0)
-    ]
-    return chosen[..., None, None]
-
-
-def _length(lanes: Sequence[Floats], order: Floats) -> Floats:
-    """The norm of lanes (variants, quads, …), with each variant's order."""
-    sizes = np.abs(np.stack(np.broadcast_arrays(*lanes)))
-    order = order[:, None, None, None]
-    euclidean = np.sqrt((sizes * sizes).sum(axis=0))
-    length: Floats = np.where(
-        order == 2, euclidean, np.where(order == 1, sizes.sum(axis=0), sizes.max(axis=0))
-    )
-    return length
+def _limited(image: Image, level: Bounded) -> Bounded:
+    return increasing(lambda x: np.clip(x, 0, image.levels - 1), level)

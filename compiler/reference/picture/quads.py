@@ -6,14 +6,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from ..namespace import Lane, Lanes
+from ..bounds import Bounded
+from ..namespace import Lanes
 from .coverage import Fragments
 from .faces import Faces
-from .scene import Floats, Ints
-from .variants import Variants
+from .scene import Floats, Ints, RasterRules
+
+_FLUSHED = 2.0**-120
+"""The error of a mean where a device may take small numbers of the computation for zero."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,70 +54,152 @@ def quads_of(fragments: Fragments, width: int, side: int) -> tuple[Quads, Ints]:
 class Barycentric:
     """The positions of quads' lanes in their faces; arrays are (quads, side, side)."""
 
-    def __init__(self, faces: Faces, quads: Quads) -> None:
+    def __init__(self, faces: Faces, quads: Quads, rules: RasterRules) -> None:
         self._faces = faces
         self._face = quads.face
+        self._nudge = _error(rules.varying_bits)
+        self._flushed = 0.0 if rules.varying_bits is None else _FLUSHED
         steps = np.arange(quads.side) + 0.5
         self.x = (quads.x[:, None] + steps)[:, None, :]
         self.y = (quads.y[:, None] + steps)[:, :, None]
+        self._extent = faces.extent[quads.face][:, None, None]
         self._linear = _linear(faces, quads.face, self.x, self.y)
-        self.depth = np.clip(self._mixed(faces.z[quads.face].T, self._linear), 0.0, 1.0)
-        self.per_w = self._mixed(faces.per_w[quads.face].T, self._linear)
+        self._steps = self._steps_of_weights()
+        depth = self._clamped(self._mixed(faces.z[quads.face].T, self._linear))
+        self._moved = faces.moved[quads.face][:, None, None]
+        off = self._off_plane(faces.z[quads.face], rules)
+        self.depth = Bounded(depth, self._clamped(depth - off), self._clamped(depth + off))
         near = faces.per_w[quads.face][:, :, None, None]
+        per_w = self._mixed(faces.per_w[quads.face].T, self._linear)
+        off = self._off_plane(faces.per_w[quads.face], rules)
+        self.per_w = Bounded(per_w, per_w - off, per_w + off)
+        self._far = self._nudge * self._largest(faces.per_w[quads.face]) / np.abs(per_w)
+        """The error of the divisor, relative to itself."""
         self._perspective = tuple(
-            share * near[:, i + 1] / self.per_w for i, share in enumerate(self._linear)
+            share * near[:, i + 1] / per_w for i, share in enumerate(self._linear)
         )
+        self._slopes = self._slopes_of(near, per_w)
+        """By how much these two weights change if the triangle is a pixel elsewhere."""
         self._whole = bool(faces.whole[quads.face].all())
         self._weights = faces.weights[quads.face]
 
-    def perspective(self, values: Lanes, off: Lanes | None, ways: Variants, number: int) -> Lanes:
+    def perspective(self, values: Lanes) -> Lanes:
         """Interpolate values at the vertices (lanes; arrays or single numbers) with perspective.
 
-        The result has a leading axis of variants if these change interpolated values, or, by
-        ``off``, the vertices' values. ``number`` may be any number that is different for each
-        crossing.
+        Lanes of arrays become ``Bounded``, whether those at the vertices are or not.
         """
-        return tuple(
-            self._crossed(lane, off[i] if off else 0.0, ways, number + i) if np.ndim(lane) else lane
-            for i, lane in enumerate(values)
-        )
+        return tuple(self._crossed(lane) if np.ndim(lane) else lane for lane in values)
 
     def flat(self, values: Lanes) -> Lanes:
         """The values of each triangle's first vertex."""
         first = self._faces.corners[self._face, 0]
-        return tuple(lane[first][:, None, None] if np.ndim(lane) else lane for lane in values)
 
-    def _crossed(self, lane: Lane, off: Lane, ways: Variants, number: int) -> Floats:
-        corners = lane[self._faces.corners[self._face]].astype(np.float64)
+        def at_first(array: Any) -> Any:
+            return array[first][:, None, None]
+
+        return tuple(
+            lane
+            if not np.ndim(lane)
+            else lane.mapped(at_first)
+            if isinstance(lane, Bounded)
+            else at_first(lane)
+            for lane in values
+        )
+
+    def _crossed(self, lane: Any) -> Bounded:
+        """One lane, with the errors of a device.
+
+        It has those of the three corners, each in proportion to its weight; that of the triangle's
+        place, which a device knows only as precisely as its vertices' positions; and those of two
+        planes. A device divides a plane through the values over w by a plane through 1 / w, which
+        are rounded each on its own.
+        """
+        vertices = self._faces.corners[self._face]
+        exact = lane.value if isinstance(lane, Bounded) else lane
+        corners = exact[vertices].astype(np.float64)
+        value = self._interpolated(corners)
+        parts = self._cut(corners)
         # Those of the whole triangle, because the clipped part decides how its planes are rounded.
-        largest = np.abs(corners).max(axis=1)[:, None, None]
-        mixed = self._interpolated(corners)
-        if len(ways) > 1 and np.ndim(off):
-            moved = self._interpolated(off[self._faces.corners[self._face]])
-            mixed = mixed + moved * (ways.rounding > 0)[:, None, None, None]
-        if ways.nudge.any():
-            mixed = mixed + self._nudges(ways, number) * largest
-        return mixed
+        near = self._faces.per_w[self._face]
+        largest = np.abs(corners).max(axis=1) * np.abs(near).max(axis=1)
+        planes = self._nudge * self._largest(parts * near, largest) / np.abs(self.per_w.value)
+        off = planes + self._far * np.abs(value) + self._flushed
+        a, b, c = parts.T[:, :, None, None]
+        off = off + self._moved * (
+            self._slopes[0] * np.abs(b - a) + self._slopes[1] * np.abs(c - a)
+        )
+        if isinstance(lane, Bounded) and not lane.is_exact:
+            radius = np.maximum(lane.high - lane.value, lane.value - lane.low)
+            a, b, c = self._cut(radius[vertices]).T[:, :, None, None]
+            second, third = self._perspective
+            off = off + np.abs(1.0 - second - third) * a + np.abs(second) * b + np.abs(third) * c
+        return Bounded(value, value - off, value + off)
 
     def _interpolated(self, corners: Floats) -> Floats:
         """The values at each lane, from those at the corners of whole triangles (quads, 3)."""
-        if not self._whole:
-            corners = (self._weights @ corners[:, :, None])[:, :, 0]
-        return self._mixed(corners.T, self._perspective)
+        return self._mixed(self._cut(corners).T, self._perspective)
 
-    def _nudges(self, ways: Variants, number: int) -> Floats:
-        """The error of each variant, (variants, 1, side, side)."""
-        side = len(self.x[0, 0]) if len(self.x) else 1
-        checker = (-1.0) ** (np.add.outer(np.arange(side), np.arange(side)) + number)
-        signs = np.where(ways.checkered[:, None, None, None] == 1, checker, 1.0)
-        nudges: Floats = ways.nudge[:, None, None, None] * signs
-        return nudges
+    def _cut(self, corners: Floats) -> Floats:
+        """The values at the corners of the clipped parts, from those of whole triangles."""
+        return corners if self._whole else (self._weights @ corners[:, :, None])[:, :, 0]
+
+    def _largest(self, corners: Floats, largest: Floats | None = None) -> Floats:
+        """The largest number with which a device computes a plane through some values (quads, 3).
+
+        It is the largest value at the corners of faces, and how much is added to it or taken away
+        on the way from the origin of the device's coordinates.
+        """
+        most = np.abs(corners).max(axis=1) if largest is None else largest
+        found: Floats = most[:, None, None] + self._extent * self._steepness(corners)
+        return found
+
+    def _off_plane(self, corners: Floats, rules: RasterRules) -> Floats:
+        """The error of a plane that is not divided by another one: of depth, and of 1 / w."""
+        rounding = _error(rules.frag_coord_bits) * self._largest(corners)
+        return rounding + self._moved * self._steepness(corners)
+
+    def _steepness(self, corners: Floats) -> Floats:
+        """The sum of the magnitudes of a plane's slopes to the right and downwards."""
+        a, b, c = corners.T[:, :, None, None]
+        right, down = (np.abs(x * (b - a) + y * (c - a)) for x, y in self._steps)
+        steepness: Floats = right + down
+        return steepness
+
+    def _steps_of_weights(self) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
+        """The changes of the weights of the second and third corner to the right, and downwards."""
+        ones = np.zeros((1, 1, 1))
+        start = _linear(self._faces, self._face, ones, ones)
+        right = _linear(self._faces, self._face, ones + 1, ones)
+        down = _linear(self._faces, self._face, ones, ones + 1)
+        return (
+            (right[0] - start[0], right[1] - start[1]),
+            (down[0] - start[0], down[1] - start[1]),
+        )
+
+    def _slopes_of(self, near: Floats, per_w: Floats) -> tuple[Floats, Floats]:
+        """The sum of the magnitudes of each weight's changes to the right and downwards."""
+        slopes: list[Floats] = []
+        for i, share in enumerate(self._perspective):
+            change = np.zeros_like(share)
+            for step in self._steps:
+                slope = step[0] * (near[:, 1] - near[:, 0]) + step[1] * (near[:, 2] - near[:, 0])
+                change = change + np.abs((step[i] * near[:, i + 1] - share * slope) / per_w)
+            slopes.append(change)
+        return slopes[0], slopes[1]
 
     @staticmethod
     def _mixed(corners: Floats, shares: tuple[Floats, ...]) -> Floats:
         a, b, c = corners[:, :, None, None]
         mixed: Floats = a + shares[0] * (b - a) + shares[1] * (c - a)
         return mixed
+
+    @staticmethod
+    def _clamped(depth: Floats) -> Floats:
+        return np.clip(depth, 0.0, 1.0)
+
+
+def _error(bits: int | None) -> float:
+    return 0.0 if bits is None else 2.0**-bits
 
 
 def depth_of(faces: Faces, fragments: Fragments, width: int) -> Floats:

@@ -12,7 +12,10 @@ import numpy as np
 
 from ...ir.shader import RenderTarget
 from ...ir.types import Type, width
+from ..bounds import Bounded
+from ..namespace import Lanes
 from .coverage import Fragments
+from .formats import clamped, rounded
 from .scene import Bools, Floats, Ints
 
 DEPTH_MARGIN = 1e-6
@@ -21,12 +24,16 @@ _MISSING = (0.0, 0.0, 0.0, 1.0)
 """The values of lanes that a format lacks."""
 
 
+Ends = Floats
+"""Colours (3, …, 4): their values, and between which numbers those of a device are."""
+
+
 @dataclass(frozen=True, slots=True)
 class Shades:
     """The results of shading some fragments."""
 
-    colours: Sequence[Floats]
-    """For each target, (variants, fragments, 4)."""
+    colours: Sequence[Ends]
+    """For each target, (3, fragments, 4)."""
     discarded: Bools
     undecided: Bools
 
@@ -37,20 +44,25 @@ class Canvas:
     def __init__(
         self,
         pixels: int,
-        ways: int,
         clear: Sequence[Sequence[float]],
         written: Sequence[tuple[RenderTarget, Type]],
+        *,
+        rounds: bool,
     ) -> None:
         """``written`` are the render targets with the types of the values that are written to
-        them."""
+        them. If the device ``rounds``, its values lie between those of their formats."""
+        self._rounds = rounds
         self._lanes = [width(type_) for _, type_ in written]
         self._states = [target for target, _ in written]
         self.targets = [
-            np.tile(np.asarray(with_missing(colour, count), dtype=np.float64), (ways, pixels, 1))
+            np.tile(np.asarray(with_missing(colour, count), dtype=np.float64), (3, pixels, 1))
             for colour, count in zip(clear, self._lanes, strict=True)
         ]
+        for target, state in zip(self.targets, self._states, strict=True):
+            target[:] = self._stored(state, target)
         self.depth = np.ones(pixels)
-        self.covered = np.zeros(pixels, dtype=np.bool_)
+        self.layers = np.zeros(pixels, dtype=np.int64)
+        """How many fragments were drawn."""
         self.undecided = np.zeros(pixels, dtype=np.bool_)
         """Pixels that are undecided because their coverage is."""
         self.shaky = np.zeros(pixels, dtype=np.bool_)
@@ -77,20 +89,35 @@ class Canvas:
         drawn = members[nearer & ~shades.discarded[members]]
         place = pixel[drawn]
         self.depth[place] = depth[drawn]
-        self.covered[place] = True
+        self.layers[place] += 1
         rows = zip(self.targets, shades.colours, self._states, self._lanes, strict=True)
         for target, colours, state, lanes in rows:
-            blended = _blended(state, colours[:, drawn], target[:, place])
-            target[:, place, :lanes] = blended[..., :lanes]
+            # A device may blend as precisely as the target's format is, so that it rounds the
+            # colour before. If the target is in fixed point, the colour is clamped, too.
+            colour = self._stored(state, colours[:, drawn])
+            if state.blend != "none":
+                colour = self._stored(state, _blended(state.blend, colour, target[:, place]))
+            target[:, place, :lanes] = colour[..., :lanes]
+
+    def _stored(self, state: RenderTarget, colours: Ends) -> Ends:
+        """Colours in the range of a target's format, with ends that this format has."""
+        if not self._rounds and state.blend == "none":
+            return colours
+        value = clamped(state.format, colours[0])
+        if not self._rounds:
+            return np.stack([value, value, value])
+        low, high = rounded(state.format, colours[1], colours[2])
+        return np.stack([value, np.minimum(low, value), np.maximum(high, value)])
 
 
-def _blended(state: RenderTarget, source: Floats, behind: Floats) -> Floats:
-    """The contents of a target after a colour is drawn over another, (…, 4) each.
+def _blended(blend: str, source: Ends, behind: Ends) -> Ends:
+    """The contents of a target after a colour is drawn over another (Vulkan, "Blending")."""
+    lanes = BLENDING[blend](_lanes(source), _lanes(behind))
+    return np.stack([np.stack([x.value, x.low, x.high]) for x in lanes], axis=-1)
 
-    If the target is in fixed point, colours are clamped first (Vulkan, 29.1 "Blending").
-    """
-    clamped = state.fixed_point and state.blend != "none"
-    return BLENDING[state.blend](np.clip(source, 0.0, 1.0) if clamped else source, behind)
+
+def _lanes(colours: Ends) -> Lanes:
+    return tuple(Bounded(*np.moveaxis(colours, -1, 0)[i]) for i in range(4))
 
 
 def nearest(fragments: Fragments, depth: Floats) -> tuple[Ints, Ints]:
@@ -118,19 +145,32 @@ def _ranks(pixel: Ints) -> Ints:
     return ranks
 
 
-def _over(source: Floats, behind: Floats) -> Floats:
+def _over(source: Lanes, behind: Lanes) -> Lanes:
     """Alpha is combined in the same way, but is not multiplied by itself."""
-    alpha = source[..., 3:]
-    weight = np.concatenate([alpha, alpha, alpha, np.ones_like(alpha)], axis=-1)
-    mixed: Floats = source * weight + behind * (1.0 - alpha)
-    return mixed
+    *colours, alpha = source
+    weighted = *(lane * alpha for lane in colours), alpha
+    return tuple(lane + below * (1.0 - alpha) for lane, below in zip(weighted, behind, strict=True))
 
 
-BLENDING: Mapping[str, Callable[[Floats, Floats], Floats]] = {
-    "none": lambda source, _: source,
+def _added(source: Lanes, behind: Lanes) -> Lanes:
+    return tuple(lane + below for lane, below in zip(source, behind, strict=True))
+
+
+def _multiplied(source: Lanes, behind: Lanes) -> Lanes:
+    return tuple(lane * below for lane, below in zip(source, behind, strict=True))
+
+
+def _over_premultiplied(source: Lanes, behind: Lanes) -> Lanes:
+    return tuple(
+        lane + below * (1.0 - source[3]) for lane, below in zip(source, behind, strict=True)
+    )
+
+
+BLENDING: Mapping[str, Callable[[Lanes, Lanes], Lanes]] = {
     "alpha": _over,
-    "premultiplied": lambda source, behind: source + behind * (1.0 - source[..., 3:]),
-    "add": lambda source, behind: source + behind,
-    "multiply": lambda source, behind: source * behind,
+    "premultiplied": _over_premultiplied,
+    "add": _added,
+    "multiply": _multiplied,
 }
-"""The contents of a target after a colour is drawn over another, (…, 4) each."""
+"""The contents of a target after a colour is drawn over another, lane by lane; ``none`` replaces
+them."""

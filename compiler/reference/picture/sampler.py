@@ -1,140 +1,109 @@
-"""Reads textures as Vulkan's chapter on image operations specifies it, in double precision.
+"""Reads textures as Vulkan's chapter on image operations specifies it, with bounds.
 
-The evaluator gets a ``QuadReader`` as the value of a texture. A device may use other texels and
-another level, within its number of bits. These variants are a leading axis of every read; the first
-one is exact.
+The evaluator gets a ``TextureReader`` as the value of a texture. A read's value is the exact one,
+at the exact coordinate and level. Its interval contains what a conforming device may return: for
+every coordinate and level within their own intervals, rounded to the device's number of bits.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import reduce
-from itertools import product
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
+from ..bounds import Bounded, as_bounded, exact
 from ..namespace import Lane, Lanes
 from . import levels
-from .cube import between_faces, beyond_corner, met
-from .margins import Margins, margin
+from .choices import Choice, Part, hull_of_choices, sure, with_hull
+from .cube import met
+from .filtering import Filter, Place
+from .intervals import finite, increasing
+from .levels import Steps
 from .scene import Floats, Ints
 from .texels import Image
-from .variants import Variants
-
-_COORDINATE_MARGIN = 2.0**-15
-"""The error that a texture coordinate may have, in units of the texture: some devices find the
-nearest texel with 16 bits."""
-_FLOAT32_MARGIN = 4e-6
-"""The further error that it may have, relative to itself."""
-_GATHER_MARGIN = 2.0**-12
-"""The error, in texels, with which the four gathered texels may be chosen."""
-_FARTHEST = 1e9
-"""Larger coordinates have no meaning."""
-
-_COMPARISONS: Mapping[str, Callable[[Any, Any], Any]] = {
-    "less": np.less,
-    "less_equal": np.less_equal,
-    "greater": np.greater,
-    "greater_equal": np.greater_equal,
-}
-_GATHERED = ((0, 1), (1, 1), (1, 0), (0, 0))
-"""The columns and rows of the four texels, relative to the one at the upper left."""
-
-Shown = Callable[[Floats], Floats]
-"""A function that is applied to texels (…, lanes) before they are blended."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Place:
-    """The place at which a texture is read."""
+class TextureReader:
+    """Reads an image in one of the stages; it is a texture's lane for the evaluator.
 
-    coordinate: Sequence[Floats]
-    """The program's coordinate: two or three lanes."""
-    axes: Sequence[Floats]
-    """In units of the texture, or of the face."""
-    layer: Ints
-    """The layer, or the face of a cube."""
-    varies: bool
-
-
-class QuadReader:
-    """Reads an image in the quads of one evaluation; it is a texture's lane for the evaluator.
-
-    ``turns`` gives every read of the evaluation a number, whichever image it is of.
+    Operands broadcast together, and the result has their shape. Of lanes (quads, 2, 2), ``sample``
+    takes the differences within quads; for any others, it reads level 0.
     """
 
-    def __init__(
-        self, image: Image, ways: Variants, margins: Margins, turns: Iterator[int]
-    ) -> None:
+    def __init__(self, image: Image) -> None:
         self._image = image
-        self._all_ways = self._ways = ways
-        self._margins = margins
-        self._turns = turns
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
-        """The value of the builtin ``name``; ``operands`` are those after the texture.
-
-        Lanes are (variants, quads, side, side), from operands (…, quads, side, side) or numbers.
-        """
-        self._ways = self._all_ways.at(next(self._turns))
+        """The value of the builtin ``name``; ``operands`` are those after the texture."""
         read: Callable[..., Lanes] = getattr(self, f"_{name}")
         return read(*operands)
 
     # --- the builtins -----------------------------------------------------------------------------
 
     def _sample(self, *where: Lanes) -> Lanes:
-        if self._image.only is not None:
-            return self._image.only
-        place = self._place(where)
-        if not levels.has_one(self._image):
-            self._margins.spread()
-        return self._filtered(place, levels.implicit(self._image, place.coordinate, self._ways))
+        coordinate = [finite(lane) for lane in where[0]]
+        if self._moves_on_surface:
+            coordinate = levels.on_cube(coordinate)
+        return self._colours(where, levels.differences(coordinate, self._image))
 
     def _sample_level(self, *operands: Lanes) -> Lanes:
         *where, (level,) = operands
-        if self._image.only is not None:
-            return self._image.only
-        named = levels.given(self._image, _tame(level), self._ways)
-        return self._filtered(self._place(where), named)
+        return self._colours(where, levels.named(self._image, finite(level)))
 
     def _sample_grad(self, *operands: Lanes) -> Lanes:
         *where, across, down = operands
-        if self._image.only is not None:
-            return self._image.only
-        place = self._place(where)
-        right, below = ([_whole(_tame(lane)) for lane in lanes] for lanes in (across, down))
-        level = levels.by_changes(self._image, place.coordinate, right, below, self._ways)
-        return self._filtered(place, level)
+        steps = Steps(*([finite(lane) for lane in lanes] for lanes in (across, down)))
+        if self._moves_on_surface:
+            coordinate = [finite(lane) for lane in where[0]]
+            steps = levels.scaled(coordinate, steps, self._image.rules)
+        return self._colours(where, steps)
 
     def _gather(self, *operands: Lanes) -> Lanes:
         *where, (lane,) = operands
+        number = int(as_bounded(lane).value)
         if self._image.only is not None:
-            return (self._image.only[int(lane)],) * 4
-        return self._four(self._place(where), lambda texels: texels[..., int(lane)])
+            return (self._image.only[number],) * 4
+        return self._read(Filter(self._image, "gather", slice(number, number + 1)), where)
 
     def _compare(self, *operands: Lanes) -> Lanes:
         *where, (reference,) = operands
-        place, first = self._place(where), np.zeros((len(self._ways), 1, 1, 1))
-        return (self._at_level(place, first, self._comparison(reference)),)
+        kind = self._image.state["filter"]
+        return self._read(Filter(self._image, kind), where, None, _in_range(reference))
 
     def _gather_compare(self, *operands: Lanes) -> Lanes:
         *where, (reference,) = operands
-        return self._four(self._place(where), self._comparison(reference))
+        return self._read(Filter(self._image, "gather"), where, None, _in_range(reference))
 
     def _load(self, *operands: Lanes) -> Lanes:
+        image = self._image
         place, *rest = operands
-        layer = rest[0][0] if self._image.type.layered else 0
-        numbers = [np.asarray(lane, dtype=np.int64) for lane in (*place, layer, rest[-1][0])]
-        *wide, layers, level = np.broadcast_arrays(*numbers)
-        texels = self._image.load(wide, layers, level)
-        lanes = np.moveaxis(texels, -1, 0)
-        return tuple(lane if lane.ndim else lane.item() for lane in lanes)
+        layer = rest[0][0] if image.type.layered else 0
+        given = [as_bounded(lane) for lane in (*place, layer, rest[-1][0])]
+        shape = np.broadcast_shapes(*(lane.shape for lane in given))
+        counts = [*map(int, image.first_sizes), image.layers, image.levels]
+        # Beyond an edge there is one texel, so one number there stands for all.
+        choices = [
+            Choice.of(_flat(lane, shape)).limited(-1, count)
+            for lane, count in zip(given, counts, strict=True)
+        ]
+
+        def compute(_part: Part, numbers: list[Ints]) -> Bounded:
+            *indices, layers, level = numbers
+            return image.load(indices, layers, level)
+
+        def anything(pixels: Ints) -> tuple[Floats, Floats]:
+            return image.hull(pixels, every_level=True)
+
+        found = hull_of_choices(choices, compute, anything)
+        lanes = _lanes(found, shape)
+        return tuple(map(_plain, lanes)) if found.kind == "i" else lanes
 
     def _texture_size(self, level: Lanes) -> Lanes:
-        number = np.clip(np.asarray(level[0], dtype=np.int64), 0, self._image.levels - 1)
-        return tuple(size if size.ndim else size.item() for size in self._image.sizes(number))
+        number = increasing(lambda x: np.clip(x, 0, self._image.levels - 1), as_bounded(level[0]))
+        value, low, high = map(self._image.sizes, (number.value, number.high, number.low))
+        if number.is_exact:
+            return tuple(size if np.ndim(size) else int(size) for size in value)
+        return tuple(Bounded(*sizes) for sizes in zip(value, low, high, strict=True))
 
     def _texture_layers(self) -> Lanes:
         return (self._image.layers,)
@@ -142,165 +111,99 @@ class QuadReader:
     def _texture_levels(self) -> Lanes:
         return (self._image.levels,)
 
-    # --- inside -----------------------------------------------------------------------------------
+    # --- places and levels ------------------------------------------------------------------------
 
-    def _place(self, where: Sequence[Lanes]) -> _Place:
-        """The place for a coordinate and, for an array, a layer."""
-        quad = np.zeros((1, *self._margins.undecided.shape[1:]))
-        coordinate = list(np.broadcast_arrays(*map(_tame, where[0]), quad))[:-1]
-        varies = any(np.ndim(lane) for lane in where[0])
-        if self._image.type.dimension == "cube":
-            found = met(coordinate)
-            return _Place(coordinate, (found.across, found.down), found.face, varies)
-        given = where[1][0] if self._image.type.layered else 0
-        layer = self._image.layer(_whole(np.asarray(given, dtype=np.int64)))
-        return _Place(coordinate, coordinate, layer, varies)
+    @property
+    def _moves_on_surface(self) -> bool:
+        """Whether the level follows from the movement on a cube's surface, and not in its face."""
+        return self._image.type.dimension == "cube" and not self._image.rules.projects_cubes
 
-    def _filtered(self, place: _Place, level: Floats) -> Lanes:
-        """The colours, blended between two levels."""
-        if self._image.state["mip"] == "linear":
-            lower = np.floor(level)
-            upper = np.minimum(lower + 1, self._image.levels - 1)
-            colour = self._at_level(place, lower)
-            share = (level - lower)[..., None]
-            if share.any():
-                colour = colour + share * (self._at_level(place, upper) - colour)
-            if self._image.state["filter"] == "nearest":
-                colour = colour + self._ways.mixed[:, None, None, None, None]
-        else:
-            if len(level) == 1:  # Otherwise the variants read both levels.
-                self._margins.at_whole(level + 0.5, _COORDINATE_MARGIN)
-            colour = self._at_level(place, np.floor(level + 0.5))
-        return tuple(np.ascontiguousarray(np.moveaxis(colour, -1, 0)))
+    def _colours(self, where: Sequence[Lanes], level: Bounded | Steps) -> Lanes:
+        """The filtered colours at a coordinate in a level, or in the one that steps lead to."""
+        image = self._image
+        filter_ = Filter(image, image.state["filter"])
+        if image.only is not None:
+            return tuple(map(filter_.of_equal, image.only))
+        if image.has_one_level:
+            return self._read(filter_, where)
+        if isinstance(level, Steps) and self._moves_on_surface:
+            level = levels.on_surface(image, level)
+        elif isinstance(level, Steps) and image.type.dimension != "cube":
+            level = levels.of_steps(image, level)
+        return self._read(filter_, where, level)
 
-    def _at_level(self, place: _Place, level: Floats, shown: Shown | None = None) -> Floats:
-        """The mean of texels, or of a function of them, in one level."""
-        number = level.astype(np.int64)
-        sizes = self._image.sizes(number)
-        scaled = [at * size for at, size in zip(place.axes, sizes, strict=True)]
-        show = shown or (lambda texels: texels)
-        if self._image.state["filter"] == "nearest":
-            if place.varies:
-                self._watch_nearest(place, scaled, sizes, number)
-            near = [np.floor(at).astype(np.int64) for at in scaled]
-            return show(self._within(near, place.layer, number))
-        shifts = (self._ways.across, self._ways.down, self._ways.inward)
-        moved = [
-            at - 0.5 + shift[:, None, None, None]
-            for at, shift in zip(scaled, shifts[: len(scaled)], strict=True)
-        ]
-        first = [np.floor(at).astype(np.int64) for at in moved]
-        shares = [at - i for at, i in zip(moved, first, strict=True)]
-        return self._mixed(place.layer, number, first, shares, show)
+    def _read(
+        self,
+        filter_: Filter,
+        where: Sequence[Lanes],
+        level: Bounded | Steps | None = None,
+        reference: Bounded | None = None,
+    ) -> Lanes:
+        """A read at a coordinate and, for an array, a layer; the first level if none is given."""
+        axes = [finite(lane) for lane in where[0]]
+        layer = as_bounded(where[1][0] if self._image.type.layered else 0)
+        steps = [*level.across, *level.down] if isinstance(level, Steps) else []
+        others = [lane for lane in (level, reference) if isinstance(lane, Bounded)]
+        shape = np.broadcast_shapes(*(lane.shape for lane in (*axes, layer, *steps, *others)))
 
-    def _mixed(
-        self, layer: Ints, level: Ints, first: list[Ints], shares: list[Floats], show: Shown
-    ) -> Floats:
-        """The mean of the texels around a place; ``first`` is the one with the smallest indices."""
-        total: Any = 0.0
-        for steps in product((0, 1), repeat=len(first)):
-            corner = [i + step for i, step in zip(first, steps, strict=True)]
-            weights = [
-                share if step else 1.0 - share for share, step in zip(shares, steps, strict=True)
-            ]
-            weight: Floats = reduce(np.multiply, weights)
-            value = show(self._texel(corner, layer, level))
-            total = total + (weight if value.ndim == weight.ndim else weight[..., None]) * value
-        mean: Floats = total
-        return mean
+        def flat(lane: Bounded) -> Bounded:
+            return _flat(lane, shape)
 
-    def _within(self, place: list[Ints], layer: Ints, level: Ints) -> Floats:
-        """A face's own texels only: a place is within a face, including its edges."""
-        if self._image.type.dimension == "cube":
-            sizes = self._image.sizes(level)
-            place = [np.clip(i, 0, size - 1) for i, size in zip(place, sizes, strict=True)]
-        return self._image.texel(place, layer, level)
-
-    def _texel(self, place: list[Ints], layer: Ints, level: Ints) -> Floats:
-        """A texel; beyond a cube's corner, the mean of the three texels around it.
-
-        Vulkan recommends the mean. A device that uses one of the three is a variant.
-        """
-        texel = self._image.texel(place, layer, level)
+        number = sure(layer.value) if layer.is_exact and not layer.ndim else Choice.of(flat(layer))
+        place = Place(
+            [flat(lane) for lane in axes],
+            number.mapped(self._image.layer),
+            flat(level) if isinstance(level, Bounded) else None,
+            None if reference is None else flat(reference),
+        )
         if self._image.type.dimension != "cube":
-            return texel
-        sizes = self._image.sizes(level)
-        beyond = beyond_corner(place, sizes[0])
-        if not beyond.any():
-            return texel
-        inside = [np.clip(i, 0, size - 1) for i, size in zip(place, sizes, strict=True)]
-        three = np.stack([
-            np.broadcast_to(self._image.texel(around, layer, level), texel.shape)
-            for around in (inside, [inside[0], place[1]], [place[0], inside[1]])
-        ])  # fmt: skip
-        choice = self._ways.corner[:, None, None, None, None]
-        picked = np.where(choice < 0, three.mean(axis=0), 0.0)
-        for number in range(3):
-            picked = np.where(choice == number, three[number], picked)
-        return np.where(beyond[..., None], picked, texel)
+            return _lanes(filter_.of(place), shape)
+        flat_steps = level.mapped(flat) if isinstance(level, Steps) else None
+        (_, nominal), *further = self._in_faces(place, flat_steps)
+        found = filter_.of(nominal)
+        for pixels, in_face in further:
+            found = with_hull(found, pixels, filter_.of(in_face))
+        return _lanes(found, shape)
 
-    def _comparison(self, reference: Lane) -> Shown:
-        """1 where a reference, clamped to the range of depths, passes the comparison with a
-        depth."""
-        given = np.clip(_whole(_tame(reference)), 0.0, 1.0)
-        compared = _COMPARISONS[self._image.state["compare"]]
+    def _in_faces(self, place: Place, steps: Steps | None) -> Iterator[tuple[Part, Place]]:
+        """The places in a cube's faces where directions may meet it, for the pixels that may.
 
-        def show(texels: Floats) -> Floats:
-            depth = texels[..., 0]
-            if np.ndim(reference):
-                self._margins.at_zero(given - depth, margin(given, depth))
-            found: Floats = compared(given, depth).astype(np.float64)
-            return found
-
-        return show
-
-    def _four(self, place: _Place, show: Shown) -> Lanes:
-        """A function of each of the four texels that a filtered read of level 0 would blend."""
-        first = np.zeros((len(self._ways), 1, 1, 1), dtype=np.int64)
-        sizes = self._image.sizes(first)
-        scaled = [at * size for at, size in zip(place.axes, sizes, strict=True)]
-        moved = [at - 0.5 for at in scaled]
-        for at, size in zip(moved, sizes, strict=True):
-            self._margins.at_whole(at, _nearest_margin(at, size) + _GATHER_MARGIN)
-        upper_left = [np.floor(at).astype(np.int64) for at in moved]
-        found = []
-        for steps in _GATHERED:
-            corner = [i + step for i, step in zip(upper_left, steps, strict=True)]
-            if self._image.type.dimension == "cube":
-                self._watch_faces(place)
-                beyond = beyond_corner(corner, sizes[0])
-                self._margins.at_zero(np.where(beyond, 0.0, 1.0), 0.0)
-            found.append(show(self._texel(corner, place.layer, first)))
-        return tuple(found)
-
-    def _watch_nearest(
-        self, place: _Place, scaled: Sequence[Floats], sizes: Sequence[Ints], level: Ints
-    ) -> None:
-        if self._image.type.dimension == "cube":
-            self._watch_faces(place)
-        # Variants that read another level get other texels, which does not count as a decision.
-        same = level == level[:1]
-        for at, size in zip(scaled, sizes, strict=True):
-            self._margins.at_whole(np.where(same, at, at[:1]), _nearest_margin(at, size))
-
-    def _watch_faces(self, place: _Place) -> None:
-        close = between_faces(place.coordinate, _FLOAT32_MARGIN)
-        self._margins.at_zero(np.where(close, 0.0, place.layer + 1.0), 0.0)
-        self._margins.at_whole(place.layer + 0.5, 0.0)
+        The first are those where the exact directions meet it, for all pixels. ``steps`` are those
+        of the direction, if the level follows from them.
+        """
+        image = self._image
+        for part, where in met(place.axes, image.is_exact):
+            here = place.at(part)
+            level = here.level
+            if steps is not None:
+                changes = steps.at(part)
+                across, down = where.change(changes.across), where.change(changes.down)
+                level = levels.of_steps(image, Steps(across, down))
+            yield part, Place([where.across, where.down], sure(where.face), level, here.reference)
 
 
-def _nearest_margin(place: Floats, size: Ints) -> Floats:
-    """The error that a place, in texels, may have where the nearest texel is used."""
-    off: Floats = _COORDINATE_MARGIN * size + _FLOAT32_MARGIN * np.abs(place)
-    return off
+def _in_range(reference: Lane) -> Bounded:
+    """A reference within the range of depths."""
+    return increasing(lambda x: np.clip(x, 0.0, 1.0), finite(reference))
 
 
-def _tame(coordinate: Lane) -> Floats:
-    """The coordinate without NaN and infinity, which helper lanes may have."""
-    tame = np.nan_to_num(np.asarray(coordinate, dtype=np.float64), posinf=0.0, neginf=0.0)
-    return np.clip(tame, -_FARTHEST, _FARTHEST)
+def _flat(lane: Bounded, shape: tuple[int, ...]) -> Bounded:
+    """The lane in this shape as an array (pixels,)."""
+    return lane.spread(shape).mapped(np.ravel)
 
 
-def _whole(lane: Any) -> Any:
-    """A lane with the axes of quads, even if it is the same in all."""
-    return lane if np.ndim(lane) else np.full((1, 1, 1), lane)
+def _lanes(found: Bounded, shape: tuple[int, ...]) -> Lanes:
+    """The lanes of a read (lanes, pixels) in the shape of its operands."""
+    return tuple(
+        Bounded(*ends) if not found.is_exact else exact(ends[0])
+        for ends in zip(*(
+            np.reshape(end, (len(end), *shape)) for end in (found.value, found.low, found.high)
+        ), strict=True)
+    )  # fmt: skip
+
+
+def _plain(lane: Bounded) -> Lane:
+    """An integer as it is where it is certain."""
+    if not lane.is_exact:
+        return lane
+    return lane.value if np.ndim(lane.value) else int(lane.value)

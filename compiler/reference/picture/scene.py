@@ -58,11 +58,7 @@ def instanced(
 
 @dataclass(frozen=True, slots=True)
 class Texels:
-    """Each level has linear values (height, width, 4), or (height, width, 1) for depths.
-
-    The first row is the top one. With layers, faces or slices: (layers, height, width, 4). Every
-    level halves width and height, and the depth of a 3D texture, rounded down, but not below 1.
-    """
+    """A texture as a shader reads it."""
 
     levels: tuple[Floats | Ints, ...]
     """Each level has linear values (height, width, 4), first row at the top; depths (height, width,
@@ -71,6 +67,8 @@ class Texels:
     With layers, faces or slices: (layers, height, width, 4). Every level halves width and height,
     and the depth of a 3D texture, rounded down, but not below 1.
     """
+    is_srgb: bool = False
+    """Whether colours are stored in 8 bits of sRGB, which a device decodes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,23 +88,28 @@ class RasterRules:
     """How close to an edge, in pixels, the device may put a pixel on the wrong side."""
     cull: Cull = "none"
     subtexel_bits: int | None = None
-    """The binary places of a linear filter's weights; ``None``: exact, with a radius of 0."""
-    functions: tuple[tuple[str, float], ...] = ()
-    """Builtins whose error is larger than rounding, and the absolute error."""
-    rounding_bits: int | None = None
-    """The exact binary places of the fragment stage's operations; ``None``: all."""
+    """The binary places of a linear filter's weights; ``None``: they are exact."""
     varying_bits: int | None = None
-    """The exact binary places of interpolated values, relative to the largest corner; ``None``:
-    all."""
+    """The exact binary places of the planes from which values are interpolated, relative to the
+    largest number with which these are computed; ``None``: all."""
+    frag_coord_bits: int | None = None
+    """The same of the planes of a fragment's depth, and of its 1 / w."""
     mip_bits: int | None = None
     """The binary places of the level of detail; ``None``: exact."""
     mixing_bits: int | None = None
-    """The binary places of a mean of single texels of two levels; ``None``: exact."""
+    """The binary places of a mean of single texels of two levels, one of which may have no weight;
+    ``None``: exact."""
     level_power: int | None = None
     """A device reads the logarithm of this power of a footprint roughly, from a float's bits;
     ``None``: it is exact."""
+    own_derivatives: bool = False
+    """Whether the device is known to take the difference in each pixel's own row or column, and not
+    any of its quad."""
+    euclidean_steps: bool = False
+    """Whether the device is known to take differences between pixels in a quad's first row and
+    column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters only for cubes."""
+    """Whether a quad's first pixel is the lower left one, which matters only for levels."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
     Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""
@@ -122,11 +125,14 @@ class Expected:
     covered: Bools
     """(height, width): where at least one fragment was written."""
     undecided: Bools
-    """(height, width): where the value depends on a decision that rounding to float32 may
-    change."""
-    radius: tuple[Floats, ...]
-    """For each target (height, width, 4): by how much filtering, derivatives, interpolation and
-    rounding may change the value, within the device's bits."""
+    """(height, width): where it hangs on rounding which fragments are drawn, and in which order; or
+    where a promise is broken, so that nothing is defined."""
+    low: tuple[Floats, ...]
+    high: tuple[Floats, ...]
+    """For each target (height, width, 4): between which numbers a conforming device's value is.
+    Infinite where nothing is known of it. Without bounds, these are ``targets``."""
+    layers: Ints
+    """(height, width): how many fragments were drawn, each of which was rounded to the format."""
     broken: frozenset[int] = frozenset()
     """The ids of calls of ``nonzero`` whose operand was zero, as far as float32 can tell, at some
     vertex or pixel: the pixels that use it are not defined."""

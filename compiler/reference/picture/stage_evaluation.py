@@ -1,50 +1,48 @@
 """Evaluates the two stages of a shader: all vertices at once, then many quads at once.
 
-``drawing.py`` makes a ``StageEvaluator`` for each picture.
+``drawing.py`` makes a ``StageEvaluator`` for each picture. With ``errors`` all lanes are
+``Bounded`` and say where a device's values may lie; without, they are plain arrays of float64.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import count
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
-from ....stdlib.builtins import BUILTINS, texture
+from ....stdlib.builtins import BUILTINS
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
-from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, LOOPS, builtin_of
+from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
-from ...ir.types import scalar_kind, width
+from ...ir.types import Type, scalar_kind, width
+from ..bounds import Bounded, Bounds, Errors, exact, given, remembered
+from ..bounds.bounded import constant, hull
 from ..evaluate import Evaluator
-from ..namespace import Lane, Lanes
+from ..namespace import Lane, Lanes, Namespace
 from ..stored import stored
 from ..vectors import inner
-from .margins import EXACT, READS, Margins, margin
 from .quads import Barycentric
-from .sampler import QuadReader
+from .sampler import TextureReader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
 from .texels import Image
-from .variants import Variants, variants
-from .vertex_reads import VertexReader
 
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
 """Builtins that use neighbours' values, too, if cubes are not projected."""
 _PROMISES = frozenset(name for name, row in BUILTINS.items() if row.is_promise)
-_FILTERED = frozenset(row.name for row in texture.ROWS if row.sampler is not None)
-_NOT_ROUNDED = (
-    EXACT
-    | READS
-    | _COMPARES_NEIGHBOURS
-    | {"neg", "abs", "min", "max", "clamp", "saturate", "nonzero"}
-)
-"""Operations that return an operand or an exact float32, or that have a margin of their own."""
-_CORRECTLY_ROUNDED = frozenset({"add", "sub", "mul"})
-"""Operations whose result, where it is a float32, is exact on every device."""
+_DERIVATIVE_AXES = {"ddx": -2, "ddy": -1}
+"""The axis of a quad along which a device may choose between two differences."""
+
+BROKEN = 1e-5
+"""A vector that is promised not to be zero breaks the promise if it is shorter."""
+
+
+class _Reader(Protocol):
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,23 +51,23 @@ class Vertices:
 
     positions: Floats
     """(vertices, 4) in clip space."""
+    off: Floats
+    """(vertices, 4): by how much a device's positions may differ."""
     crossings: Mapping[int, Lanes]
     """By the id of the ``cross`` node: lanes of length (vertices,), or single numbers."""
-    off: Mapping[int, Lanes]
-    """By how much rounding may change these; empty if operations are exact."""
     undecided: Bools
-    """(vertices,)."""
+    """(vertices,): where a promise is broken."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shaded:
-    """The results of the fragment stage for some quads; a leading axis is that of variants."""
+    """The results of the fragment stage for some quads, whose lanes broadcast to (quads, side,
+    side)."""
 
     targets: tuple[Lanes, ...]
-    """Lanes that broadcast to (variants, quads, side, side)."""
     discarded: Lane
     undecided: Bools
-    """(quads, side, side)."""
+    """Where a promise is broken."""
 
 
 class StageEvaluator:
@@ -81,17 +79,22 @@ class StageEvaluator:
         values: Mapping[str, Lanes],
         textures: Mapping[str, Texels],
         rules: RasterRules,
+        errors: Errors | None = None,
     ) -> None:
         if shader.chain != RASTERISED:
             raise ValueError(f"{shader.name} has other stages than the reference can draw.")
-        self.values = values
+        self._values = values
+        self.has_bounds = errors is not None
+        """Whether lanes are ``Bounded``."""
+        self.knows_no_row = self.has_bounds and not rules.own_derivatives
+        """Whether a derivative may be that of any row or column of a quad."""
+        self._bounds = Bounds(errors or _no_error)
+        self._xp: Namespace = self._bounds if self.has_bounds else np
         ((self._position,), self._targets, discards) = (
             tuple(result.value for result in shader.results_of(kind))
             for kind in (CLIP_POSITION, TARGET, DISCARD)
         )
         self._discard = next(iter(discards), None)
-        self._functions = dict(rules.functions)
-        self._relative = 0.0 if rules.rounding_bits is None else 2.0**-rules.rounding_bits
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "cross"]
         neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
@@ -99,67 +102,37 @@ class StageEvaluator:
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
-        self.ways = _ways(self._images.values(), rules, nodes, self._crossings)
         self._promised = _promised((*self._targets, self._position))
+        self._parameters: dict[tuple[Parameter, Type], Lanes] = {}
         self.broken: set[int] = set()
         """The ids of promises that were broken at some vertex or pixel so far."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
         count = geometry.vertex_count
-        margins = Margins((count,))
-        readers = {resource: VertexReader(image, count) for resource, image in self._images.items()}
-
+        readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = geometry.inputs()
 
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
-                return _attribute(geometry, node.data)
+                return self._given(_attribute(geometry, node.data))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return (inputs[INPUT.data(node).name],) if node.op == "input" else self._parameter(node)
 
-        def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
-            margins.watch(node, operands, value)
-            self._check(node, value, margins)
-            return value
-
-        evaluator = Evaluator(leaves, np, observer)
+        watch = _Watch(self, (count,))
+        evaluator = Evaluator(leaves, self._xp, watch)
         crossings = {node.id: evaluator.value(node.operands[0]) for node in self._crossings}
-        lanes = Evaluator(leaves, np).value(self._position)
-        positions = np.stack([np.broadcast_to(lane, (count,)) for lane in lanes], axis=-1)
-        off: dict[int, Lanes] = {}
-        if self._relative:
-            rounded = Evaluator(leaves, np, self._round_alike)
-            for node in self._crossings:
-                pairs = zip(rounded.value(node.operands[0]), crossings[node.id], strict=True)
-                off[node.id] = tuple(moved - exact for moved, exact in pairs)
-        undecided = margins.undecided
-        for reader in readers.values():
-            undecided = undecided | reader.undecided
-        return Vertices(positions.astype(np.float64), crossings, off, undecided)
-
-    def _round_alike(self, node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
-        """The result of an operation of the vertex stage, with an error in one or the other
-        direction."""
-        if not _rounds(node, value):
-            return value
-        relative = (-1.0) ** node.id * self._relative
-        absolute = self._functions.get(builtin_of(node) or "", 0.0)
-        return tuple(
-            lane + (np.abs(lane) * relative + absolute) if np.ndim(lane) else lane for lane in value
-        )
+        lanes = [_whole(lane, (count,)) for lane in evaluator.value(self._position)]
+        positions = np.stack([lane.value for lane in lanes], axis=-1)
+        off = np.stack([_radius(lane) for lane in lanes], axis=-1)
+        return Vertices(positions.astype(np.float64), off, crossings, watch.undecided)
 
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
         """Evaluate the fragment stage in quads; ``front`` says which of them face the eye."""
-        margins = Margins((len(front), self.side, self.side))
-        turns, reads = count(), count()
-        readers = {
-            resource: QuadReader(image, self.ways, margins, reads)
-            for resource, image in self._images.items()
-        }
+        readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = {
-            "frag_coord": (place.x, place.y, place.depth, place.per_w),
+            "frag_coord": self._given((place.x, place.y, place.depth, place.per_w)),
             "front_facing": (front[:, None, None],),
         }
 
@@ -168,68 +141,124 @@ class StageEvaluator:
                 values = vertices.crossings[node.id]
                 if CROSS.data(node).mode == "flat":
                     return place.flat(values)
-                number = self._crossings.index(node)
-                return place.perspective(values, vertices.off.get(node.id), self.ways, number)
+                return _remembered(self._given(place.perspective(values)))
             if isinstance(node.data, Resource):
                 return (readers[node.data],)
             return inputs[INPUT.data(node).name] if node.op == "input" else self._parameter(node)
 
-        def observer(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
-            margins.watch(node, operands, value)
-            self._check(node, value, margins)
-            if node.data in ("ddx", "ddy"):
-                margins.spread()
-                return _differences(value, self.ways, CALL.data(node))
-            return self._rounded(node, value, margins, turns)
-
-        evaluator = Evaluator(leaves, np, observer)
+        watch = _Watch(self, (len(front), self.side, self.side))
+        evaluator = Evaluator(leaves, self._xp, watch, stored=_remembered)
         discarded: Any = evaluator.value(self._discard)[0] if self._discard else False
-        doubtful = margins.undecided.copy()
         targets = tuple(evaluator.value(target) for target in self._targets)
-        # A fragment that is certainly discarded has no colour that could be undecided.
-        nominal = discarded[0] if np.ndim(discarded) > margins.undecided.ndim else discarded
-        undecided = margins.undecided & ~(np.asarray(nominal, dtype=np.bool_) & ~doubtful)
-        return Shaded(targets, discarded, undecided)
+        return Shaded(targets, discarded, watch.undecided)
 
-    def _rounded(self, node: Node, value: Lanes, margins: Margins, turns: Iterator[int]) -> Lanes:
-        """The result of an operation under every variant, with an error in one or the other
-        direction."""
-        if len(self.ways) == 1 or not _rounds(node, value):
-            return value
-        relative = (-1.0) ** node.id * self.ways.rounding
-        absolute = np.zeros(len(self.ways))
-        if node.data in self._functions:
-            side = (-1.0) ** (next(turns) // np.maximum(self.ways.period, 1))
-            absolute = np.where(self.ways.period > 0, side * self._functions[node.data], 0.0)
-        off = [self._off(lane, relative, absolute) for lane in value]
-        if node.data in _CORRECTLY_ROUNDED:
-            off = [_unless_exact(lane, moved) for lane, moved in zip(value, off, strict=True)]
-        for lane, moved in zip(value, off, strict=True):
-            margins.hand_on(lane, moved)
-        return tuple(off)
+    # --- for the watch ----------------------------------------------------------------------------
 
-    @staticmethod
-    def _off(lane: Lane, relative: Floats, absolute: Floats) -> Lane:
-        if not np.ndim(lane):
-            return lane
-        return lane + (np.abs(lane) * relative[:, None, None, None] + absolute[:, None, None, None])
+    def promises(self, node: Node) -> bool:
+        """Whether a node is a promise whose value is used in any case."""
+        return node.id in self._promised
 
-    def _check(self, node: Node, value: Lanes, margins: Margins) -> None:
-        """Record where a promise is broken, or may be by rounding: nothing is defined there."""
-        if node.id in self._promised:
-            length = np.sqrt(inner(value, value))
-            if np.any(length <= margin()):
-                self.broken.add(node.id)
-            margins.at_zero(length, margin())
+    # --- leaves -----------------------------------------------------------------------------------
+
+    def _reader(self, reader: _Reader) -> _Reader:
+        return reader if self.has_bounds else _Plain(reader)
+
+    def _given(self, lanes: Lanes) -> Lanes:
+        """Floats from outside, which are exact unless they have bounds already."""
+        if not self.has_bounds:
+            return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
+        return tuple(lane if isinstance(lane, Bounded) else given(lane) for lane in lanes)
 
     def _parameter(self, node: Node) -> Lanes | None:
         if not isinstance(node.data, Parameter):
             return None
-        name = node.data.name
-        if name not in self.values:
-            raise ValueError(f"The parameter `{name}` has no value.")
-        value = self.values[name]
-        return value if node.type == node.data.type else stored(node.data.type, value)
+        if node.data.name not in self._values:
+            raise ValueError(f"The parameter `{node.data.name}` has no value.")
+        key = node.data, node.type
+        if key not in self._parameters:
+            value = self._values[node.data.name]
+            value = value if node.type == node.data.type else stored(node.data.type, value)
+            self._parameters[key] = as_rounded(value) if self.has_bounds else value
+        return self._parameters[key]
+
+
+class _Watch:
+    """Observes the evaluation of one stage: the constants of texts, derivatives and promises."""
+
+    def __init__(self, stages: StageEvaluator, shape: tuple[int, ...]) -> None:
+        self._stages = stages
+        self.undecided: Bools = np.zeros(shape, dtype=np.bool_)
+
+    def __call__(self, node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
+        """The value with which the evaluation continues."""
+        if self._stages.promises(node):
+            self._check(node, value)
+        if node.op == "constant":
+            return as_rounded(value) if self._stages.has_bounds else value
+        builtin = builtin_of(node)
+        if builtin in _COMPARES_NEIGHBOURS and self.undecided.any():
+            self.undecided |= self.undecided.any(axis=(-2, -1), keepdims=True)
+        if builtin in _DERIVATIVE_AXES and self._stages.knows_no_row:
+            return tuple(_any_difference(lane, _DERIVATIVE_AXES[builtin]) for lane in value)
+        return value
+
+    def _check(self, node: Node, vector: Lanes) -> None:
+        """Record where a promise is broken: nothing is defined there."""
+        lanes = tuple(lane.value if isinstance(lane, Bounded) else lane for lane in vector)
+        short = np.sqrt(inner(lanes, lanes)) <= BROKEN
+        if np.any(short):
+            self._stages.broken.add(node.id)
+            self.undecided |= short
+
+
+class _Plain:
+    """A reader of a texture for an evaluation without bounds."""
+
+    def __init__(self, reader: _Reader) -> None:
+        self._reader = reader
+
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
+        lanes = self._reader.read(name, tuple(tuple(map(exact, lanes)) for lanes in operands))
+        return tuple(lane.value if isinstance(lane, Bounded) else lane for lane in lanes)
+
+
+def as_rounded(value: Any) -> Any:
+    """A value, floats of which a device has as the nearest float32.
+
+    So it has the constants of a text, and what a host computes in float64 and rounds. What is a
+    float32 stays exact.
+    """
+    if isinstance(value, tuple):
+        return tuple(map(as_rounded, value))
+    return constant(value) if isinstance(value, float) else value
+
+
+def _no_error(_name: str, _operand: Any, _result: Any) -> float:
+    return 0.0
+
+
+def _remembered(value: Lanes) -> Lanes:
+    """A value whose lanes' errors are shared by all that is computed from them."""
+    return tuple(
+        _remembered(lane) if isinstance(lane, tuple) else remembered(lane) for lane in value
+    )
+
+
+def _any_difference(lane: Lane, axis: int) -> Lane:
+    """A derivative: that of a pixel's own row or column, or on a device of another in the quad."""
+    if not isinstance(lane, Bounded) or not lane.ndim or lane.shape[axis] != 2:
+        return lane
+    return hull(lane, lane.take([1, 0], axis))
+
+
+def _whole(lane: Any, shape: tuple[int, ...]) -> Bounded:
+    return (lane if isinstance(lane, Bounded) else exact(lane)).spread(shape)
+
+
+def _radius(lane: Bounded) -> Floats:
+    """By how much a device's value may differ from the exact one."""
+    off = np.maximum(lane.high - lane.value, lane.value - lane.low)
+    return np.nan_to_num(np.asarray(off, np.float64), nan=np.inf, posinf=np.inf)
 
 
 def _promised(roots: Sequence[Node]) -> frozenset[int]:
@@ -246,20 +275,6 @@ def _promised(roots: Sequence[Node]) -> frozenset[int]:
         pending += (new := [operand for operand in used if operand not in seen])
         seen.update(new)
     return frozenset(node.id for node in seen if builtin_of(node) in _PROMISES)
-
-
-def _rounds(node: Node, value: Lanes) -> bool:
-    """Whether a value is the rounded result of an operation, and not exact."""
-    builtin = builtin_of(node)
-    if builtin is None or builtin in _NOT_ROUNDED:
-        return False
-    return scalar_kind(node.type) == "float" and not isinstance(value[0], tuple)
-
-
-def _unless_exact(lane: Lane, moved: Lane) -> Lane:
-    """``moved`` where the result of a correctly rounded operation is no float32, and so rounded."""
-    with np.errstate(over="ignore"):
-        return np.where(np.float32(lane) == lane, lane, moved)
 
 
 def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
@@ -282,55 +297,6 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
     return tuple(np.ascontiguousarray(array.T, dtype=kind))
 
 
-def _ways(
-    images: Iterable[Image], rules: RasterRules, nodes: Sequence[Node], crossings: list[Node]
-) -> Variants:
-    """The variants of reading and interpolating that can change a shader's results."""
-    called = _called(nodes)
-    varied = [image for image in images if image.only is None]
-    read = {image.type.dimension for image in varied}
-    smooth = any(image.state.get("filter") == "linear" for image in varied)
-    mipped = any(image.state.get("mip", "none") != "none" for image in varied)
-    steps = any(
-        (image.state.get("filter"), image.state.get("mip")) == ("nearest", "linear")
-        for image in varied
-    )
-    return variants(
-        rules.subtexel_bits if smooth else None,
-        rules.mip_bits if mipped or called & {"ddx", "ddy"} else None,
-        rules.varying_bits if any(CROSS.data(node).mode != "flat" for node in crossings) else None,
-        rules.rounding_bits,
-        any(name in called for name, _ in rules.functions),
-        mixing_bits=rules.mixing_bits if steps else None,
-        volumes="3d" in read,
-        cubes="cube" in read,
-        reads=_reads(nodes),
-    )
-
-
 def _called(nodes: Iterable[Node]) -> set[str]:
     """The builtins among these nodes."""
     return {CALL.data(node) for node in nodes if node.op in BUILTIN_OPS}
-
-
-def _reads(nodes: Sequence[Node]) -> int:
-    """How many reads through samplers a fragment does; a loop may do several."""
-    again = any(node.op in LOOPS for node in nodes)
-    count = sum(builtin_of(node) in _FILTERED for node in nodes)
-    return 3 * count if again else count
-
-
-def _differences(value: Lanes, ways: Variants, name: str) -> Lanes:
-    """A derivative under every variant: the pixel's own row or column, or the same one for the
-    quad."""
-    axis, choice = (-2, ways.row) if name == "ddx" else (-1, ways.column)
-    return tuple(
-        _in_common(lane, choice, axis) if np.ndim(lane) and lane.shape[axis] == 2 else lane
-        for lane in value
-    )
-
-
-def _in_common(lane: Any, choice: Any, axis: int) -> Any:
-    choice = choice[:, None, None, None]
-    first, second = lane.take([0], axis), lane.take([1], axis)
-    return np.where(choice < 0, lane, np.where(choice == 0, first, second))

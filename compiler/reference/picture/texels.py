@@ -1,19 +1,36 @@
 """Looks up a texture's texels by their indices: in levels, layers, and beyond the edges.
 
-The sampler makes an ``Image`` for each texture.
+The sampler makes an ``Image`` for each texture. Pixels are the last axis of all arrays here, and
+the lanes of texels are the first.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
+from itertools import product
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...ir.leaves import Resource
 from ...ir.types import Texture
+from ..bounds import Bounded, exact
 from ..namespace import Lanes
-from .cube import across_edges
+from .cube import across_edges, beyond_corner
 from .scene import Floats, Ints, RasterRules, Texels
+
+_DECODING = 2.0**-22
+"""The error of a texel that is not a float32, such as 1/255, relative to itself: a device computes
+it from the bits that are stored."""
+
+_SRGB_STEP = 1.05 * 0.5 / 255
+"""By how much a device may be off when it decodes sRGB, in encoded units: half a step of 8 bits
+(Direct3D 11.3 Functional Specification, "SRGB to FLOAT"; assumed elsewhere), and what the curve
+bends within it. Its slope is that of IEC 61966-2-1."""
+
+EVERY_LANE = slice(None)
 
 
 class Image:
@@ -29,20 +46,35 @@ class Image:
         layers, heights, widths = np.array(shapes).T
         counts = layers * heights * widths
         self._starts = np.cumsum(counts) - counts
-        self._table = np.concatenate(
-            [level.reshape(-1, level.shape[-1]) for level in texels.levels]
-        )
+        rows = [level.reshape(-1, level.shape[-1]) for level in texels.levels]
+        self._table = np.ascontiguousarray(np.concatenate(rows).T)
+        self._errors = None if self.is_exact else _errors_of(self._table, texels.is_srgb)
         self._size = np.stack([widths, heights, layers])
         self.layers = int(layers[0])
         """The layers of an array, or the faces of a cube."""
-        same = bool((self._table == self._table[0]).all())
-        self.only: Lanes | None = tuple(self._table[0].tolist()) if same else None
-        """The value of all texels, if they are the same."""
+        same = bool((self._table == self._table[:, :1]).all())
+        self.only = _lanes(self._texel_at(np.int64(0))) if same else None
+        """The lanes of all texels, if they are the same."""
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether the device reads texels without any error."""
+        return self.rules.subtexel_bits is None
+
+    @property
+    def has_known_steps(self) -> bool:
+        """Whether the device takes the steps of a quad as the reference does."""
+        return self.is_exact or (self.rules.euclidean_steps and self.type.dimension != "cube")
 
     @property
     def levels(self) -> int:
         """The number of levels."""
         return len(self._starts)
+
+    @property
+    def has_one_level(self) -> bool:
+        """Whether all filtered reads use the same level."""
+        return self.state["mip"] == "none" or self.levels == 1
 
     @property
     def axes(self) -> int:
@@ -53,40 +85,143 @@ class Image:
         """The numbers of texels along each axis of a layer, or face, in these levels."""
         return [self._size[axis][level] for axis in range(self.axes)]
 
-    def load(self, place: Sequence[Ints], layer: Ints, level: Ints) -> Floats | Ints:
-        """Texels (…, lanes); out of bounds, the nearest ones."""
-        level = np.clip(level, 0, self.levels - 1)
-        sizes = self.sizes(level)
-        within = [np.clip(i, 0, size - 1) for i, size in zip(place, sizes, strict=True)]
-        return self._texels(within, self.layer(layer), level)
+    @property
+    def first_sizes(self) -> list[Ints]:
+        """Those of the first level."""
+        return self.sizes(np.zeros((), dtype=np.int64))
 
     def layer(self, number: Ints) -> Ints:
         """The nearest layer that exists."""
         return np.clip(number, 0, self.layers - 1)
 
-    def texel(self, place: Sequence[Ints], layer: Ints, level: Ints) -> Floats:
-        """Texels (…, lanes) as the sampler sees them, also beyond the edges."""
+    def load(self, place: Sequence[Ints], layer: Ints, level: Ints) -> Bounded:
+        """Texels by their indices; out of bounds, the nearest ones."""
+        level = np.clip(level, 0, self.levels - 1)
+        sizes = self.sizes(level)
+        within = [np.clip(i, 0, size - 1) for i, size in zip(place, sizes, strict=True)]
+        return self._texels(within, self.layer(layer), level)
+
+    def texel(
+        self, place: Sequence[Ints], layer: Ints, level: Ints, lanes: slice = EVERY_LANE
+    ) -> Bounded:
+        """Texels as the sampler sees them: beyond the edges, too, but not beyond those of faces."""
+        wrap = "clamp" if self.type.dimension == "cube" else self.state["wrap"]
+        sizes = self.sizes(level)
+        within = [_wrapped(i, size, wrap) for i, size in zip(place, sizes, strict=True)]
+        return self._texels(within, layer, level, lanes)
+
+    def cell(
+        self, first: Sequence[Ints], layer: Ints, level: Ints, lanes: slice = EVERY_LANE
+    ) -> list[Bounded]:
+        """The neighbouring texels that a linear filter blends; ``first`` has the least indices.
+
+        They are in the order of their steps along the axes: (0, 0), (0, 1), (1, 0), (1, 1).
+        """
+        pairs = [(i, i + 1) for i in first]
         sizes = self.sizes(level)
         if self.type.dimension == "cube":
-            place, layer = across_edges(place, layer, sizes[0])
+            return [self._around_cube(place, layer, level, lanes) for place in product(*pairs)]
         wrap = self.state["wrap"]
-        within = [_wrapped(i, size, wrap) for i, size in zip(place, sizes, strict=True)]
-        return self._texels(within, layer, level)
+        within = [
+            tuple(_wrapped(i, size, wrap) for i in pair)
+            for pair, size in zip(pairs, sizes, strict=True)
+        ]
+        return [self._texels(place, layer, level, lanes) for place in product(*within)]
 
-    def _texels(self, place: Sequence[Ints], layer: Ints, level: Ints) -> Floats:
+    def hull(
+        self, level: Ints, lanes: slice = EVERY_LANE, *, every_level: bool = False
+    ) -> tuple[Floats, Floats]:
+        """The least and the greatest texels of each of these levels, or of all that there are."""
+        least, greatest = (ends[lanes] for ends in self._hulls)
+        if every_level:
+            least, greatest = least.min(axis=1), greatest.max(axis=1)
+            level, least, greatest = np.zeros_like(level), least[:, None], greatest[:, None]
+        return least[:, level], greatest[:, level]
+
+    @cached_property
+    def _hulls(self) -> tuple[Floats, Floats]:
+        """For each lane and each level, the least and the greatest texel."""
+        off = 0 if self._errors is None else self._errors
+        least = np.minimum.reduceat(self._table - off, self._starts, axis=1)
+        return least, np.maximum.reduceat(self._table + off, self._starts, axis=1)
+
+    def _around_cube(self, place: Sequence[Ints], face: Ints, level: Ints, lanes: slice) -> Bounded:
+        """Texels of a face or, beyond one of its edges, of its neighbours.
+
+        Beyond a corner there is none. Vulkan recommends the mean of the three texels around it; a
+        device may use one of them.
+        """
+        size = self.sizes(level)[0]
+        there, other = across_edges(place, face, size)
+        within = [np.clip(i, 0, size - 1) for i in there]
+        texel = self._texels(within, other, level, lanes)
+        beyond = beyond_corner(place, size)
+        if not beyond.any():
+            return texel
+        inside = [np.clip(i, 0, size - 1) for i in place]
+        three = [
+            self._around_cube(around, face, level, lanes)
+            for around in (inside, [inside[0], place[1]], [place[0], inside[1]])
+        ]
+        mean = sum(each.value for each in three) / 3
+        low, high = (
+            [np.broadcast_to(end, mean.shape) for end in ends]
+            for ends in ([each.low for each in three], [each.high for each in three])
+        )
+        value = np.where(beyond, mean, texel.value)
+        if self.is_exact:
+            return exact(value)
+        return Bounded(
+            value,
+            np.where(beyond, np.min(low, axis=0), texel.low),
+            np.where(beyond, np.max(high, axis=0), texel.high),
+        )
+
+    def _texels(
+        self, place: Sequence[Ints], layer: Ints, level: Ints, lanes: slice = EVERY_LANE
+    ) -> Bounded:
         """Texels by indices that are within the texture."""
         column, row = place[0], place[1]
         slice_ = place[2] if len(place) == 3 else layer
         row = slice_ * self._size[1][level] + row
         index = self._starts[level] + row * self._size[0][level] + column
-        found: Floats = np.take(self._table, index, axis=0)
-        return found
+        return self._texel_at(index, lanes)
+
+    def _texel_at(self, index: Any, lanes: slice = EVERY_LANE) -> Bounded:
+        """Texels by their numbers in the table."""
+        found = self._table[lanes].take(index, axis=1)
+        if self._errors is None:
+            return exact(found)
+        off = self._errors[lanes].take(index, axis=1)
+        return Bounded(found, np.maximum(found - off, np.minimum(found, 0.0)), found + off)
+
+
+def _errors_of(table: NDArray[Any], is_srgb: bool) -> Floats | None:
+    """By how much devices may be off when they decode texels; ``None`` if all are float32."""
+    if table.dtype.kind != "f":
+        return None
+    rounded = table != table.astype(np.float32)
+    if not rounded.any() and not is_srgb:
+        return None
+    errors = np.where(rounded, np.abs(table) * _DECODING, 0.0)
+    if is_srgb:
+        errors[:3] = np.maximum(2.4 / 1.055 * table[:3] ** (1.4 / 2.4), 1 / 12.92) * _SRGB_STEP
+    return errors
+
+
+def _lanes(texel: Bounded) -> Lanes:
+    """The lanes of a single texel."""
+    if texel.is_exact:
+        return tuple(map(exact, texel.value))
+    return tuple(Bounded(*ends) for ends in zip(texel.value, texel.low, texel.high, strict=True))
 
 
 def _wrapped(index: Ints, size: Ints, wrap: str) -> Ints:
     """The texel that an index outside of the texture means."""
     if wrap == "clamp":
         return np.clip(index, 0, size - 1)
+    if np.min(index, initial=0) >= 0 and np.all(index < size):
+        return index
     if wrap == "repeat":
         return index % size
     folded = index % (2 * size)

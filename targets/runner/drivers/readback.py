@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ..textures.srgb import decode_srgb
+from ....compiler.reference.transfer import decode_srgb
 from .draw import Picture, TargetFormat
 
 TexelLanes = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]

@@ -10,8 +10,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ....compiler.reference.transfer import decode_srgb, encode_srgb
 from ..drivers.draw import TEXELS, Dimension, TextureFormat
-from .srgb import decode_srgb, encode_srgb
 
 Texels = NDArray[np.uint8 | np.float32 | np.uint32 | np.int32]
 """Texels as stored, of shape (depth, height, width, lanes)."""

@@ -25,11 +25,12 @@ from burnish.compiler.reference.picture import (
     cube,
     drawing,
     faces,
+    filtering,
     levels,
     resolve,
-    sampler,
     texels,
 )
+from burnish.compiler.reference.picture.intervals import increasing, quotient
 from burnish.compiler.reference.picture.quads import Barycentric
 from burnish.targets.conformance import plan
 from burnish.targets.runner.reference import expected
@@ -161,7 +162,7 @@ distances = clip._distances
 window = faces._window
 perspective = Barycentric.perspective
 snapped = faces._snapped
-level = levels.implicit
+level = levels.of_steps
 wrapped = texels._wrapped
 load = texels.Image.load
 
@@ -196,13 +197,13 @@ def _farthest(fragments: Any, depth: Any) -> Any:
     return resolve.nearest(fragments, -depth)
 
 
-def _coarser(image: Any, coordinate: Any, ways: Any) -> Any:
-    return np.clip(level(image, coordinate, ways) + 1.0, 0, image.levels - 1)
+def _coarser(by: float) -> Callable[..., Any]:
+    """Compute a level that is wrong."""
 
+    def wrong(image: Any, steps: Any) -> Any:
+        return increasing(lambda x: np.clip(x + by, 0, image.levels - 1), level(image, steps))
 
-def _sixteenths(image: Any, coordinate: Any, ways: Any) -> Any:
-    """Compute a level that is wrong by one half."""
-    return np.clip(level(image, coordinate, ways) + 0.5, 0, image.levels - 1)
+    return wrong
 
 
 def _repeated(index: Any, size: Any, wrap: str) -> Any:
@@ -217,8 +218,8 @@ def _within_faces(place: Any, face: Any, size: Any) -> Any:
 
 def _unprojected(where: Any, lanes: Any) -> Any:
     """Use gradients without projecting them onto the face."""
-    along = cube._turned(where.face, lanes)
-    return [step / where.out / 2 for step in along[:2]]
+    along = cube._turned_lanes(where.face, lanes)
+    return [increasing(lambda x: x / 2, quotient(step, where.out)) for step in along[:2]]
 
 
 def _round_about(image: Any, place: Any, layer: Any, level: Any) -> Any:
@@ -259,9 +260,9 @@ _PICTURE = [
     Planted("mirrors that repeat", "textures: Wraps", GLSL,
             replaced(texels, "_wrapped", _repeated)),
     Planted("a level too small", "textures: Levels", HLSL,
-            replaced(levels, "implicit", _coarser)),
+            replaced(levels, "of_steps", _coarser(1.0))),
     Planted("half a level too small", "textures: Levels", WGSL,
-            replaced(levels, "implicit", _sixteenths)),
+            replaced(levels, "of_steps", _coarser(0.5))),
     Planted("a seam at every edge of a cube", "kinds: Explicit", WGSL,
             replaced(texels, "across_edges", _within_faces)),
     Planted("gradients past a cube's surface", "kinds: Slopes", GLSL,
@@ -269,9 +270,9 @@ _PICTURE = [
     Planted("layers counted round", "kinds: Explicit", HLSL,
             replaced(texels.Image, "layer", lambda self, number: number % self.layers)),
     Planted("depths on the left", "kinds: Compared", GLSL,
-            edited(sampler, "_COMPARISONS", "less", np.greater)),
+            edited(filtering, "_COMPARISONS", "less", lambda reference, depth: reference > depth)),
     Planted("gathered the other way round", "gathered: Colors", WGSL,
-            replaced(sampler, "_GATHERED", sampler._GATHERED[::-1])),
+            replaced(filtering, "_ROUND", filtering._ROUND[::-1])),
     Planted("loaded round the edges", "kinds: Loaded", HLSL,
             replaced(texels.Image, "load", _round_about)),
     Planted("swizzles backwards", "storage: Plain", GLSL,

@@ -11,6 +11,7 @@ from typing import Any
 
 import vulkan as vk
 
+from ..choice import chosen
 from ..draw import Device, DriverError
 from .errors import Messages, explained
 
@@ -45,16 +46,20 @@ class Gpu:
     """How many seconds one submission may take."""
 
 
-def open_gpu(owned: ExitStack, seconds: float) -> Gpu:
-    """Open the first device of the driver; ``owned`` gets everything that must be closed.
+def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
+    """Open the device that is wanted; ``owned`` gets everything that must be closed.
 
     Raises ``DriverError``, which says what is missing.
     """
     messages = Messages()
     with explained(messages):
         instance = _instance(owned, messages)
-        physical = vk.vkEnumeratePhysicalDevices(instance)[0]
-        properties = vk.vkGetPhysicalDeviceProperties(physical)
+        found = vk.vkEnumeratePhysicalDevices(instance)
+        described = [vk.vkGetPhysicalDeviceProperties(each) for each in found]
+        names = [each.deviceName for each in described]
+        hardware = [each.deviceType != vk.VK_PHYSICAL_DEVICE_TYPE_CPU for each in described]
+        number = chosen(names, hardware, wanted)
+        physical, properties = found[number], described[number]
         if properties.apiVersion < API_VERSION:
             raise DriverError(f"{properties.deviceName} has no Vulkan 1.1")
         features = vk.vkGetPhysicalDeviceFeatures(physical)

@@ -18,16 +18,20 @@ if TYPE_CHECKING:
 
 
 class VulkanDriver(Closing):
-    """Draws with the driver that a file announces; a context manager.
+    """Draws with the driver that a file announces, or with any of the machine's; a context manager.
 
     Vulkan's loader chooses the driver by the environment of the process: ``VK_DRIVER_FILES`` must
-    name ``icd`` before the first request.
+    name ``icd`` before the first request, if that is not empty.
     """
 
-    def __init__(self, icd: str, seconds: float) -> None:
-        """``seconds`` is how long one draw may take; the process ends if one takes longer."""
+    def __init__(self, icd: str, seconds: float, device: str = "") -> None:
+        """``seconds`` is how long one draw may take; the process ends if one takes longer.
+
+        ``device`` is a part of the device's name, or its number; empty for the usual one.
+        """
         self._icd = icd
         self._seconds = seconds
+        self._device = device
         self._owned = ExitStack()
         self._gpu: Gpu | None = None
 
@@ -61,13 +65,13 @@ class VulkanDriver(Closing):
 
     def _opened(self) -> Gpu:
         if self._gpu is None:
-            if not Path(self._icd).is_file():
+            if self._icd and not Path(self._icd).is_file():
                 raise DriverError(f"there is no Vulkan driver at {self._icd}")
             try:
                 from .device import open_gpu
             except (ImportError, OSError) as error:
                 raise DriverError(f"Vulkan cannot be used: {error}") from error
             with ExitStack() as owned:
-                self._gpu = open_gpu(owned, self._seconds)
+                self._gpu = open_gpu(owned, self._seconds, self._device)
                 self._owned = owned.pop_all()
         return self._gpu

@@ -1,0 +1,12 @@
+"""Says which operations make a pixel inexact, by how much, and where in the source that happens.
+
+``burnish conform --explain`` and the verdict ``proves little`` ask ``explain`` for one pixel. It
+evaluates the shader for this pixel alone, again and again, each time with a small error in the
+result of one operation, and looks at what becomes of the picture. It needs NumPy, so nothing that
+compiles imports it.
+"""
+
+from .explanation import Explanation, explain
+from .pixel import UncoveredError
+
+__all__ = ["Explanation", "UncoveredError", "explain"]

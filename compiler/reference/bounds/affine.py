@@ -1,0 +1,166 @@
+"""Affine forms: how a lane's error depends on errors that it shares with other lanes.
+
+An interval forgets that two lanes are off by the same error, so a loop that corrects itself seems
+to lose digits in every turn (``t = t + distance(origin + t * ray)``), and so does a difference of
+two values at nearly the same place. A form remembers a few errors, such as those of interpolated
+values and of a loop's states: a device's value is
+
+    value + sum(terms[e] * e) + rest,   where -1 <= e <= 1 for each shared error e,
+
+and the magnitude of ``rest`` is limited. Source: de Figueiredo and Stolfi, "Affine Arithmetic:
+Concepts and Applications", 2004; terms here are few, and all else goes into ``rest``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import count
+
+import numpy as np
+
+from .rounding import Array
+
+_numbers = count()
+
+
+Errors = tuple[int, ...]
+"""The numbers of shared errors, in ascending order."""
+
+MOST = 12
+"""How many errors of its own a stored lane keeps; all others become one."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Form:
+    """The errors of one lane."""
+
+    errors: Errors
+    terms: Array
+    """(errors, …): how much each shared error contributes at most, with its sign."""
+    rest: Array
+    """The largest magnitude of all other errors together."""
+
+    @property
+    def radius(self) -> Array:
+        """By how much the lane may differ from its value."""
+        return np.abs(self.terms).sum(axis=0) + self.rest if self.errors else self.rest
+
+    def scaled(self, factor: Array) -> Form:
+        """The form of a multiple of the lane."""
+        terms = _with_axes(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
+        return Form(self.errors, terms, self.rest * np.abs(factor))
+
+    def plus(self, other: Form) -> Form:
+        """The form of the sum of two lanes."""
+        rest = self.rest + other.rest
+        if self.errors == other.errors or not other.errors:
+            terms = _joined(self.terms, other.terms) if other.errors else self.terms
+            return Form(self.errors, terms, rest)
+        if not self.errors:
+            return Form(other.errors, other.terms, rest)
+        errors, one, two = _together(self.errors, other.errors)
+        return Form(errors, _joined(_placed(self.terms, one), _placed(other.terms, two)), rest)
+
+    def widened(self, by: Array) -> Form:
+        """The form with a further error of its own."""
+        return Form(self.errors, self.terms, self.rest + by)
+
+    def or_else(self, other: Form) -> Form | None:
+        """The form of a lane that is one of two, if they share the same errors."""
+        if self.errors != other.errors:
+            return None
+        apart = np.abs(_joined(self.terms, -other.terms)).sum(axis=0) if self.errors else 0.0
+        return Form(self.errors, self.terms, np.maximum(self.rest, other.rest) + apart)
+
+    def shared(self) -> Form:
+        """The form of a lane whose whole error is shared from now on.
+
+        It keeps the errors that it shares with others, and the rest becomes one more. Of too many,
+        the smallest join the rest.
+        """
+        kept, rest = list(range(len(self.errors))), self.rest
+        if len(kept) > MOST:
+            sizes = np.abs(self.terms).reshape(len(kept), -1).max(axis=1)
+            order = np.argsort(sizes)
+            kept, merged = sorted(order[-MOST:].tolist()), order[:-MOST]
+            rest = rest + np.abs(self.terms[merged]).sum(axis=0)
+        terms = np.broadcast_arrays(*self.terms[kept], rest) if kept else [rest]
+        errors = (*(self.errors[i] for i in kept), next(_numbers))
+        return Form(errors, np.stack(terms), np.zeros_like(terms[-1]))
+
+
+def alone(radius: Array) -> Form:
+    """The form of a lane whose error nobody shares."""
+    return Form((), _NO_TERMS, radius)
+
+
+def chosen(is_first: Array, is_second: Array, x: Form, y: Form, otherwise: Array) -> Form:
+    """The form of the first lane, or of the second, or of neither with this radius."""
+    errors, one, two = _together(x.errors, y.errors)
+    first, second = (
+        _placed(form.terms, place) if form.errors else 0.0 for form, place in ((x, one), (y, two))
+    )
+    terms = np.where(is_first, first, np.where(is_second, second, 0.0))
+    rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
+    return Form(errors, terms, rest)
+
+
+def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius: Array) -> Form:
+    """The form of a function of a lane whose derivative never turns within the lane's interval.
+
+    The function's mean value theorem: its change is the derivative at some place between, times the
+    change of the operand; so what the derivative at the value leaves out is within the derivative's
+    change. A lane without an error has none afterwards, however steep the function is.
+    """
+    first, last = slopes_at_ends
+    bend = np.maximum(np.abs(first - slope), np.abs(last - slope))
+    certain = radius == 0
+    if certain.any():
+        slope, bend = np.where(certain, 0.0, slope), np.where(certain, 0.0, bend)
+    return form.scaled(slope).widened(bend * radius)
+
+
+_NO_TERMS = np.zeros((0,))
+
+_Places = tuple[int, tuple[int, ...]]
+"""How many terms there are together, and where those of one form are among them."""
+
+
+@lru_cache(maxsize=1024)
+def _together(x: Errors, y: Errors) -> tuple[Errors, _Places, _Places]:
+    errors = tuple(sorted({*x, *y}))
+    place = {error: i for i, error in enumerate(errors)}
+    one, two = (tuple(place[error] for error in some) for some in (x, y))
+    return errors, (len(errors), one), (len(errors), two)
+
+
+def _joined(x: Array, y: Array) -> Array:
+    """The sums of the terms of the same errors."""
+    if x.ndim == y.ndim:
+        return x + y
+    axes = max(x.ndim, y.ndim) - 1
+    return _with_axes(x, axes) + _with_axes(y, axes)
+
+
+def _with_axes(terms: Array, axes: int) -> Array:
+    """Terms of a lane with fewer axes than another, so that they broadcast together with it."""
+    missing = axes + 1 - terms.ndim
+    if missing <= 0:
+        return terms
+    return terms.reshape(terms.shape[0], *[1] * missing, *terms.shape[1:])
+
+
+def _placed(terms: Array, places: _Places) -> Array:
+    """Terms in their places among more terms, which are zero."""
+    count, where = places
+    if count == len(where):
+        return terms
+    placed = np.zeros((count, *terms.shape[1:]))
+    placed[list(where)] = terms
+    return placed
+
+
+Derivative = Callable[[Array], Array]
+"""The derivative of a function, which rises everywhere or falls everywhere."""

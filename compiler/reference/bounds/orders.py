@@ -1,0 +1,76 @@
+"""Sums and products whose terms and factors a compiler may take in another order.
+
+GLSL and HLSL let a compiler reassociate what is not ``precise``, and WGSL does so as well
+("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum and product,
+and widens the next one by the error that any order may have.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....stdlib.builtins.facts import SMALLEST_NORMAL
+from .rounding import ULP, Array
+
+_FINEST = 2.0**-12
+_LARGEST = 2.0**6
+"""Sums of multiples of the one are exact in any order, for a long time, if no term is larger than
+the other."""
+
+
+@dataclass(slots=True, eq=False)
+class Sum:
+    """That a lane is a sum of several terms."""
+
+    roundings: int
+    """How many operations may round a partial sum, in any order."""
+    operands: tuple[Term, Term]
+    is_exact: bool
+    """Whether every partial sum of its terms is a float32."""
+    error: Array = 0.0
+    """By how much its bounds are wider because of the order of its terms."""
+    _magnitude: Array | None = None
+
+    @property
+    def magnitude(self) -> Array:
+        """The sum of the magnitudes of all terms, which limits every partial sum."""
+        if self._magnitude is None:
+            left, right = self.operands
+            self._magnitude = left.magnitude + right.magnitude
+        return self._magnitude
+
+
+@dataclass(slots=True, eq=False)
+class Single:
+    """A lane that is no sum, as a term."""
+
+    low: Array
+    high: Array
+
+    @property
+    def magnitude(self) -> Array:
+        """The largest magnitude that it may have."""
+        return np.maximum(np.abs(self.low), np.abs(self.high))
+
+
+Term = Sum | Single
+
+
+def in_any_order(sum_: Sum) -> Array:
+    """By how much further the bounds of a sum have to be widened for any order of its terms.
+
+    Each of n operations rounds a partial sum, which no order makes larger than the sum of all
+    magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero.
+    """
+    step = ULP * sum_.magnitude + np.minimum(sum_.magnitude, SMALLEST_NORMAL)
+    sum_.error = sum_.roundings * step
+    before = [term.error for term in sum_.operands if isinstance(term, Sum)]
+    return sum_.error - sum(before)
+
+
+def is_coarse(value: Array) -> bool:
+    """Whether sums of such numbers are exact in any order: small multiples of a fraction."""
+    scaled = value / _FINEST
+    return bool((np.abs(value) < _LARGEST).all() and (np.rint(scaled) == scaled).all())

@@ -1,0 +1,104 @@
+"""What each driver does that its API does not report, and how accurate it was found to be.
+
+``plan.py`` makes the rules of the reference's pictures of these rows, and docs/conformance.md shows
+them. A picture is first held against the bounds of what was *measured* of the driver. Only where it
+leaves them, it is held against what specifications guarantee.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+
+@dataclass(frozen=True, slots=True)
+class Hardware:
+    """How precise the fixed functions of a device are, in binary places."""
+
+    varying_bits: int
+    """Of the planes from which values are interpolated, relative to the largest number with which
+    these are computed."""
+    frag_coord_bits: int
+    """The same of a fragment's depth, and of its 1 / w."""
+    subtexel_bits: int
+    """Of the weights of filters."""
+    mip_bits: int
+    """Of the level of detail."""
+    mixing_bits: int | None = None
+    """Of the weights of two levels whose texels are not filtered; ``None``: they are floats."""
+    own_derivatives: bool = False
+    """Whether differences are those of each pixel's own row and column, and not any of its quad."""
+    euclidean_steps: bool = False
+    """Whether levels follow from a quad's first row and column, by Euclidean lengths."""
+
+
+@dataclass(frozen=True, slots=True)
+class Driver:
+    """A driver's properties."""
+
+    assumed: Hardware
+    """What is guaranteed, where the API does not report it. No API promises anything of
+    interpolated values."""
+    measured: Hardware | None = None
+    """What was found, less some places, as other pictures may have larger errors. ``measured.py``
+    has what was found of its functions."""
+    interpolates_snapped: bool = False
+    """Whether attributes are interpolated between snapped vertices, as coverage always is."""
+    clips_sides: bool = False
+    """Whether it clips triangles at the sides of the picture, and snaps the new corners."""
+    edge_slack: float = 0.0
+    """How close to an edge, in pixels, it may put a pixel on the wrong side."""
+    level_power: int | None = None
+    """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
+    bottom_up: bool = False
+    """Whether a quad's first pixel is the lower left one, which matters only for levels."""
+    projects_cubes: bool = True
+    """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies."""
+
+
+_LLVM = Driver(
+    Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
+    Hardware(
+        varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
+        own_derivatives=True, euclidean_steps=True,
+    ),
+    clips_sides=True,
+    edge_slack=2.0**-11,
+    level_power=2,
+)  # fmt: skip
+_SWIFTSHADER = Driver(
+    # It blends levels in 16 bits, with several roundings.
+    Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
+    Hardware(
+        varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
+        own_derivatives=True, euclidean_steps=True,
+    ),
+    interpolates_snapped=True,
+    clips_sides=True,
+    level_power=4,
+    projects_cubes=False,
+)  # fmt: skip
+# OpenGL does not define which triangle owns a pixel that is exactly on an edge, and rows from the
+# bottom up invert the top-left rule. Such pixels are undecided.
+_WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)
+
+# Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
+# less than what such devices are known for. It was tried on lavapipe only.
+_ANY_DEVICE = Driver(
+    Hardware(varying_bits=16, frag_coord_bits=16, subtexel_bits=8, mip_bits=4, mixing_bits=8),
+    interpolates_snapped=True,
+    clips_sides=True,
+    edge_slack=2.0**-11,
+    level_power=4,
+)
+
+DRIVERS: Mapping[str, Driver] = {
+    "lavapipe": _LLVM,
+    "llvmpipe": replace(_LLVM, bottom_up=True),
+    "swiftshader": _SWIFTSHADER,
+    "webgpu": _SWIFTSHADER,
+    "webgl2": _WEBGL,
+    "vulkan": _ANY_DEVICE,
+    "wgpu": _ANY_DEVICE,
+}
+"""The drivers, by their names in routes."""

@@ -1,0 +1,160 @@
+"""Says in words where a pixel loses precision, for the terminal, the report and verdicts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+from ...compiler.diagnostics.source import Span
+from ...compiler.reference.attribution.explanation import (
+    Explanation,
+    Expression,
+    Kind,
+    Loss,
+    Tipping,
+)
+
+MOST = 8
+"""How many expressions are listed under each heading."""
+_LANES = "rgba"
+_INACCURATE = 1024.0
+"""An operation whose own error is this many roundings of its value is called inaccurate."""
+_ROUNDING = 2.0**-24
+_WHOLE_STEP = 0.5
+"""An operand that is off by more than this may be on either side of a jump at whole numbers."""
+_OWN: Mapping[Kind, str] = {
+    "operation": "may itself be off by",
+    "read": "is filtered, and may be off by",
+    "interpolation": "is interpolated, and may be off by",
+    "constant": "is rounded by",
+    "input": "may be off by",
+}
+"""How an expression is said to be inexact by itself."""
+_NEARLY_ALL = 0.8
+"""The part of the error from which on one operation is to blame."""
+
+
+def causes(explanation: Explanation) -> Iterator[str]:
+    """Why the pixel is inexact, each cause with its place, the worst one first.
+
+    Nothing, if it is the sum of many small errors.
+    """
+    for loss in explanation.losses[:1]:
+        yield _with_place(_lossy(loss), loss.expression.span)
+    for tipping in _other_tippings(explanation)[:1]:
+        yield _with_place(_tipping(tipping), tipping.expression.span)
+    for worst in explanation.contributions[:1]:
+        size = max((abs(lane) for lane in worst.value), default=0.0)
+        if worst.own > _INACCURATE * _ROUNDING * max(size, 1.0):
+            text = f"`{worst.text}` {_OWN[worst.kind]} {_short(worst.own)}"
+            yield _with_place(text, worst.span)
+
+
+def blamed(explanation: Explanation) -> Iterator[str]:
+    """The one operation that explains nearly all of what a pixel may be off, if there is one."""
+    for worst in explanation.contributions[:1]:
+        part = worst.contribution / explanation.error
+        if part >= _NEARLY_ALL:
+            text = f"{part:.0%} of what it may be off is due to `{worst.text}`"
+            yield _with_place(text, worst.span)
+
+
+def lines(explanation: Explanation) -> Iterator[str]:
+    """The whole explanation as lines of text."""
+    lane = _LANES[explanation.lane]
+    value = explanation.value[explanation.lane]
+    yield f"rounding may change {lane} = {value:.7g} by {_short(explanation.error)}, to first order"
+    if explanation.losses:
+        yield from ("", "where precision is lost:")
+        for loss in explanation.losses[:MOST]:
+            yield f"  {_with_place(_lossy(loss), loss.expression.span)}"
+    if tippings := _other_tippings(explanation):
+        yield from ("", "what may tip:")
+        for tipping in tippings[:MOST]:
+            yield f"  {_with_place(_tipping(tipping), tipping.expression.span)}"
+    if explanation.contributions:
+        yield from ("", "what contributes:")
+        yield from _contributions(explanation)
+    if explanation.way:
+        yield from ("", "the way of the largest contribution:")
+        yield from _way(explanation.way)
+
+
+def _other_tippings(explanation: Explanation) -> list[Tipping]:
+    """Jumps of expressions that do not lose precision anyway, so that more than a jump is lost."""
+    lossy = {(loss.expression.text, str(loss.expression.span)) for loss in explanation.losses}
+    return [
+        tipping
+        for tipping in explanation.tippings
+        if (tipping.expression.text, str(tipping.expression.span)) not in lossy
+    ]
+
+
+def _contributions(explanation: Explanation) -> Iterator[str]:
+    rows = [("part", "own error", "magnified", "expression")]
+    for one in explanation.contributions[:MOST]:
+        part = one.contribution / explanation.error
+        rows.append((
+            f"{part:.0%}" if part >= 0.005 else "<1%", _short(one.own), _times(one.magnification),
+            _with_place(f"`{one.text}`", one.span),
+        ))  # fmt: skip
+    yield from _table(rows)
+    rest = explanation.contributions[MOST:]
+    if rest:
+        part = sum(one.contribution for one in rest) / explanation.error
+        yield f"  and {len(rest)} more, with {part:.0%} together"
+
+
+def _way(way: tuple[Expression, ...]) -> Iterator[str]:
+    """The expressions as a tree, each with its value and its error."""
+    rows = [("", "value", "error")]
+    for depth, one in enumerate(way):
+        lane = max(one.value, key=abs, default=0.0)
+        branch = f"{'  ' * (depth - 1)}└ " if depth else ""
+        rows.append((
+            _with_place(f"{branch}`{one.text}`", one.span), f"{lane:.6g}", _short(one.error)
+        ))  # fmt: skip
+    yield from _table(rows)
+
+
+def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = (text.ljust(width) for text, width in zip(row, widths, strict=True))
+        yield f"  {'  '.join(cells)}".rstrip()
+
+
+def _lossy(loss: Loss) -> str:
+    return f"`{loss.expression.text}` magnifies rounding {_times(loss.times)}"
+
+
+def _tipping(tipping: Tipping) -> str:
+    if tipping.error >= _WHOLE_STEP and tipping.repeats:
+        off = _short(tipping.error)
+        return (
+            f"the operand of `{tipping.expression.text}` may be off by {off}: anything may follow"
+        )
+    text = f"`{tipping.expression.text}` is {_short(tipping.distance)} from {tipping.words}"
+    text += f", and may be off by {_short(tipping.error)}: "
+    if math.isinf(tipping.effect):
+        return text + "the pixel would be discarded"
+    return text + f"the pixel would change by {_short(tipping.effect)}"
+
+
+def _times(factor: float) -> str:
+    if factor < 1000:
+        return f"{factor:.3g} times"
+    leading, exponent = f"{factor:.0e}".split("e+")
+    power = f"10^{int(exponent)} times"
+    return power if leading == "1" else f"{leading}·{power}"
+
+
+def _short(number: float) -> str:
+    return f"{number:.1e}" if number and abs(number) < 1e-3 else f"{number:.3g}"
+
+
+def _with_place(text: str, span: Span | None) -> str:
+    if span is None:
+        return text
+    line, _ = span.source.position(span.start)
+    return f"{text} ({span.source.name}:{line})"

@@ -1,0 +1,259 @@
+"""Explains pixels of a conformance run: what each route drew, and the way of the error.
+
+``burnish conform`` calls it when a run is over: with ``--explain`` for the pixel that somebody asks
+about, and for rows that differ or prove little, to say what in the source has to do with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain
+from typing import TypeVar
+
+import numpy as np
+
+from ...compiler.diagnostics.nearest import suggestion
+from ...compiler.reference.attribution import Explanation, UncoveredError
+from ...compiler.reference.picture import Expected
+from ..runner.drivers.draw import Device
+from ..runner.explanation import explained
+from ..runner.routes import Route
+from ..runner.subject import Subject
+from .cases import SIZE, Case, series_of
+from .compare import Bools, ends_of, says_nothing
+from .error_words import blamed, causes, lines
+from .plan import bounds_of
+from .rows import CaseResult, Row
+
+T = TypeVar("T")
+Pixel = tuple[int, int]
+"""Its column and its row, from the upper left corner of the picture."""
+
+
+_ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
+"""Has the bits that nearly all devices have."""
+
+
+class PixelError(Exception):
+    """There is no such pixel, or nothing to explain in it; the text tells people why."""
+
+
+def check_pixel(pixel: Pixel) -> None:
+    """Raise ``PixelError`` for what no picture has, before anything is drawn."""
+    x, y = pixel
+    width, height = SIZE
+    if not (0 <= x < width and 0 <= y < height):
+        raise PixelError(
+            f"there is no pixel {x},{y}: pictures have {width} columns and {height} rows, "
+            "counted from 0,0 in the upper left corner"
+        )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Seen:
+    """One case of a material, with what the routes that drew it have made of it."""
+
+    case: Case
+    results: Mapping[str, CaseResult]
+    """By the route's name."""
+    leading: Row
+    """The row whose device and rules the explanation is for."""
+
+    @property
+    def result(self) -> CaseResult:
+        """What the leading row has drawn."""
+        return self.results[self.leading.route.name]
+
+
+def explanation_lines(
+    subject: Subject, rows: Sequence[Row], seed: int, pixel: Pixel, case: str | None
+) -> Iterator[str]:
+    """What there is to say of one pixel of a material, whose rows these are.
+
+    Without a case, the one that is the least certain there is taken. Raises ``PixelError``.
+    """
+    x, y = pixel
+    seen = _chosen(_seen(subject, rows, seed), pixel, case)
+    try:
+        found = _explained(subject, seen, pixel)
+    except UncoveredError:
+        raise PixelError(_uncovered(seen, pixel)) from None
+    yield f"pixel {x},{y} of `{seen.case.name}`, by the rules of {seen.leading.route.name}"
+    yield ""
+    yield from _values(seen, pixel, found.target)
+    yield ""
+    yield from lines(found)
+
+
+def with_reasons(subject: Subject, rows: Sequence[Row], seed: int) -> list[Row]:
+    """The rows of one material, with what the source has to do with their verdicts.
+
+    What proves little does so for the same reason on all routes; it is worked out once.
+    """
+    weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
+    shared = tuple(_of_little(subject, weakest, seed)) if weakest else ()
+    return [
+        replace(row, reasons=shared)
+        if _is_weak(row)
+        else replace(row, reasons=tuple(_of_difference(subject, row, seed)))
+        if row.status == "differs"
+        else row
+        for row in rows
+    ]
+
+
+def _is_weak(row: Row) -> bool:
+    return row.status == "proves little"
+
+
+def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> Explanation:
+    """The explanation of a pixel by what a route guarantees, without having drawn anything.
+
+    Raises ``PixelError`` if there is no such case, or nothing at the pixel.
+    """
+    every = chain.from_iterable(series.cases for series in series_of(subject.reflection))
+    case = _named({one.name: one for one in every}, name)
+    bounds = bounds_of(case.state, route, _ANY_DEVICE)[-1]
+    try:
+        return explained(subject.shader, case.state, bounds.rules, bounds.errors, *pixel)
+    except UncoveredError:
+        x, y = pixel
+        raise PixelError(f"nothing is drawn at {x},{y} of `{name}`") from None
+
+
+def _of_little(subject: Subject, row: Row, seed: int) -> Iterator[str]:
+    """Where precision is lost, in the case that proves the least, at a usual pixel of it."""
+    cases = _seen(subject, [row], seed)
+    least = max(cases, key=lambda seen: _unproven(seen.result).sum(), default=None)
+    if least is not None and (pixel := _usual(least.result)) is not None:
+        for found in _explained_if_covered(subject, least, pixel):
+            yield from causes(found)
+
+
+def _of_difference(subject: Subject, row: Row, seed: int) -> Iterator[str]:
+    """The operation that explains most of what the worst pixel of a case may be off."""
+    for seen in _seen(subject, [row], seed):
+        comparison = seen.result.comparison
+        if comparison.wrong and comparison.worst is not None:
+            worst = comparison.worst
+            for found in _explained_if_covered(subject, seen, (worst.x, worst.y)):
+                yield from (f"{seen.case.name}: {text}" for text in blamed(found))
+
+
+def _explained_if_covered(subject: Subject, seen: Seen, pixel: Pixel) -> Iterator[Explanation]:
+    try:
+        yield _explained(subject, seen, pixel)
+    except UncoveredError:
+        return
+
+
+def _seen(subject: Subject, rows: Iterable[Row], seed: int) -> list[Seen]:
+    """The cases that any of these rows has drawn."""
+    drawn = [row for row in rows if row.results]
+    found = []
+    for series in series_of(subject.reflection, seed) if drawn else ():
+        for case in series.cases:
+            results = {
+                row.route.name: result
+                for row in drawn
+                for result in row.results
+                if result.case == case.name
+            }
+            leading = next(row for row in drawn if row.route.name in results)
+            found.append(Seen(case, results, leading))
+    return found
+
+
+def _chosen(seen: Sequence[Seen], pixel: Pixel, name: str | None) -> Seen:
+    """The case with this name; or the one in which the pixel's bounds are widest."""
+    if not seen:
+        raise PixelError("no route has drawn it, so there is no device whose rounding to explain")
+    if name is None:
+        return max(seen, key=lambda one: _width(one.result.expected)[pixel[1], pixel[0]])
+    return _named({one.case.name: one for one in seen}, name)
+
+
+def _named(cases: Mapping[str, T], name: str) -> T:
+    if name not in cases:
+        hint = suggestion(name, cases) or f"its cases are {', '.join(map(_quoted, cases))}"
+        raise PixelError(f"there is no case `{name}`; {hint}")
+    return cases[name]
+
+
+def _explained(subject: Subject, seen: Seen, pixel: Pixel) -> Explanation:
+    """Explain a pixel by the bounds that decided on the verdict of the leading row."""
+    row = seen.leading
+    assert row.device is not None
+    level = seen.result.comparison.level
+    allowed = bounds_of(seen.case.state, row.route, row.device)
+    bounds = next(one for one in allowed if one.level == level)
+    return explained(subject.shader, seen.case.state, bounds.rules, bounds.errors, *pixel)
+
+
+def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
+    """The value and its bounds, and what each route has drawn."""
+    x, y = pixel
+    rows = []
+    for route, result in seen.results.items():
+        expected = result.expected
+        low, high = expected.low[target][y, x], expected.high[target][y, x]
+        got = result.got[target][y, x]
+        inside = bool(((got >= low) & (got <= high)).all())
+        note = "" if inside else "outside of its bounds"
+        if expected.undecided[y, x]:
+            note = "undecided: what is drawn here hangs on rounding"
+        rows += [
+            (route, _lanes(got), note),
+            ("  from", _lanes(low), ""),
+            ("  to", _lanes(high), ""),
+        ]
+    rows.insert(0, ("value", _lanes(seen.result.expected.targets[target][y, x]), ""))
+    width = max(len(name) for name, _, _ in rows)
+    for name, lanes, note in rows:
+        yield f"{name:<{width}}  {lanes}{'  ' + note if note else ''}"
+
+
+def _uncovered(seen: Seen, pixel: Pixel) -> str:
+    """Why a pixel cannot be explained, and where something can be."""
+    x, y = pixel
+    covered = seen.result.expected.covered
+    text = f"nothing is drawn at {x},{y} of `{seen.case.name}`"
+    if not covered.any():
+        return f"{text}, nor elsewhere"
+    rows, columns = np.nonzero(covered)
+    near = int(np.hypot(columns - x, rows - y).argmin())
+    return f"{text}; the nearest pixel that shows the mesh is {columns[near]},{rows[near]}"
+
+
+def _unproven(result: CaseResult) -> Bools:
+    """(height, width): the object's pixels whose bounds say nothing."""
+    expected = result.expected
+    seen = expected.covered & ~expected.undecided
+    return says_nothing(*ends_of(expected), seen) & seen
+
+
+def _usual(result: CaseResult) -> Pixel | None:
+    """Of the pixels whose bounds say nothing, the one with the median width."""
+    rows, columns = np.nonzero(_unproven(result))
+    if not len(rows):
+        return None
+    order = _width(result.expected)[rows, columns].argsort(kind="stable")
+    middle = order[len(order) // 2]
+    return int(columns[middle]), int(rows[middle])
+
+
+def _width(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
+    """(height, width): how far a pixel's bounds are apart, in its widest lane."""
+    pairs = zip(expected.low, expected.high, strict=True)
+    apart = [np.where(np.isfinite(high - low), high - low, np.inf) for low, high in pairs]
+    widest: np.ndarray[tuple[int, int], np.dtype[np.float64]] = np.max(apart, axis=(0, 3))
+    return np.where(expected.covered, widest, -1.0)
+
+
+def _quoted(name: str) -> str:
+    return f"`{name}`"
+
+
+def _lanes(values: Iterable[float]) -> str:
+    return f"({', '.join(f'{value:.7g}' for value in values)})"

@@ -1,0 +1,67 @@
+"""Finds the devices of the machine, and opens one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import wgpu
+
+from ..choice import chosen
+from ..draw import Device, DriverError
+
+BACKENDS = ("D3D12", "Metal", "Vulkan")
+"""The APIs that it may draw with. Its OpenGL cannot do all that a job may ask for."""
+
+FEATURES = ("float32-blendable", "float32-filterable")
+"""What float32 targets and textures need."""
+
+SUBPIXEL_BITS = 8
+"""WebGPU does not report it. Direct3D 12 demands 8 bits, and so do Metal's GPUs and Mesa."""
+
+
+@dataclass(frozen=True, slots=True)
+class Gpu:
+    """An open device. Fields of type ``Any`` are objects of the package ``wgpu``."""
+
+    device: Any
+    features: frozenset[str]
+    description: Device
+
+
+def open_gpu(wanted: str) -> Gpu:
+    """Open the device that somebody asks for. Raises ``DriverError``."""
+    with explained():
+        found = wgpu.gpu.enumerate_adapters_sync()
+    adapters = [each for each in found if each.info["backend_type"] in BACKENDS]
+    names = [_title(each) for each in adapters]
+    hardware = [each.info["adapter_type"] != "CPU" for each in adapters]
+    adapter = adapters[chosen(names, hardware, wanted)]
+    features = [feature for feature in FEATURES if feature in adapter.features]
+    limits = {"max-color-attachment-bytes-per-sample": _most_bytes(adapter)}
+    with explained():
+        device = adapter.request_device_sync(required_features=features, required_limits=limits)
+    # Neither the precision of texture filters nor the driver's own version can be asked for.
+    version = f"{adapter.info['description']}, wgpu {wgpu.__version__}".removeprefix(", ")
+    description = Device(_title(adapter), version, SUBPIXEL_BITS, subtexel_bits=0, mip_bits=0)
+    return Gpu(device, frozenset(features), description)
+
+
+def _title(adapter: Any) -> str:
+    return f"{adapter.info['device']} by {adapter.info['backend_type']}"
+
+
+def _most_bytes(adapter: Any) -> int:
+    """Several float32 targets need more than the default."""
+    return int(adapter.limits["max-color-attachment-bytes-per-sample"])
+
+
+@contextmanager
+def explained() -> Iterator[None]:
+    """Turn the package's errors into ``DriverError``."""
+    try:
+        yield
+    except (wgpu.GPUError, RuntimeError) as error:
+        raise DriverError(str(error)) from error

@@ -1,0 +1,116 @@
+"""Draws the pictures of a job, and reads them back."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import wgpu
+
+from ..checks import lane_count
+from ..draw import BlockSlot, Draw, Job, Picture, Pipeline, TargetFormat
+from ..readback import TEXEL_LANES, to_float
+from .device import Gpu, explained
+from .pipeline import DEPTH, Bound, Buffer, Made, make_pipeline
+from .textures import make_sampler, make_view
+
+
+def draw_job(gpu: Gpu, job: Job) -> list[Picture]:
+    """A picture for each draw. Raises ``DriverError``."""
+    with explained():
+        made = make_pipeline(gpu, job.pipeline)
+        return [_picture(gpu, job.pipeline, made, draw) for draw in job.draws]
+
+
+def _picture(gpu: Gpu, pipeline: Pipeline, made: Made, draw: Draw) -> Picture:
+    targets = [_target(gpu, target.format, draw) for target in pipeline.targets]
+    encoder = gpu.device.create_command_encoder()
+    drawn = encoder.begin_render_pass(
+        color_attachments=[
+            {
+                "view": target.create_view(),
+                "clear_value": clear,
+                "load_op": "clear",
+                "store_op": "store",
+            }
+            for target, clear in zip(targets, draw.clear, strict=True)
+        ],
+        depth_stencil_attachment={
+            "view": _target(gpu, DEPTH, draw).create_view(),
+            "depth_clear_value": 1.0,
+            "depth_load_op": "clear",
+            "depth_store_op": "discard",
+        },
+    )
+    drawn.set_pipeline(made.handle)
+    for number, group in enumerate(_groups(gpu, made, draw)):
+        drawn.set_bind_group(number, group)
+    _mesh(gpu, drawn, made.buffers, draw)
+    drawn.end()
+    gpu.device.queue.submit([encoder.finish()])
+    lanes = (
+        _read(gpu, target, slot.format, draw, pipeline)
+        for target, slot in zip(targets, pipeline.targets, strict=True)
+    )
+    return Picture(draw.width, draw.height, tuple(lanes))
+
+
+def _target(gpu: Gpu, format: str, draw: Draw) -> Any:
+    usage = wgpu.TextureUsage.RENDER_ATTACHMENT
+    if format != DEPTH:
+        usage |= wgpu.TextureUsage.COPY_SRC
+    size = (draw.width, draw.height, 1)
+    return gpu.device.create_texture(format=format, size=size, usage=usage)
+
+
+def _groups(gpu: Gpu, made: Made, draw: Draw) -> list[Any]:
+    return [
+        gpu.device.create_bind_group(
+            layout=layout,
+            entries=[
+                {"binding": at, "resource": _resource(gpu, what, draw)}
+                for at, what in group.items()
+            ],
+        )
+        for layout, group in zip(made.layouts, made.groups, strict=True)
+    ]
+
+
+def _resource(gpu: Gpu, what: Bound, draw: Draw) -> Any:
+    if isinstance(what.slot, BlockSlot):
+        return {"buffer": _buffer(gpu, draw.blocks[what.number], wgpu.BufferUsage.UNIFORM)}
+    if what.is_sampler:
+        return make_sampler(gpu, what.slot)
+    return make_view(gpu, draw.textures[what.number])
+
+
+def _buffer(gpu: Gpu, data: bytes, usage: int) -> Any:
+    return gpu.device.create_buffer_with_data(data=data, usage=usage)
+
+
+def _mesh(gpu: Gpu, drawn: Any, buffers: Sequence[Buffer], draw: Draw) -> None:
+    for number, buffer in enumerate(buffers):
+        data = _interleaved(buffer, draw.vertices)
+        drawn.set_vertex_buffer(number, _buffer(gpu, data, wgpu.BufferUsage.VERTEX))
+    drawn.set_index_buffer(_buffer(gpu, draw.indices, wgpu.BufferUsage.INDEX), "uint32")
+    drawn.draw_indexed(len(draw.indices) // 4, draw.instance_count)
+
+
+def _interleaved(buffer: Buffer, vertices: Sequence[bytes]) -> bytes:
+    """The attributes of one buffer, one vertex after the other."""
+    columns = [
+        np.frombuffer(vertices[number], np.uint8).reshape(-1, 4 * lane_count(each.format))
+        for number, each, _ in buffer.members
+    ]
+    return np.concatenate(columns, axis=1).tobytes()
+
+
+def _read(gpu: Gpu, target: Any, format: TargetFormat, draw: Draw, pipeline: Pipeline) -> bytes:
+    count, kind = TEXEL_LANES[format]
+    texels = gpu.device.queue.read_texture(
+        {"texture": target},
+        {"bytes_per_row": draw.width * count * kind.itemsize, "rows_per_image": draw.height},
+        (draw.width, draw.height, 1),
+    )
+    return to_float(bytes(texels), format, draw.width, draw.height, pipeline.first_row)

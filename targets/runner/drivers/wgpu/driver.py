@@ -1,0 +1,45 @@
+"""The driver that ``serve`` runs. The first request opens the device."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ....toolchain.tools import tool_named
+from ..checks import check, check_names
+from ..draw import Device, DriverError, Job, Picture
+
+if TYPE_CHECKING:
+    from .device import Gpu
+
+
+class Wgpu:
+    """Draws with one of the machine's devices."""
+
+    def __init__(self, wanted: str = "") -> None:
+        """``wanted`` is a part of the device's name, or its number; empty for the usual one."""
+        self._wanted = wanted
+        self._gpu: Gpu | None = None
+
+    def device(self) -> Device:
+        """The device's description of itself. Raises ``DriverError``."""
+        return self._opened().description
+
+    def draw(self, job: Job) -> Sequence[Picture]:
+        """A picture for each draw of the job. Raises ``DriverError``."""
+        check(job)
+        check_names(job.pipeline)
+        gpu = self._opened()
+        from .drawing import draw_job
+
+        return draw_job(gpu, job)
+
+    def _opened(self) -> Gpu:
+        if self._gpu is None:
+            try:
+                from .device import open_gpu
+            except (ImportError, OSError) as error:
+                install = tool_named("wgpu").install
+                raise DriverError(f"{error}; to install it: {install}") from None
+            self._gpu = open_gpu(self._wanted)
+        return self._gpu

@@ -1,0 +1,163 @@
+"""Creates WebGPU's pipeline from that of a job."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import wgpu
+
+from ..checks import lane_count
+from ..draw import Blend, BlockSlot, DriverError, Pipeline, RenderTarget, TextureSlot, VertexInput
+from .device import Gpu
+
+DEPTH = "depth32float"
+FLOAT32_TARGETS = {"r32float", "rg32float", "rgba32float"}
+VIEWS = {"2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube"}
+
+Factors = Mapping[str, str]
+
+
+def _sum(source: str, destination: str) -> Factors:
+    return {"operation": "add", "src_factor": source, "dst_factor": destination}
+
+
+BLENDS: Mapping[Blend, tuple[Factors, Factors]] = {
+    "alpha": (_sum("src-alpha", "one-minus-src-alpha"), _sum("one", "one-minus-src-alpha")),
+    "premultiplied": (_sum("one", "one-minus-src-alpha"),) * 2,
+    "add": (_sum("one", "one"),) * 2,
+    "multiply": (_sum("dst", "zero"),) * 2,
+}
+"""The factors of colour and alpha; ``none`` has none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """What is bound at one place: a block, a texture, or the sampler of a texture."""
+
+    slot: BlockSlot | TextureSlot
+    number: int
+    """The slot's place in the pipeline's blocks or textures."""
+    is_sampler: bool = False
+
+
+Groups = list[dict[int, Bound]]
+"""What is bound, by group and binding."""
+
+
+@dataclass(frozen=True, slots=True)
+class Buffer:
+    """A vertex buffer: all attributes that advance at the same time."""
+
+    step: str
+    stride: int
+    members: tuple[tuple[int, VertexInput, int], ...]
+    """The number of each attribute, the attribute, and its offset."""
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A pipeline, and what is needed to draw with it."""
+
+    handle: Any
+    groups: Groups
+    layouts: Sequence[Any]
+    buffers: Sequence[Buffer]
+
+
+def make_pipeline(gpu: Gpu, pipeline: Pipeline) -> Made:
+    """The pipeline of a job."""
+    device, stages = gpu.device, pipeline.stages
+    groups, buffers = bound(pipeline), vertex_buffers(pipeline.inputs)
+    layouts = [device.create_bind_group_layout(entries=_entries(group)) for group in groups]
+    modules = {name: device.create_shader_module(code=code.text) for name, code in stages.items()}
+    handle = device.create_render_pipeline(
+        layout=device.create_pipeline_layout(bind_group_layouts=layouts),
+        vertex={
+            "module": modules["vertex"],
+            "entry_point": stages["vertex"].entry,
+            "buffers": [_buffer_layout(buffer) for buffer in buffers],
+        },
+        fragment={
+            "module": modules["fragment"],
+            "entry_point": stages["fragment"].entry,
+            "targets": [_target(gpu, target) for target in pipeline.targets],
+        },
+        primitive={
+            "topology": "triangle-list",
+            "cull_mode": pipeline.cull,
+            "front_face": pipeline.front_face,
+        },
+        depth_stencil={"format": DEPTH, "depth_write_enabled": True, "depth_compare": "less"},
+    )
+    return Made(handle, groups, layouts, buffers)
+
+
+def vertex_buffers(inputs: Sequence[VertexInput]) -> list[Buffer]:
+    """One buffer for the attributes of vertices and one for those of instances.
+
+    WebGPU guarantees 16 attributes, but only 8 buffers.
+    """
+    found = []
+    for step in ("vertex", "instance"):
+        offset, members = 0, []
+        for number, each in enumerate(inputs):
+            if each.step == step:
+                members.append((number, each, offset))
+                offset += 4 * lane_count(each.format)
+        if members:
+            found.append(Buffer(step, offset, tuple(members)))
+    return found
+
+
+def _buffer_layout(buffer: Buffer) -> Mapping[str, Any]:
+    attributes = [
+        {"format": each.format, "offset": offset, "shader_location": each.location}
+        for _, each, offset in buffer.members
+    ]
+    return {"array_stride": buffer.stride, "step_mode": buffer.step, "attributes": attributes}
+
+
+def _target(gpu: Gpu, target: RenderTarget) -> Mapping[str, Any]:
+    if target.blend == "none":
+        return {"format": target.format}
+    if target.format in FLOAT32_TARGETS and "float32-blendable" not in gpu.features:
+        raise DriverError(f"{gpu.description.name} cannot blend {target.format}")
+    color, alpha = BLENDS[target.blend]
+    return {"format": target.format, "blend": {"color": color, "alpha": alpha}}
+
+
+def bound(pipeline: Pipeline) -> Groups:
+    """What is bound where, with an empty group for each unused number."""
+    groups: Groups = []
+
+    def add(group: int | None, binding: int | None, what: Bound) -> None:
+        assert group is not None
+        assert binding is not None
+        groups.extend({} for _ in range(len(groups), group + 1))
+        groups[group][binding] = what
+
+    for number, block in enumerate(pipeline.blocks):
+        add(block.place.group, block.place.binding, Bound(block, number))
+    for number, slot in enumerate(pipeline.textures):
+        add(slot.texture.group, slot.texture.binding, Bound(slot, number))
+        if slot.sampler is not None:
+            add(slot.sampler.group, slot.sampler.binding, Bound(slot, number, is_sampler=True))
+    return groups
+
+
+def _entries(group: Mapping[int, Bound]) -> list[Mapping[str, Any]]:
+    """An explicit layout: ``auto`` would leave out what the shaders do not use."""
+    both = wgpu.ShaderStage.VERTEX | wgpu.ShaderStage.FRAGMENT
+    return [{"binding": at, "visibility": both, **_entry(what)} for at, what in group.items()]
+
+
+def _entry(what: Bound) -> Mapping[str, Any]:
+    slot = what.slot
+    if isinstance(slot, BlockSlot):
+        # A block that is larger in the shader than here is an error.
+        return {"buffer": {"type": "uniform", "min_binding_size": slot.size}}
+    if what.is_sampler:
+        return {"sampler": {"type": slot.sampling}}
+    return {"texture": {"view_dimension": VIEWS[slot.dimension], "sample_type": slot.sample}}

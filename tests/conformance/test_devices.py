@@ -1,0 +1,70 @@
+"""The routes that draw with any device, here on lavapipe, and how a device is chosen for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import burnish
+from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.rows import Row
+from burnish.targets.runner.drivers.draw import DriverError
+from burnish.targets.runner.routes import DEVICE_ROUTES
+from burnish.targets.runner.runner import Runner
+from burnish.targets.toolchain import Toolchain
+
+from ..cli.kit import invoke
+
+ROOT = Path(__file__).parents[2]
+FILES = ("examples/plastic.burnish", "examples/shadow_map.burnish", "examples/blending.burnish")
+SOFTWARE = "llvmpipe"
+"""The name of lavapipe's device."""
+
+
+@pytest.fixture(scope="module")
+def toolchain() -> Iterator[Toolchain]:
+    with Toolchain() as tools:
+        yield tools
+
+
+def rows(names: list[str], files: list[str], device: str, toolchain: Toolchain) -> list[Row]:
+    routes = [DEVICE_ROUTES[name] for name in names]
+    profiles = sorted({route.profile for route in routes})
+    subjects = [
+        (material.name, material)
+        for file in files
+        for material in burnish.compile(ROOT / file, profiles).materials
+    ]
+    with Runner(routes, device=device) as runner:
+        return list(conform(subjects, routes, runner, toolchain))
+
+
+@pytest.mark.parametrize("file", [*FILES, "tests/conformance/materials/kinds.burnish"])
+def test_wgpu_agrees(file: str, toolchain: Toolchain) -> None:
+    for row in rows(["wgpu:wgsl"], [file], SOFTWARE, toolchain):
+        assert row.status == "agrees", row.material
+        assert row.device is not None and SOFTWARE in row.device.name
+
+
+def test_vulkan_agrees_on_a_device_by_its_name(toolchain: Toolchain) -> None:
+    (row,) = rows(["vulkan:glsl"], [FILES[0]], SOFTWARE.upper(), toolchain)
+    assert row.status == "agrees"
+
+
+@pytest.mark.parametrize("name", ["vulkan:glsl", "wgpu:wgsl"])
+def test_a_device_that_does_not_exist(name: str) -> None:
+    route = DEVICE_ROUTES[name]
+    with Runner([route], device="no such GPU") as runner, pytest.raises(DriverError) as error:
+        runner.device(route)
+    assert "no device is called `no such GPU`; there are " in str(error.value)
+    assert SOFTWARE in str(error.value)
+
+
+def test_fixed_drivers_take_no_device() -> None:
+    file = ROOT / FILES[0]
+    for command in (["conform", file, "--routes"], ["render", file, "-o", "a.png", "--on"]):
+        result = invoke(*command, "lavapipe:glsl", "--device", "RTX")
+        assert result.exit_code == 2
+        assert "--device is for the routes vulkan:glsl, " in result.stderr

@@ -1,0 +1,76 @@
+"""Compiles texts of which nothing is known. ``test_robustness.py`` and ``make fuzz`` call it."""
+
+from __future__ import annotations
+
+import time
+import traceback
+from collections.abc import Iterator
+from itertools import count
+
+import burnish
+from burnish.compiler.diagnostics.diagnostic import CompileError, Diagnostic
+from burnish.compiler.diagnostics.render import render_all
+from burnish.targets.toolchain import Job, Toolchain
+
+from ..examples.kit import jobs_of
+from .mutations import ROOT, mutated
+
+SHARE_CHECKED = 0.5
+"""The share of the time in which the compilers behind Burnish may check texts, at most."""
+
+
+def problem(text: str) -> str | None:
+    """The traceback of what the compiler raises beside errors in the text; ``None`` if nothing."""
+    try:
+        _compiled(text)
+    except Exception:
+        return traceback.format_exc()
+    return None
+
+
+def refused(text: str, toolchain: Toolchain) -> str | None:
+    """What compilers say against the shaders of a text; ``None`` if nothing."""
+    verdicts = toolchain.check(list(_jobs(text)))
+    reports = [each.report() for each in verdicts if each.status != "accepted"]
+    return "\n".join(reports) or None
+
+
+def found(seed: int, seconds: float) -> Iterator[tuple[int, str, str]]:
+    """Mutated programs for so many seconds: the seed, text and trouble of those with any."""
+    start, checking = time.monotonic(), 0.0
+    with Toolchain() as toolchain:
+        for number in count(seed):
+            begin = time.monotonic()
+            if begin - start >= seconds:
+                return
+            text = mutated(number)
+            trouble = problem(text)
+            if trouble is None and checking <= SHARE_CHECKED * (begin - start):
+                trouble = refused(text, toolchain)
+                checking += time.monotonic() - begin
+            if trouble is not None:
+                yield number, text, trouble
+
+
+def _compiled(text: str) -> burnish.CompileResult | None:
+    """The result, if there is one. Diagnostics can be shown, and their edits lie in the text."""
+    try:
+        result = burnish.compile(text + "\n", "all", search_path=[ROOT / "examples"], partial=True)
+        diagnostics = result.diagnostics
+    except CompileError as error:
+        result, diagnostics = None, error.diagnostics
+        assert diagnostics, "an error that says nothing"
+    render_all(diagnostics)
+    assert all(map(_is_inside, diagnostics))
+    return result
+
+
+def _is_inside(found: Diagnostic) -> bool:
+    spans = [edit.span for fix in found.fixes for edit in fix.edits]
+    return all(0 <= span.start <= span.end <= len(span.source.text) for span in spans)
+
+
+def _jobs(text: str) -> Iterator[Job]:
+    result = _compiled(text)
+    for material in result.materials if result else ():
+        yield from jobs_of(material)

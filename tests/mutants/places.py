@@ -1,0 +1,55 @@
+"""Which files are mutated, by the part of the compiler or of the runtime that they belong to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import burnish
+
+from .changes import Change, changes, template_changes
+
+ROOT = Path(burnish.__file__).parent
+
+AREAS: Mapping[str, tuple[str, ...]] = {
+    "passes": ("compiler/passes/*.py", "compiler/passes/rules/*.py"),
+    "ranges": ("compiler/ir/range*.py", "stdlib/builtins/intervals.py", "stdlib/builtins/facts.py"),
+    "layout": ("compiler/layout.py", "compiler/packing.py", "compiler/ir/storage.py"),
+    "reflection": ("compiler/reflection/*.py",),
+    "legalise": ("targets/legalise/*.py",),
+    "emit": ("targets/emit/*.py", "targets/emit/*.j2"),
+    "languages": tuple(f"targets/{name}/*.{end}" for name in ("glsl", "hlsl", "wgsl") for end in
+                       ("py", "j2")),
+    "values": ("targets/runner/instances/*.py",),
+    "textures": ("targets/runner/textures/*.py",),
+    "scenes": ("targets/runner/scene*.py", "targets/runner/binding.py"),
+    "drivers": ("targets/runner/drivers/vulkan/*.py", "targets/runner/drivers/readback.py"),
+}  # fmt: skip
+"""Which files of the package each part has. The reference is not among them: both sides of its
+tests, such as ``tests/reference``, do not share it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mutant:
+    """A file of the package with one change."""
+
+    area: str
+    path: str
+    """Relative to the package."""
+    change: Change
+
+    def __str__(self) -> str:
+        return f"{self.path}:{self.change.told((ROOT / self.path).read_bytes())}"
+
+
+def mutants(area: str) -> list[Mutant]:
+    """All mutants of one part, in the order of files and lines."""
+    found = []
+    for pattern in AREAS[area]:
+        for path in sorted(ROOT.glob(pattern)):
+            source = path.read_bytes()
+            of_file = template_changes(source) if path.suffix == ".j2" else changes(source)
+            name = path.relative_to(ROOT).as_posix()
+            found += [Mutant(area, name, change) for change in of_file]
+    return found
