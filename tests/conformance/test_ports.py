@@ -38,12 +38,10 @@ CRASHES: Mapping[str, str] = {
 INSTEAD = ROUTES["swiftshader:glsl"]
 
 MAY_PROVE_LITTLE: Mapping[str, str] = {
-    "gltf": "random normal maps at grazing angles turn the refracted picture",
     "gtao": "fract(52.98 * fract(…)) turns the slices: noise, on purpose",
     "hologram": "fract(sin(x) * 43758.5) keeps the last bits of a sine: noise, on purpose",
     "mandelbrot": "near the border of the set, rounding doubles with each iteration",
     "parallax_occlusion": "a white relief is as high as the ray is at first: x > x",
-    "procedural": "bricks have a random shade each, chosen by the floor of a coordinate",
 }
 """Ports of which some material has too many pixels whose bounds say nothing, and why."""
 
