@@ -141,7 +141,9 @@ class _Inlining:
             return self._values.get(node.data, node)
         done = self._done[simplest]
         operands = tuple([done[operand] for operand in node.operands])
-        if simplest:
+        # Where a call turned out to be constant, its users may be, too. No backend has to take the
+        # derivative of a constant, for instance.
+        if simplest or any(map(_is_constant_now, node.operands, operands)):
             return self._simplifier.rule(self._graph, node, operands)
         return self._graph.node(node.op, node.type, operands, node.data)
 
@@ -158,3 +160,7 @@ class _Inlining:
         if written not in self._bodies and body.id not in self._notes.terms:
             self._notes.forget_function(written)
         return written
+
+
+def _is_constant_now(before: Node, now: Node) -> bool:
+    return now is not before and now.op == "constant"

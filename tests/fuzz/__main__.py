@@ -115,7 +115,7 @@ class Run:
         )
         again = f"python -m burnish.tests.fuzz --program {name} --oracles {finding.oracle}"
         if finding.oracle == "drawn":
-            again += f" --routes {finding.place}"
+            again += f" --routes {finding.place or self._asked.routes}"
         case = Case(str(small), seed_of(name), self._tools, small, finding.place)
         told = [each for each in ask(case, finding.oracle).findings if finding.is_like(each)]
         print(f"{(told or [finding])[0].detail}\n\n{small}\nagain: {again}", flush=True)

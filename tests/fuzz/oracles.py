@@ -68,7 +68,7 @@ class Tools(Closing):
         self.toolchain = Toolchain(parallel=1)
         self.runner = Runner(routes, parallel=1)
         self.statuses: dict[str, int] = {}
-        """How many rows of each status conformance runs had."""
+        """How many rows of each status there were, apart from those of programs that are shrunk."""
 
     def close(self) -> None:
         """End all processes."""
@@ -203,7 +203,8 @@ def _drawn(case: Case) -> Iterator[Finding]:
     tools = case.tools
     rows = conform([("random", case.material)], routes, tools.runner, tools.toolchain)
     for row in rows:
-        tools.statuses[row.status] = tools.statuses.get(row.status, 0) + 1
+        if not case.only:
+            tools.statuses[row.status] = tools.statuses.get(row.status, 0) + 1
         if row.status in ("differs", "failed"):
             wrong = [result.case for result in row.results if result.comparison.wrong]
             sort = f"{row.status} {wrong[0] if wrong else _sort(row.problem)}"
