@@ -83,7 +83,7 @@ _SWIFTSHADER = Driver(
 _WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)
 
 # Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
-# less than what Vulkan, Direct3D 12 and Metal devices are known for. It was tried on lavapipe only.
+# less than what such devices are known for. It was tried on lavapipe only.
 _ANY_DEVICE = Driver(
     Hardware(varying_bits=16, frag_coord_bits=16, subtexel_bits=8, mip_bits=4, mixing_bits=8),
     interpolates_snapped=True,

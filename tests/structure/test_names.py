@@ -26,8 +26,13 @@ def test_the_names_are_found() -> None:
     assert {"Surface", "Light", "Forward", "Daylight", "Spot", "ambient", "lambert"} <= NAMES
 
 
-KNOW_OF_METAL = {"targets/toolchain/checkers.py", "targets/toolchain/tools.py"}
-"""The row of a checker and that of its tool."""
+KNOW_OF_METAL = {
+    "targets/runner/drivers/wgpu/__init__.py",
+    "targets/runner/drivers/wgpu/device.py",
+    "targets/toolchain/checkers.py",
+    "targets/toolchain/tools.py",
+}
+"""The row of a checker and that of its tool, and a driver whose devices may be reached by it."""
 METAL = re.compile(r"\b(msl|metal2?|apple)\b", re.IGNORECASE)
 
 
