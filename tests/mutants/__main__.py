@@ -1,5 +1,9 @@
 """``python -m tests.mutants``: judge random mutants, and list those that nothing notices.
 
+A mutant is a copy of the package with one small change. If the change alters a text or what a
+driver is told, ``conform`` should call the result ``differs`` or ``failed``. If it does not, the
+mutant is a survivor, which is either equivalent or shows a hole in the tests.
+
     python -m tests.mutants --count 100               # of all parts, as many of each
     python -m tests.mutants --area passes --seed 7    # of one part
     python -m tests.mutants --file targets/emit/wrapping.py --count 0    # all of one file

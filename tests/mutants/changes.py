@@ -194,7 +194,7 @@ def _can_be_dropped(node: ast.stmt) -> bool:
 
 
 def _short(text: str) -> str:
-    return " ".join(text.split())[:70]
+    return " ".join(text.split())[:70] or "nothing"
 
 
 def template_changes(source: bytes) -> list[Change]:

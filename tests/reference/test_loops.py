@@ -126,3 +126,10 @@ def test_errors_of_uniform_lanes_are_not_taken_for_pixels() -> None:
     one, other = (remembered(between(x, x - 0.5, x + 0.5)) for x in (np.float64(1), np.float64(2)))
     found = (one + other) * exact(np.array([1.0, 100.0]))
     assert found.radius == pytest.approx([1.0, 100.0], rel=1e-5)
+
+
+def test_a_choice_between_uniform_lanes_has_an_axis() -> None:
+    one, other = (remembered(between(x, x - 0.5, x + 0.5)) for x in (np.float64(1), np.float64(2)))
+    xp = Bounds(Errors(("wgsl",)))
+    found = xp.where(exact(np.array([True, False])), one + other, one * exact(np.float64(4)))
+    assert found.radius == pytest.approx([1.0, 2.0], rel=1e-5)

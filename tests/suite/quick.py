@@ -41,6 +41,7 @@ LEFT_OUT: Mapping[str, str] = {
     "fuzz": _LARGE,
     "layout/test_compilers.py": _COMPILERS,
     "mistakes/test_edits.py": _LARGE,
+    "mutants": _DRAW,
     "passes/test_expansions.py": _LARGE,
     "passes/test_scale.py": _LARGE,
     "passes/test_work.py": _LARGE,

@@ -99,8 +99,10 @@ def alone(radius: Array) -> Form:
 def chosen(is_first: Array, is_second: Array, x: Form, y: Form, otherwise: Array) -> Form:
     """The form of the first lane, or of the second, or of neither with this radius."""
     errors, one, two = _together(x.errors, y.errors)
+    axes = max(map(np.ndim, (is_first, is_second, x.rest, y.rest)))
     first, second = (
-        _placed(form.terms, place) if form.errors else 0.0 for form, place in ((x, one), (y, two))
+        _with_axes(_placed(form.terms, place), axes) if form.errors else 0.0
+        for form, place in ((x, one), (y, two))
     )
     terms = np.where(is_first, first, np.where(is_second, second, 0.0))
     rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))

@@ -449,7 +449,7 @@ def _term(lane: Bounded) -> Term:
 
 def _square(x: Bounded) -> tuple[Array, Array]:
     nearest = np.minimum(np.abs(x.low), np.abs(x.high))
-    near = np.where((x.low <= 0) & (x.high >= 0), 0.0, nearest)
+    near = np.where((x.low <= 0) & (x.high >= 0), 0, nearest)
     return near * near, x.magnitude**2
 
 
