@@ -74,7 +74,8 @@ def trunc(xp: Namespace, x: Lane) -> Lane:
 
 
 def fract(xp: Namespace, x: Lane) -> Lane:
-    return x - xp.floor(x)
+    own = getattr(xp, "fract", None)
+    return x - xp.floor(x) if own is None else own(x)
 
 
 def min_(xp: Namespace, x: Lane, y: Lane) -> Lane:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from .accuracy import COMMON, Inherited, Rounded, in_table, inherited, promised
+from .accuracy import COMMON, Inherited, Rounded, in_table, inherited, promised, silent
 from .arithmetic import SIGNED
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import around, monotone, outward, product, products
@@ -105,6 +105,10 @@ def _apart(facts: tuple[Fact, ...]) -> bool:
     return high.lo - low.hi >= SMALLEST_NORMAL
 
 
+BLEND = promised(
+    Inherited("x * (1 - z) + y * z"),
+    silent(Inherited("x + (y - x) * z"), "the reference of HLSL defines `lerp` so", "direct3d"),
+)
 FRACTION = promised(Inherited("x - floor(x)"), in_table("vulkan", Rounded()))
 
 ROWS = (
@@ -206,7 +210,7 @@ ROWS = (
         meaning="blend",
         doc="Blend: x * (1 - a) + y * a. Extrapolates for an a outside of 0 to 1.",
         range=_blended,
-        accuracy=inherited("x * (1 - z) + y * z"),
+        accuracy=BLEND,
         cost=2,
     ),
     Builtin(

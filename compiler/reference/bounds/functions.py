@@ -31,6 +31,8 @@ Errors = Callable[[str, Array, Array], Array]
 of its operand and of its result."""
 
 _TURN = 2.0 * math.pi
+_BELOW_ONE = 2.0**-24
+"""How far the last float32 below 1 is from it."""
 _LN2 = math.log(2.0)
 
 
@@ -89,6 +91,15 @@ class Bounds:
         """
         x, y, a = as_bounded(x), as_bounded(y), as_bounded(a)
         return either(x * (1.0 - a) + y * a, x + (y - x) * a)
+
+    def fract(self, x: Any, /) -> Bounded:
+        """The part above the floor. Just below a whole number it is 1, or the float before 1."""
+        x = as_bounded(x)
+        found = x - self.floor(x)
+        reaches_one = found.high >= 1.0
+        return (
+            widened(found, np.where(reaches_one, _BELOW_ONE, 0.0)) if np.any(reaches_one) else found
+        )
 
     # --- conversions ------------------------------------------------------------------------------
 
