@@ -131,7 +131,8 @@ def compare(
     per_pixel = excess.max(axis=(0, 3))
     source = np.stack(meant)
     rounding = ROUNDING * _larger_of(values, decided & expected.covered)
-    change = shares(source, values, low - rounding, high + rounding)
+    with np.errstate(invalid="ignore"):
+        change = shares(source, values, low - rounding, high + rounding)
     changed = decided & (change.max(axis=(0, 3)) > 1)
     distance = np.where(decided[None, :, :, None], _distance(drawn, values), 0)
     pictures = (values, low, high)

@@ -30,6 +30,8 @@ class Hardware:
     """Whether differences are those of each pixel's own row and column, and not any of its quad."""
     euclidean_steps: bool = False
     """Whether levels follow from a quad's first row and column, by Euclidean lengths."""
+    corner_bits: int | None = None
+    """Of the mean of the three texels around a cube's corner; ``None``: it may be one of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +62,7 @@ _LLVM = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
-        own_derivatives=True, euclidean_steps=True,
+        own_derivatives=True, euclidean_steps=True, corner_bits=20,
     ),
     clips_sides=True,
     edge_slack=2.0**-11,
@@ -71,7 +73,7 @@ _SWIFTSHADER = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
-        own_derivatives=True, euclidean_steps=True,
+        own_derivatives=True, euclidean_steps=True, corner_bits=8,
     ),
     interpolates_snapped=True,
     clips_sides=True,

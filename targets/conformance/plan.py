@@ -176,6 +176,7 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
         mixing_bits=hardware.mixing_bits,
         own_derivatives=hardware.own_derivatives,
         euclidean_steps=hardware.euclidean_steps,
+        corner_bits=hardware.corner_bits,
         level_power=driver.level_power,
         bottom_up=driver.bottom_up,
         projects_cubes=driver.projects_cubes,

@@ -19,6 +19,7 @@ from burnish.compiler.syntax.ast import declarations, expressions, members
 from burnish.compiler.syntax.ast.members import MemberKind, ReadMember
 from burnish.compiler.syntax.parser import parse
 from burnish.stdlib.builtins import BUILTINS
+from burnish.targets.runner.routes import ROUTES
 
 from ..suite.processes import run
 from . import rewritings
@@ -36,7 +37,7 @@ INSIDE = ("compiles", "facts", "passes")
 
 @pytest.fixture(scope="module")
 def tools() -> Iterator[Tools]:
-    with Tools() as tools:
+    with Tools([ROUTES["lavapipe:glsl"]]) as tools:
         yield tools
 
 
@@ -55,9 +56,14 @@ def test_programs_that_mean_the_same_have_the_same_value(number: int, tools: Too
     _pass(number, tools, "rewritten")
 
 
+@pytest.mark.parametrize("number", range(86, 92))
+def test_a_driver_draws_what_is_meant(number: int, tools: Tools) -> None:
+    _pass(number, tools, "drawn")
+
+
 @pytest.mark.parametrize("file", REGRESSIONS, ids=lambda file: file.stem)
 def test_what_was_found_once_is_mended(file: Path, tools: Tools) -> None:
-    _find_nothing(Case(file.read_text("utf-8"), 0, tools), *INSIDE, "accepted")
+    _find_nothing(Case(file.read_text("utf-8"), 0, tools), *INSIDE, "accepted", "drawn")
 
 
 def _pass(number: int, tools: Tools, *oracles: str) -> None:

@@ -128,6 +128,15 @@ def test_beyond_a_corner_is_the_mean_of_the_three_texels_around_it() -> None:
     assert high == pytest.approx((39 + 30) / 4, abs=0.2)
 
 
+def test_a_device_may_be_known_to_read_means_at_corners() -> None:
+    faces = np.zeros((6, 1, 1, 4))
+    faces[0], faces[2], faces[4] = 3, 6, 30
+    # Exactly so many bits that a step does not matter.
+    rules = RasterRules(1, 1, subtexel_bits=20, corner_bits=20)
+    sky = Read("cube", "float", faces, filter="linear", rules=rules)
+    assert sky.hull("sample_level", (1, 1, 1), 0.0) == pytest.approx((13, 13), abs=1e-3)
+
+
 def test_between_two_faces_there_may_be_a_texel_of_either() -> None:
     sky = Read("cube", "float", numbered(6, 1, 1), rules=DEVICE)
     assert sky.hull("sample_level", (1, 0.3, 0.9), 0.0) == (0, 0)

@@ -44,8 +44,11 @@ class Form:
 
     @property
     def radius(self) -> Array:
-        """By how much the lane may differ from its value."""
-        return np.abs(self.terms).sum(axis=0) + self.rest if self.errors else self.rest
+        """By how much the lane may differ from its value; infinite where the form says nothing."""
+        radius = np.abs(self.terms).sum(axis=0) + self.rest if self.errors else self.rest
+        if np.isfinite(np.sum(radius)):
+            return radius
+        return np.where(np.isnan(radius), np.inf, radius)
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""

@@ -24,6 +24,8 @@ Floats = NDArray[np.float64]
 STEP = 2.0**-23
 """The largest unit in the last place, relative to the number. A correctly rounded result, which may
 be either neighbour of the exact one, is off by less than that."""
+_EXPONENT = np.int64(0x7FF0000000000000)
+"""The bits of a float64's exponent."""
 _LEAST = 2.0**-149
 _ROUNDED = Error(ulp=1.0)
 
@@ -104,9 +106,9 @@ class _OfPlatform:
 
 def ulp(magnitude: Floats) -> Floats:
     """The unit in the last place of a float32."""
-    _, exponent = np.frexp(np.maximum(magnitude, _LEAST))
-    spacing = np.ldexp(1.0, np.asarray(exponent, np.int64) - 24)
-    return np.where(np.isfinite(magnitude), np.maximum(spacing, _LEAST), np.inf)
+    # Without its fraction, a float is the power of two below it; infinity stays what it is.
+    powers = (np.asarray(magnitude, np.float64).view(np.int64) & _EXPONENT).view(np.float64)
+    return np.maximum(powers * 2.0**-23, _LEAST)
 
 
 def _absolute(error: Error, operand: Floats, result: Floats) -> Floats:

@@ -108,6 +108,9 @@ class RasterRules:
     euclidean_steps: bool = False
     """Whether the device is known to take differences between pixels in a quad's first row and
     column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
+    corner_bits: int | None = None
+    """The binary places of the texel beyond a cube's corner, where the device is known to read the
+    mean of the three around it, as Vulkan recommends; ``None``: it may read one of them."""
     bottom_up: bool = False
     """Whether a quad's first pixel is the lower left one, which matters only for levels."""
     projects_cubes: bool = True

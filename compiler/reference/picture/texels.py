@@ -7,7 +7,7 @@ the lanes of texels are the first.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import product
 from typing import Any
 
@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 
 from ...ir.leaves import Resource
 from ...ir.types import Texture
-from ..bounds import Bounded, exact
+from ..bounds import Bounded, exact, hull
 from ..namespace import Lanes
 from .cube import across_edges, beyond_corner
+from .intervals import increasing, widened
 from .scene import Floats, Ints, RasterRules, Texels
 
 _DECODING = 2.0**-22
@@ -163,19 +164,14 @@ class Image:
             self._around_cube(around, face, level, lanes)
             for around in (inside, [inside[0], place[1]], [place[0], inside[1]])
         ]
-        mean = sum(each.value for each in three) / 3
-        low, high = (
-            [np.broadcast_to(end, mean.shape) for end in ends]
-            for ends in ([each.low for each in three], [each.high for each in three])
-        )
-        value = np.where(beyond, mean, texel.value)
+        mean = increasing(lambda x, y, z: (x + y + z) / 3, *three)
+        value = np.where(beyond, mean.value, texel.value)
         if self.is_exact:
             return exact(value)
-        return Bounded(
-            value,
-            np.where(beyond, np.min(low, axis=0), texel.low),
-            np.where(beyond, np.max(high, axis=0), texel.high),
-        )
+        bits = self.rules.corner_bits
+        found = reduce(hull, three, mean) if bits is None else widened(mean, 2.0**-bits)
+        low, high = np.where(beyond, found.low, texel.low), np.where(beyond, found.high, texel.high)
+        return Bounded(value, low, high)
 
     def _texels(
         self, place: Sequence[Ints], layer: Ints, level: Ints, lanes: slice = EVERY_LANE
