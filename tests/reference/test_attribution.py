@@ -175,6 +175,12 @@ def test_the_derivative_of_what_is_the_same_everywhere_is_exact() -> None:
     assert {part.text for part in found.contributions} <= {"s", "ddx(sqrt(gain)) + s.x"}
 
 
+def test_an_operation_is_as_inexact_as_in_the_pixel_and_not_beside_it() -> None:
+    """The curve is exactly zero in this pixel, but not in the next one of its quad."""
+    found = explained("value = vec4(smoothstep(0, 0.5, 0.4 - s.x), 0, 0, 1)")
+    assert found.value[0] == 0 and found.error == 0
+
+
 def test_a_pixel_that_may_be_discarded() -> None:
     """To tip is no small error: it does not count among the contributions."""
     found = explained("value = vec4(s, 0, 1)", discard="discard when material.value.x < 0.43749999")

@@ -134,11 +134,10 @@ class _Measuring:
         self, where: Occurrence, node: Node, operands: list[Lanes], value: Lanes
     ) -> Lanes:
         """Note what can have an error of its own, or jump."""
+        errors = self._errors.of(node, operands, value)
+        shown = (map(self._shown, pair) for pair in zip(errors, flat(value), strict=True))
         # Nothing is said of the error of what is infinite.
-        local = [
-            float(np.max(error)) if np.isfinite(error).all() and np.isfinite(lane).all() else 0.0
-            for error, lane in zip(self._errors.of(node, operands, value), flat(value), strict=True)
-        ]
+        local = [error if math.isfinite(error + lane) else 0.0 for error, lane in shown]
         rule = rule_of(node)
         rounds = _rounds(node) if node.op != "constant" else any(local)
         if rounds or rule is not None:
