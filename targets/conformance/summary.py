@@ -146,8 +146,8 @@ def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
         )
     elif weak and (comparison.wide or comparison.undecided):
         yield (
-            f"nearly nothing is known of {comparison.wide} of {covered} pixels, and what is drawn "
-            f"hangs on rounding at {comparison.undecided}"
+            f"{comparison.wide} of {covered} pixels may have nearly any value, and at "
+            f"{comparison.undecided} rounding decides what is drawn"
         )
     if (beyond := comparison.beyond) is not None:
         yield (

@@ -192,7 +192,7 @@ def test_what_proves_little_is_a_warning() -> None:
     assert result.stdout.endswith("\n2 prove little\n")
     heading, *cases, reason = result.stderr.splitlines()
     assert heading == "warning: m.burnish: Hash, lavapipe:glsl, llvmpipe:gl330: proves little"
-    assert all(": nearly nothing is known of " in line for line in cases) and len(cases) == 4
+    assert all(" may have nearly any value, and at " in line for line in cases) and len(cases) == 4
     expression = "`fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453)`"
     assert re.fullmatch(
         rf"  {re.escape(expression)} magnifies rounding (\d·)?10\^\d times \(m\.burnish:1\)", reason

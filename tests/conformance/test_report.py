@@ -102,11 +102,11 @@ lavapipe:hlsl-glslang: defaults: the compiler has changed the meaning of 1 of 24
 0.99, 0.99) to (1.01, 1.01, 1.01, 1.01)
 swiftshader:glsl: defaults: in 1 of 24 pixels the value leaves what float32 holds, where \
 nothing is promised; at (2, 1) it is (1e+39, 1, 1, 1)
-lavapipe:wgsl-naga: defaults: nearly nothing is known of 20 of 24 pixels, and what is drawn \
-hangs on rounding at 3
+lavapipe:wgsl-naga: defaults: 20 of 24 pixels may have nearly any value, and at 3 rounding \
+decides what is drawn
 lavapipe:wgsl-naga: `fract(x * 43758)` magnifies rounding 10^5 times (a<b>.burnish:12)
-swiftshader:wgsl-naga: defaults: nearly nothing is known of 19 of 24 pixels, and what is drawn \
-hangs on rounding at 3
+swiftshader:wgsl-naga: defaults: 19 of 24 pixels may have nearly any value, and at 3 rounding \
+decides what is drawn
 llvmpipe:gl330: glslang rejects Odd.frag.glsl
 llvmpipe:gl330:   3:7: '<' : syntax error & more
 chromium:webgpu: chromium is not installed

@@ -308,6 +308,13 @@ def either(x: Bounded, y: Bounded) -> Bounded:
     return found
 
 
+def limited(x: Bounded, low: Array, high: Array) -> Bounded:
+    """The lane, of which is known that it is between these, too."""
+    made = Bounded(x.value, np.maximum(x.low, low), np.minimum(x.high, high), x.form)
+    made._sum, made._factors, made._of = x._sum, x._factors, x._of
+    return made
+
+
 def widened(x: Bounded, by: Array) -> Bounded:
     """The lane of a device whose function has an absolute error of its own.
 

@@ -19,11 +19,12 @@ from .bounded import (
     either,
     exact,
     hull,
+    limited,
     negated,
     products,
     widened,
 )
-from .rounding import ROUNDED_UP, Array, outward
+from .rounding import ROUNDED_UP, ULP, Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]
@@ -93,13 +94,18 @@ class Bounds:
         return either(x * (1.0 - a) + y * a, x + (y - x) * a)
 
     def fract(self, x: Any, /) -> Bounded:
-        """The part above the floor. Just below a whole number it is 1, or the float before 1."""
+        """The part above the floor. Just below a whole number it is 1, or the float before 1.
+
+        If the product that ``x`` may be is not rounded before the floor is taken from it, the part
+        may leave 0..1 by that rounding.
+        """
         x = as_bounded(x)
         found = x - self.floor(x)
-        reaches_one = found.high >= 1.0
-        return (
-            widened(found, np.where(reaches_one, _BELOW_ONE, 0.0)) if np.any(reaches_one) else found
-        )
+        if x.is_exact:
+            reaches_one = found.high >= 1.0
+            return widened(found, np.where(reaches_one, _BELOW_ONE, 0.0))
+        rounding = ULP * x.magnitude
+        return limited(found, np.minimum(-rounding, 0.0), np.maximum(1.0 + rounding, 1.0))
 
     # --- conversions ------------------------------------------------------------------------------
 
