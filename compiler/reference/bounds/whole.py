@@ -74,14 +74,26 @@ def _modulo(of: Callable[[Any, Any], Any], size: Callable[[Array], Array]) -> Op
     return Operation(of, ends)
 
 
+def _joined_above(of: Callable[[Any, Any], Any]) -> Operation:
+    """An operation that adds bits above all those of the first operand, or jumps."""
+    jumping = _jumping(of)
+
+    def ends(x: Ends, y: Ends) -> Ends:
+        low, high = jumping.ends(x, y)
+        below = (y[0] == y[1]) & (x[0] >= 0) & (x[1] < (y[0] & -y[0]))
+        return np.where(below, x[0] + y[0], low), np.where(below, x[1] + y[0], high)
+
+    return Operation(of, ends)
+
+
 def _mask_size(mask: Array) -> Array:
     """One more than a mask of the lowest bits; 0 for any other number."""
     return np.where((mask > 0) & (mask & (mask + 1) == 0), mask + 1, 0)
 
 
 bit_and = _modulo(operator.and_, _mask_size)
-bit_or = _jumping(operator.or_)
-bit_xor = _jumping(operator.xor)
+bit_or = _joined_above(operator.or_)
+bit_xor = _joined_above(operator.xor)
 shifted_left = _monotone(operator.lshift)
 shifted_right = _monotone(operator.rshift)
 quotient = _monotone(operator.floordiv)
