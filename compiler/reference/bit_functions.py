@@ -7,6 +7,8 @@ float32, or to 16 bits: to the nearest number, and to an even one in the middle 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from ...stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
 from .namespace import Lane, Lanes, Namespace
 
@@ -97,11 +99,21 @@ def insert_bits(xp: Namespace, x: Lane, y: Lane, offset: Lane, count: Lane) -> L
 
 def bits_of(xp: Namespace, x: Lane) -> Lane:
     magnitude = xp.minimum(abs(x), LARGEST_FLOAT)
-    part, exponent = _taken_apart(xp, magnitude)
-    # A fraction that is rounded up to 2 carries into the exponent, which is correct.
-    bits = ((exponent + 126) << 23) + xp.int64(xp.rint(part * 2.0**24)) - (1 << 23)
+    bits = _rising(xp, _bits_of_magnitude, magnitude)
     signed = xp.where(x < 0, bits | 0x80000000, bits)
     return xp.where(magnitude < SMALLEST_NORMAL, 0, signed)
+
+
+def _rising(xp: Namespace, function: Callable[[Namespace, Lane], Lane], x: Lane) -> Lane:
+    """A function that never falls, which is known between two numbers by what it is for these."""
+    own = getattr(xp, "rising", None)
+    return function(xp, x) if own is None else own(function, x)
+
+
+def _bits_of_magnitude(xp: Namespace, magnitude: Lane) -> Lane:
+    part, exponent = _taken_apart(xp, magnitude)
+    # A fraction that is rounded up to 2 carries into the exponent, which is correct.
+    return ((exponent + 126) << 23) + xp.int64(xp.rint(part * 2.0**24)) - (1 << 23)
 
 
 def _taken_apart(xp: Namespace, x: Lane) -> tuple[Lane, Lane]:
@@ -136,11 +148,14 @@ def ldexp(xp: Namespace, x: Lane, n: Lane) -> Lane:
 
 
 def _half_bits(xp: Namespace, x: Lane) -> Lane:
-    magnitude = xp.minimum(abs(x), _LARGEST_HALF)
+    bits = _rising(xp, _half_bits_of_magnitude, xp.minimum(abs(x), _LARGEST_HALF))
+    return xp.where(xp.logical_and(x < 0, bits > 0), bits | 0x8000, bits)
+
+
+def _half_bits_of_magnitude(xp: Namespace, magnitude: Lane) -> Lane:
     part, exponent = _taken_apart(xp, magnitude)
     normal = ((exponent + 14) << 10) + xp.int64(xp.rint(part * 2.0**11)) - (1 << 10)
-    bits = xp.where(magnitude < 2.0**-14, xp.int64(xp.rint(magnitude * 2.0**24)), normal)
-    return xp.where(xp.logical_and(x < 0, bits > 0), bits | 0x8000, bits)
+    return xp.where(magnitude < 2.0**-14, xp.int64(xp.rint(magnitude * 2.0**24)), normal)
 
 
 def _half_of_bits(xp: Namespace, bits: Lane) -> Lane:

@@ -308,6 +308,11 @@ def either(x: Bounded, y: Bounded) -> Bounded:
     return found
 
 
+def rounded(x: Bounded) -> Bounded:
+    """The lane of a device that rounds this result correctly."""
+    return _rounded(x.value, x.low, x.high, x.form)
+
+
 def limited(x: Bounded, low: Array, high: Array) -> Bounded:
     """The lane, of which is known that it is between these, too."""
     made = Bounded(x.value, np.maximum(x.low, low), np.minimum(x.high, high), x.form)

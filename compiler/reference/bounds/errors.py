@@ -53,6 +53,10 @@ class Errors:
             worst = np.maximum.reduce(np.broadcast_arrays(*found))
         return np.where(np.isnan(worst), np.inf, worst)
 
+    def rounds(self, name: str) -> bool:
+        """Whether a builtin is correctly rounded, so that a result that float32 has is exact."""
+        return all(isinstance(each.bound(name), Rounded) for each in _distinct(name, self))
+
 
 @cache
 def _distinct(name: str, errors: Errors) -> tuple[_OfPlatform, ...]:

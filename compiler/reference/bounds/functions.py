@@ -22,6 +22,7 @@ from .bounded import (
     limited,
     negated,
     products,
+    rounded,
     widened,
 )
 from .rounding import ROUNDED_UP, ULP, Array, outward
@@ -46,6 +47,7 @@ class Bounds:
 
     def __init__(self, errors: Errors) -> None:
         self._errors = errors
+        self._rounds: Callable[[str], bool] = getattr(errors, "rounds", lambda _name: False)
 
     # --- choices ----------------------------------------------------------------------------------
 
@@ -106,6 +108,14 @@ class Bounds:
             return widened(found, np.where(reaches_one, _BELOW_ONE, 0.0))
         rounding = ULP * x.magnitude
         return limited(found, np.minimum(-rounding, 0.0), np.maximum(1.0 + rounding, 1.0))
+
+    def rising(self, function: Callable[[Any, Array], Array], x: Any, /) -> Bounded:
+        """A function that never falls and does not round, given NumPy in the place of this."""
+        x = as_bounded(x)
+        value = function(np, x.value)
+        if x.is_exact:
+            return exact(value)
+        return Bounded(value, function(np, x.low), function(np, x.high))
 
     # --- conversions ------------------------------------------------------------------------------
 
@@ -311,6 +321,8 @@ class Bounds:
         return self._with_error(name, x, Bounded(function(x.value), low, high, form))
 
     def _with_error(self, name: str, operand: Bounded, result: Bounded) -> Bounded:
+        if self._rounds(name):
+            return rounded(result)
         # A result just below a power of two has half the step of the power itself.
         largest = result.magnitude * ROUNDED_UP
         return widened(result, self._errors(name, operand.magnitude, largest))

@@ -55,12 +55,17 @@ def _jumping(of: Callable[[Any, Any], Any]) -> Operation:
     return Operation(of, ends)
 
 
-def _modulo(of: Callable[[Any, Any], Any], size: Callable[[Array], Array]) -> Operation:
+def _modulo(
+    of: Callable[[Any, Any], Any],
+    size: Callable[[Array], Array],
+    otherwise: Operation | None = None,
+) -> Operation:
     """An operation that repeats itself with a period, and is the identity within each.
 
-    ``size`` is the period for a second operand, or 0 if there is none.
+    ``size`` is the period for a second operand, or 0 if there is none; then it is like
+    ``otherwise``.
     """
-    jumping = _jumping(of)
+    jumping = otherwise or _jumping(of)
 
     def ends(x: Ends, y: Ends) -> Ends:
         period = np.where(y[0] == y[1], size(y[0]), 0)
@@ -74,16 +79,33 @@ def _modulo(of: Callable[[Any, Any], Any], size: Callable[[Array], Array]) -> Op
     return Operation(of, ends)
 
 
-def _joined_above(of: Callable[[Any, Any], Any]) -> Operation:
-    """An operation that adds bits above all those of the first operand, or jumps."""
+def _by_bits(of: Callable[[Any, Any], Any]) -> Operation:
+    """An operation whose every bit depends on the same bit of the operands only.
+
+    Numbers of an interval share the bits above the highest one in which its ends differ.
+    """
     jumping = _jumping(of)
 
     def ends(x: Ends, y: Ends) -> Ends:
         low, high = jumping.ends(x, y)
-        below = (y[0] == y[1]) & (x[0] >= 0) & (x[1] < (y[0] & -y[0]))
-        return np.where(below, x[0] + y[0], low), np.where(below, x[1] + y[0], high)
+        other = y[0]
+        below = _filled(x[0] ^ x[1])
+        shared = of(x[0] & ~below, other) & ~below
+        possible = of(below, other) | of(np.zeros_like(below), other)
+        certain = (y[0] == y[1]) & ((x[0] >= 0) == (x[1] >= 0))
+        least = np.where(certain, shared, LEAST)
+        most = np.where(certain, shared | (possible & below), LARGEST)
+        wide = (x[1] - x[0] > 1) | (y[1] - y[0] > 1)
+        return np.where(wide, least, low), np.where(wide, most, high)
 
     return Operation(of, ends)
+
+
+def _filled(number: Array) -> Array:
+    """All bits up to the highest one that is set."""
+    for by in (1, 2, 4, 8, 16, 32):
+        number = number | (number >> by)
+    return number
 
 
 def _mask_size(mask: Array) -> Array:
@@ -91,9 +113,9 @@ def _mask_size(mask: Array) -> Array:
     return np.where((mask > 0) & (mask & (mask + 1) == 0), mask + 1, 0)
 
 
-bit_and = _modulo(operator.and_, _mask_size)
-bit_or = _joined_above(operator.or_)
-bit_xor = _joined_above(operator.xor)
+bit_and = _modulo(operator.and_, _mask_size, _by_bits(operator.and_))
+bit_or = _by_bits(operator.or_)
+bit_xor = _by_bits(operator.xor)
 shifted_left = _monotone(operator.lshift)
 shifted_right = _monotone(operator.rshift)
 quotient = _monotone(operator.floordiv)
