@@ -40,6 +40,14 @@ DEFECTS = {"gathered: Varying": "lavapipe"}
 """Materials that show a driver's bug. Mesa 22.3.6 uses the size of the level of one pixel for all,
 so it clamps loads to the wrong size."""
 
+MAY_PROVE_LITTLE = {
+    "kinds: Slopes": "gradients of a cube read all levels that some choice of derivatives allows",
+    "operations: Limits": "a width of nothing but rounding divides in a smoothstep",
+    "pipeline: Inverses": "a determinant that is zero, or its rounding",
+    "values: Loops": "a loop ends where two sums are equal",
+}
+"""Materials of which some pixels may have nearly any value on a device that conforms, and why."""
+
 
 def compiled(name: str, *profiles: str) -> CompiledMaterial:
     """One of ``NAMES``, compiled again."""

@@ -15,7 +15,7 @@ from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
 from .kit import Studio
-from .subjects import DEFECTS, LACKING, NAMES, called, compiled
+from .subjects import DEFECTS, LACKING, MAY_PROVE_LITTLE, NAMES, called, compiled
 
 CASES = [
     # One process draws a material by all routes, so that the reference draws it once.
@@ -53,7 +53,8 @@ def test_it_agrees(rows: Callable[[str], dict[str, Row]], route: str, name: str)
     if DEFECTS.get(name) == ROUTES[route].driver:
         assert found.status == "differs", "the defect is gone: take it off the list"
         return
-    assert found.status == "agrees", "\n".join(details(found)) or found.status
+    allowed = {"agrees"} | ({"proves little"} if name in MAY_PROVE_LITTLE else set())
+    assert found.status in allowed, "\n".join(details(found)) or found.status
 
 
 def test_every_builtin_is_called() -> None:
