@@ -22,7 +22,7 @@ def wrap(kind: IntegerKind, x: Lane) -> Lane:
 
 def div(xp: Namespace, x: Lane, y: Lane) -> Lane:
     zero = y == 0
-    magnitude = abs(x) // xp.where(zero, 1, abs(y))
+    magnitude = abs(x) // xp.maximum(abs(y), 1)
     return xp.where(zero, x, xp.where((x < 0) != (y < 0), -magnitude, magnitude))
 
 

@@ -81,7 +81,7 @@ def _row(plan: Plan | tuple[str, str], route: Route, runner: Runner, toolchain: 
             shader = pipeline(plan.subject.reflection, route, codes, exact=series.exact)
             pictures = runner.draw(route, Job(shader, draws))
             results += plan.compared(series, route, device, pictures)
-    except (CodeError, DriverError, ValueError) as error:
+    except (CodeError, DriverError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
 

@@ -21,7 +21,7 @@ from ..runner.explanation import explained
 from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
-from .compare import Bools, ends_of, says_nothing
+from .compare import Bools, ends_of, says_nothing, shares
 from .error_words import blamed, causes, lines
 from .plan import bounds_of
 from .rows import CaseResult, Row
@@ -31,6 +31,8 @@ Pixel = tuple[int, int]
 """Its column and its row, from the upper left corner of the picture."""
 
 
+_BLAMED = 100.0
+"""How many times its bound a difference may be for an operation's error to be told as its cause."""
 _ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
 """Has the bits that nearly all devices have."""
 
@@ -135,7 +137,8 @@ def _of_difference(subject: Subject, row: Row, seed: int) -> Iterator[str]:
     """The operation that explains most of what the worst pixel of a case may be off."""
     for seen in _seen(subject, [row], seed):
         comparison = seen.result.comparison
-        if comparison.wrong and comparison.worst is not None:
+        # Rounding is to blame for a difference of its own order only.
+        if comparison.wrong and comparison.worst is not None and comparison.excess < _BLAMED:
             worst = comparison.worst
             for found in _explained_if_covered(subject, seen, (worst.x, worst.y)):
                 yield from (f"{seen.case.name}: {text}" for text in blamed(found))
@@ -199,7 +202,8 @@ def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
         expected = result.expected
         low, high = expected.low[target][y, x], expected.high[target][y, x]
         got = result.got[target][y, x]
-        inside = bool(((got >= low) & (got <= high)).all())
+        value = expected.targets[target][y, x]
+        inside = bool((shares(got, value, low, high) <= 1).all())
         note = "" if inside else "outside of its bounds"
         if expected.undecided[y, x]:
             note = "undecided: what is drawn here hangs on rounding"

@@ -74,7 +74,7 @@ class Plan:
             questions = bounds_of(case.state, route, device)
             got = arrays(picture)
             found = [(c, e) for c, e in self._answers(case.state, got, route, questions, series)]
-            yield CaseResult(case.name, _summed_up([c for c, _ in found]), got, found[-1][1])
+            yield CaseResult(case.name, summed_up([c for c, _ in found]), got, found[-1][1])
 
     def _answers(
         self,
@@ -93,6 +93,8 @@ class Plan:
             )
             expected = self._wanted(program, state, bounds.rules, bounds.errors)
             meant = self._wanted(source, state, _precise(bounds.rules), None)
+            # The text has no promises any more: the material knows where one is broken.
+            expected = replace(expected, undecided=expected.undecided | meant.undecided)
             targets = [result.state.format for result in source.results if result.state]
             pairs = list(zip(targets, meant.targets, strict=True))
             comparison = compare(
@@ -121,13 +123,15 @@ class Plan:
             return self._expected[key]
 
 
-def _summed_up(found: Sequence[Comparison]) -> Comparison:
+def summed_up(found: Sequence[Comparison]) -> Comparison:
     """The last comparison, with how tight the first one was."""
     first, last = found[0], found[-1]
     if first is last:
         return first
+    # Pixels that left the first bounds are proven by the last ones only.
+    proven = max(last.proven, first.proven - first.wrong)
     return replace(
-        last, proven=first.proven, wide=first.wide, bite=first.bite,
+        last, proven=proven, wide=first.wide + first.proven - proven, bite=first.bite,
         beyond=None if last.wrong else first.worst,
     )  # fmt: skip
 

@@ -18,6 +18,7 @@ from burnish.targets.conformance.compare import (
     compare,
     proves_little,
 )
+from burnish.targets.conformance.plan import summed_up
 
 HEIGHT, WIDTH = 20, 50
 CLEAR = -8.0
@@ -245,3 +246,12 @@ def test_the_bite_is_the_median_of_the_bounds_in_steps() -> None:
         pytest.approx(10.0)
     )
     assert compared(picture(), expected(picture(), below=0.0, above=0.0)).bite == 0.0
+
+
+def test_pixels_that_only_loose_bounds_hold_are_proven_by_these_alone() -> None:
+    """A picture that leaves what was measured agrees only as far as the guarantee proves it."""
+    tight = compared(picture(1.5))
+    loose = compared(picture(1.5), expected(picture(), below=1e3, above=1e3))
+    assert (tight.wrong, loose.wrong) == (tight.covered, 0)
+    together = summed_up([tight, loose])
+    assert together.proven == 0 and proves_little([together])

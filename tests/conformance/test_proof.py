@@ -45,6 +45,26 @@ PROVING_NOTHING = {
     "nothing": "material M {}\npass P : Forward { discard when true }",
 }
 
+HASH = "fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453)"
+NO_VIOLATION = {
+    "something behind what may be discarded": (
+        "material M { color = if front_facing then vec3(1) else vec3(0)\n"
+        f"alpha = if front_facing then {HASH} else 1 }}\n"
+        "pass P : Forward { discard when material.alpha < 0.5 }"
+    ),
+    "whole numbers over any whole number": (
+        f"material M {{ color = vec3(float(100 / int(floor({HASH} * 2000 - 1000)))) }}"
+    ),
+    "depths of vertices that are inexact": (
+        "material M { clip_position = @vertex (((position in clip as vec4)"
+        " + vec4(0, 0, 0.05 * sin(3 * uv.x), 0)) as point<clip>)  color = vec3(frag_coord.z) }"
+    ),
+    "a broken promise": (
+        "material M { color = abs(normalize(nonzero(max(vec3(0), vec3(uv, 0.5) - vec3(0.5))))) }"
+    ),
+}
+"""What devices may draw in many ways."""
+
 
 def row(studio: Studio, text: str, route: str) -> Row:
     pass_ = "P" if "pass P" in text else None
@@ -63,3 +83,10 @@ def test_rounding_is_nobodys_fault(studio: Studio, what: str, route: str) -> Non
 @pytest.mark.parametrize("what", PROVING_NOTHING)
 def test_what_proves_nothing_is_no_agreement(studio: Studio, what: str) -> None:
     assert row(studio, PROVING_NOTHING[what], "lavapipe:glsl").status == "proves little"
+
+
+@pytest.mark.parametrize("route", ["lavapipe:wgsl-naga", "swiftshader:glsl"])
+@pytest.mark.parametrize("what", NO_VIOLATION)
+def test_what_is_open_is_no_violation(studio: Studio, what: str, route: str) -> None:
+    found = row(studio, NO_VIOLATION[what], route)
+    assert found.status in {"agrees", "proves little"}, found.problem or found.reasons

@@ -115,7 +115,9 @@ class Bounds:
         value = function(np, x.value)
         if x.is_exact:
             return exact(value)
-        return Bounded(value, function(np, x.low), function(np, x.high))
+        unknown = np.isnan(x.low) | np.isnan(x.high)
+        low, high = (function(np, np.where(unknown, 0.0, end)) for end in (x.low, x.high))
+        return Bounded(value, np.where(unknown, LEAST, low), np.where(unknown, LARGEST, high))
 
     # --- conversions ------------------------------------------------------------------------------
 

@@ -81,11 +81,12 @@ class _Drawing:
         fragments, canvas.undecided[:] = fragments_of(self._faces, self._rules)
         depth = depth_of(self._faces, fragments, self._rules.width)
         if self._opaque:
-            winners, close = nearest(fragments, depth)
+            winners, close = nearest(fragments, depth, self._faces.z_off[fragments.face])
             canvas.undecided[close] = True
             fragments = Fragments(fragments.face[winners], fragments.pixel[winners])
             depth = depth[winners]
-        canvas.draw(fragments.pixel, depth, self._shaded(fragments, progress))
+        off = self._faces.z_off[fragments.face]
+        canvas.draw(fragments.pixel, depth, off, self._shaded(fragments, progress))
         return self._expected()
 
     def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:

@@ -46,6 +46,9 @@ class Faces:
     """(faces, 3): depth."""
     per_w: Floats
     """(faces, 3): 1 / clip w."""
+    z_off: Floats
+    per_w_off: Floats
+    """(faces,): by how much these two may differ on a device."""
 
     @property
     def front(self) -> Bools:
@@ -80,6 +83,9 @@ def assemble(
         np.zeros_like(places) if off is None else np.abs(clipped.weights) @ off[corners],
         rules,
     )
+    z_off, per_w_off = _depths_off(
+        places, np.zeros_like(places) if off is None else np.abs(clipped.weights) @ off[corners]
+    )
     unsure = _unsure(across, down, moved[:, None], rules)
     if rules.interpolates_snapped:
         whole = _window(positions[corners], rules)
@@ -98,6 +104,8 @@ def assemble(
         plane_y=np.where(turned, snapped_y, planes[1]),
         z=places[..., 2] / places[..., 3],
         per_w=1.0 / places[..., 3],
+        z_off=z_off,
+        per_w_off=per_w_off,
     )
     return faces.only(_kept(faces, rules))
 
@@ -155,6 +163,18 @@ def _moved(places: Floats, off: Floats, rules: RasterRules) -> Floats:
     largest = np.nan_to_num(np.maximum(*pixels).max(axis=1), nan=np.inf, posinf=np.inf)
     moved: Floats = largest + _FLOAT32_STEPS * max(rules.width, rules.height)
     return moved
+
+
+def _depths_off(places: Floats, off: Floats) -> tuple[Floats, Floats]:
+    """By how much the depths of corners (faces, 3, 4) may differ, and by how much their 1 / w."""
+    w = np.abs(places[..., 3])
+    least = np.maximum(w - off[..., 3], 0.0)
+    z = (off[..., 2] + np.abs(places[..., 2]) / w * off[..., 3]) / least
+    per_w = off[..., 3] / (w * least)
+    z_off, per_w_off = (
+        np.nan_to_num(each.max(axis=1), nan=np.inf, posinf=np.inf) for each in (z, per_w)
+    )
+    return z_off, per_w_off
 
 
 def _extent(planes: tuple[Floats, Floats], rules: RasterRules) -> Floats:

@@ -68,11 +68,15 @@ class Barycentric:
         depth = self._clamped(self._mixed(faces.z[quads.face].T, self._linear))
         self._moved = faces.moved[quads.face][:, None, None]
         off = self._off_plane(faces.z[quads.face], rules)
+        off = off + faces.z_off[quads.face][:, None, None]
         self.depth = Bounded(depth, self._clamped(depth - off), self._clamped(depth + off))
         near = faces.per_w[quads.face][:, :, None, None]
         per_w = self._mixed(faces.per_w[quads.face].T, self._linear)
         off = self._off_plane(faces.per_w[quads.face], rules)
-        self.per_w = Bounded(per_w, per_w - off, per_w + off)
+        of_corners = faces.per_w_off[quads.face][:, None, None]
+        self.per_w = Bounded(per_w, per_w - off - of_corners, per_w + off + of_corners)
+        self._weights_off = of_corners / np.abs(per_w)
+        """The relative errors of the weights, which the corners' w are a part of."""
         self._far = self._nudge * self._largest(faces.per_w[quads.face]) / np.abs(per_w)
         """The error of the divisor, relative to itself."""
         self._perspective = tuple(
@@ -125,9 +129,9 @@ class Barycentric:
         planes = self._nudge * self._largest(parts * near, largest) / np.abs(self.per_w.value)
         off = planes + self._far * np.abs(value) + self._flushed
         a, b, c = parts.T[:, :, None, None]
-        off = off + self._moved * (
-            self._slopes[0] * np.abs(b - a) + self._slopes[1] * np.abs(c - a)
-        )
+        second, third = np.abs(b - a), np.abs(c - a)
+        off = off + self._moved * (self._slopes[0] * second + self._slopes[1] * third)
+        off = off + self._weights_off * (second + third)
         if isinstance(lane, Bounded) and not lane.is_exact:
             radius = np.maximum(lane.high - lane.value, lane.value - lane.low)
             a, b, c = self._cut(radius[vertices]).T[:, :, None, None]

@@ -61,6 +61,10 @@ class Canvas:
         for target, state in zip(self.targets, self._states, strict=True):
             target[:] = self._stored(state, target)
         self.depth = np.ones(pixels)
+        self._depth_off = np.zeros(pixels)
+        """By how much a device's depth may differ."""
+        self._may_hide = np.ones(pixels)
+        """The nearest depth of a fragment of which it is unsure whether it was drawn."""
         self.layers = np.zeros(pixels, dtype=np.int64)
         """How many fragments were drawn."""
         self.undecided = np.zeros(pixels, dtype=np.bool_)
@@ -69,26 +73,36 @@ class Canvas:
         """Pixels that are undecided because of what has been drawn there so far."""
         self._opaque = all(state.blend == "none" for state in self._states)
 
-    def draw(self, pixel: Ints, depth: Floats, shades: Shades) -> None:
-        """Draw fragments in their order; several may be of the same pixel."""
+    def draw(self, pixel: Ints, depth: Floats, off: Floats, shades: Shades) -> None:
+        """Draw fragments in their order; several may be of the same pixel.
+
+        ``off`` says by how much a device's depths may differ.
+        """
         rank = _ranks(pixel)
         for layer in range(int(rank.max(initial=-1)) + 1):
-            self._draw_layer(pixel, depth, shades, np.flatnonzero(rank == layer))
+            self._draw_layer(pixel, depth, off, shades, np.flatnonzero(rank == layer))
 
-    def _draw_layer(self, pixel: Ints, depth: Floats, shades: Shades, members: Ints) -> None:
+    def _draw_layer(
+        self, pixel: Ints, depth: Floats, off: Floats, shades: Shades, members: Ints
+    ) -> None:
         """Draw at most one fragment of each pixel."""
-        before, new = self.depth[pixel[members]], depth[members]
-        nearer, doubtful = new < before, np.abs(new - before) < DEPTH_MARGIN
+        at = pixel[members]
+        before, new = self.depth[at], depth[members]
+        margin = DEPTH_MARGIN + off[members] + self._depth_off[at]
+        nearer, doubtful = new < before, np.abs(new - before) < margin
         hidden = ~nearer & ~doubtful
         unsure = doubtful | (shades.undecided[members] & ~hidden)
         if self._opaque:
             # Whatever is behind a fragment that certainly wins is not undecided any more.
-            wins = nearer & ~unsure & ~shades.discarded[members]
+            in_front = new < self._may_hide[at] - margin
+            wins = nearer & in_front & ~unsure & ~shades.discarded[members]
             self.shaky[pixel[members[wins]]] = False
-        self.shaky[pixel[members]] |= unsure
+        self.shaky[at] |= unsure
+        self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], new[unsure])
         drawn = members[nearer & ~shades.discarded[members]]
         place = pixel[drawn]
         self.depth[place] = depth[drawn]
+        self._depth_off[place] = off[drawn]
         self.layers[place] += 1
         rows = zip(self.targets, shades.colours, self._states, self._lanes, strict=True)
         for target, colours, state, lanes in rows:
@@ -120,13 +134,17 @@ def _lanes(colours: Ends) -> Lanes:
     return tuple(Bounded(*np.moveaxis(colours, -1, 0)[i]) for i in range(4))
 
 
-def nearest(fragments: Fragments, depth: Floats) -> tuple[Ints, Ints]:
-    """The fragments that win their pixel, and the pixels where another one is nearly as close."""
+def nearest(fragments: Fragments, depth: Floats, off: Floats) -> tuple[Ints, Ints]:
+    """The fragments that win their pixel, and the pixels where another one is nearly as close.
+
+    ``off`` says by how much a device's depths may differ.
+    """
     order = np.lexsort((depth, fragments.pixel))
     pixel, sorted_depth = fragments.pixel[order], depth[order]
     first = np.ones(len(order), dtype=np.bool_)
     first[1:] = pixel[1:] != pixel[:-1]
-    close = ~first[1:] & first[:-1] & (np.diff(sorted_depth) < DEPTH_MARGIN)
+    margin = DEPTH_MARGIN + off[order][1:] + off[order][:-1]
+    close = ~first[1:] & first[:-1] & (np.diff(sorted_depth) < margin)
     return np.sort(order[first]), pixel[1:][close]
 
 

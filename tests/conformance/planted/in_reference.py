@@ -193,8 +193,8 @@ def _last(place: Any, values: Any) -> Any:
     return tuple(lane[corner][:, None, None] if np.ndim(lane) else lane for lane in values)
 
 
-def _farthest(fragments: Any, depth: Any) -> Any:
-    return resolve.nearest(fragments, -depth)
+def _farthest(fragments: Any, depth: Any, off: Any) -> Any:
+    return resolve.nearest(fragments, -depth, off)
 
 
 def _coarser(by: float) -> Callable[..., Any]:
