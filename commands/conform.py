@@ -70,8 +70,8 @@ class Request(NamedTuple):
 )  # fmt: skip
 @click.option(
     "--case", metavar="NAME",
-    help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`; by default the one where "
-    "it is the least certain.",
+    help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`, or `blended` if the pass "
+    "blends; by default the one where it is the least certain.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,

@@ -1,6 +1,6 @@
 """``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables.
 
-Run it after changing the grammar, a builtin, a diagnostic, a route or a tolerance. A test fails
+Run it after changing the grammar, a builtin, a diagnostic, a route or a driver's row. A test fails
 if a page is not up to date.
 """
 
