@@ -218,7 +218,8 @@ def material(members: str) -> str:
         ),
         (material("knob a = 1\nknob a = 2"), "error[B0202]: `a` is declared twice", ""),
         (
-            "pass P { mixing alpha\nmixing add\ntarget a : r8 = 1 }\nmaterial M { color = #fff }",
+            "pass P { mixing alpha\nmixing add\ntarget a : rgba8 = vec4(1) }\n"
+            "material M { color = #fff }",
             "error[B0202]: `mixing` is declared twice",
             "",
         ),

@@ -103,10 +103,8 @@ class Bounds:
         """
         x = as_bounded(x)
         found = x - self.floor(x)
-        if x.is_exact:
-            reaches_one = found.high >= 1.0
-            return widened(found, np.where(reaches_one, _BELOW_ONE, 0.0))
-        rounding = ULP * x.magnitude
+        found = widened(found, np.where(found.high >= 1.0, _BELOW_ONE, 0.0))
+        rounding = 0.0 if x.is_exact else ULP * x.magnitude
         return limited(found, np.minimum(-rounding, 0.0), np.maximum(1.0 + rounding, 1.0))
 
     def rising(self, function: Callable[[Any, Array], Array], x: Any, /) -> Bounded:
