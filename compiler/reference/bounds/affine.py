@@ -44,11 +44,10 @@ class Form:
 
     @property
     def radius(self) -> Array:
-        """By how much the lane may differ from its value; infinite where the form says nothing."""
-        radius = np.abs(self.terms).sum(axis=0) + self.rest if self.errors else self.rest
-        if np.isfinite(np.sum(radius)):
-            return radius
-        return np.where(np.isnan(radius), np.inf, radius)
+        """By how much the lane may differ from its value; NaN where the form says nothing."""
+        if not self.errors:
+            return self.rest
+        return np.add.reduce(np.abs(self.terms)) + self.rest
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
@@ -99,15 +98,23 @@ def alone(radius: Array) -> Form:
     return Form((), _NO_TERMS, radius)
 
 
-def chosen(is_first: Array, is_second: Array, x: Form, y: Form, otherwise: Array) -> Form:
-    """The form of the first lane, or of the second, or of neither with this radius."""
+def chosen(
+    is_first: Array, is_second: Array | None, x: Form, y: Form, otherwise: Array = 0.0
+) -> Form:
+    """The form of the first lane, or of the second, or of neither with the radius ``otherwise``.
+
+    ``is_second`` is ``None`` where one of both is chosen for certain.
+    """
     errors, one, two = _together(x.errors, y.errors)
     axes = max(map(np.ndim, (is_first, is_second, x.rest, y.rest)))
     first, second = (
         _with_axes(_placed(form.terms, place), axes) if form.errors else 0.0
         for form, place in ((x, one), (y, two))
     )
-    terms = np.where(is_first, first, np.where(is_second, second, 0.0))
+    if is_second is None:
+        terms = np.where(is_first, first, second) if errors else _NO_TERMS
+        return Form(errors, terms, np.where(is_first, x.rest, y.rest))
+    terms = np.where(is_first, first, np.where(is_second, second, 0.0)) if errors else _NO_TERMS
     rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
     return Form(errors, terms, rest)
 

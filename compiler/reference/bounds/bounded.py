@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen
 from .orders import Single, Sum, Term, in_any_order, is_coarse
@@ -25,8 +24,10 @@ from .rounding import (
     Array,
     constant_ends,
     is_float32,
+    lost,
     of_device,
     outward,
+    rounding_error,
 )
 
 _numbers = count()
@@ -43,7 +44,10 @@ class Bounded:
     are NaN say nothing.
     """
 
-    __slots__ = ("_factors", "_number", "_of", "_radius", "_sum", "form", "high", "low", "value")
+    __slots__ = (
+        "_factors", "_magnitude", "_number", "_of", "_radius", "_sum", "form", "high", "low",
+        "value",
+    )  # fmt: skip
     __array_ufunc__ = None
     """NumPy leaves operations with these lanes to the methods below."""
     __hash__ = None  # type: ignore[assignment]
@@ -52,6 +56,7 @@ class Bounded:
         """``form`` limits the interval further, if it is known how errors are shared."""
         self.value, self.low, self.high, self.form = value, low, high, form
         self._radius: Array | None = None
+        self._magnitude: Array | None = None
         self._sum: Sum | None = None
         self._factors = 0
         """How many multiplications made it."""
@@ -60,8 +65,9 @@ class Bounded:
         """The numbers of all its factors, if it is a product."""
         if form is not None:
             radius = form.radius
-            self.low = np.maximum(low, value - radius)
-            self.high = np.minimum(high, value + radius)
+            # The end that is a number counts, if the form or the interval says nothing.
+            self.low = np.fmax(low, value - radius)
+            self.high = np.fmin(high, value + radius)
 
     @property
     def is_exact(self) -> bool:
@@ -86,7 +92,9 @@ class Bounded:
     @property
     def magnitude(self) -> Array:
         """The largest magnitude that a device may have."""
-        return np.maximum(np.abs(self.low), np.abs(self.high))
+        if self._magnitude is None:
+            self._magnitude = np.maximum(np.abs(self.low), np.abs(self.high))
+        return self._magnitude
 
     @property
     def radius(self) -> Array:
@@ -329,13 +337,8 @@ def widened(x: Bounded, by: Array) -> Bounded:
     low, high = of_device(x.low - by, x.high + by)
     form = x.form
     if form is not None:
-        form = form.widened(by + _lost(np.maximum(np.abs(low), np.abs(high))))
+        form = form.widened(by + lost(np.maximum(np.abs(low), np.abs(high))))
     return Bounded(x.value, low, high, form)
-
-
-def _lost(magnitude: Array) -> Array:
-    """What a form has to allow for besides rounding: what is flushed to zero, or infinite."""
-    return np.where(np.isfinite(magnitude), np.minimum(magnitude, SMALLEST_NORMAL), np.inf)
 
 
 # --- operations -----------------------------------------------------------------------------------
@@ -391,18 +394,13 @@ def _rounded(
         return exact(value) if low is high else Bounded(value, low, high)
     if low is high and times == 1 and is_float32(value):
         return exact(value)
-    if times > 1:
-        magnitude = np.maximum(np.abs(low), np.abs(high))
-        error = times * (ULP * magnitude + (magnitude > 0) * SUBNORMAL_STEP)
-        low, high = of_device(low - error, high + error)
-    else:
-        low, high = outward(low, high)
-        if form is None:
-            return Bounded(value, low, high)
-        magnitude = np.maximum(np.abs(low), np.abs(high))
-        error = ULP * magnitude
+    if times == 1 and form is None:
+        return Bounded(value, *outward(low, high))
+    magnitude = np.maximum(np.abs(low), np.abs(high))
+    error = rounding_error(magnitude, times)
+    low, high = outward(low, high) if times == 1 else of_device(low - error, high + error)
     if form is not None:
-        form = form.widened(error + _lost(magnitude))
+        form = form.widened(error + lost(magnitude + error))
     return Bounded(value, low, high, form)
 
 
@@ -456,7 +454,7 @@ def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
 
 
 def _term(lane: Bounded) -> Term:
-    return Single(lane.low, lane.high) if lane._sum is None else lane._sum
+    return Single(lane.magnitude) if lane._sum is None else lane._sum
 
 
 def _square(x: Bounded) -> tuple[Array, Array]:

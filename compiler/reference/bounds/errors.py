@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,21 +49,30 @@ class Errors:
         """
         operand, result = np.asarray(operand, np.float64), np.asarray(result, np.float64)
         with np.errstate(all="ignore"):
-            found = [each.error(name, operand, result) for each in _distinct(name, self)]
-            worst = np.maximum.reduce(np.broadcast_arrays(*found))
+            found = [each.error(name, operand, result) for each in self._distinct(name)]
+            worst = found[0]
+            for other in found[1:]:
+                worst = np.maximum(worst, other)
         return np.where(np.isnan(worst), np.inf, worst)
 
     def rounds(self, name: str) -> bool:
         """Whether a builtin is correctly rounded, so that a result that float32 has is exact."""
-        return all(isinstance(each.bound(name), Rounded) for each in _distinct(name, self))
+        return all(isinstance(each.bound(name), Rounded) for each in self._distinct(name))
 
+    def _distinct(self, name: str) -> tuple[_OfPlatform, ...]:
+        """One platform of those that promise the same, also of what the error is inherited from."""
+        if name not in self._found:
+            measured = dict(self.measured)
+            names = (name, *_INHERITED_FROM)
+            each = [_OfPlatform(platform, measured) for platform in self.platforms]
+            distinct = {tuple(map(one.bound, names)): one for one in each}
+            self._found[name] = tuple(distinct.values())
+        return self._found[name]
 
-@cache
-def _distinct(name: str, errors: Errors) -> tuple[_OfPlatform, ...]:
-    """One platform of those that promise the same, also of what the error is inherited from."""
-    each = {_OfPlatform(platform, dict(errors.measured)): None for platform in errors.platforms}
-    names = (name, *_INHERITED_FROM)
-    return tuple({tuple(map(one.bound, names)): one for one in each}.values())
+    @cached_property
+    def _found(self) -> dict[str, tuple[_OfPlatform, ...]]:
+        """What ``_distinct`` has returned, as it is asked for every operation of a program."""
+        return {}
 
 
 class _OfPlatform:

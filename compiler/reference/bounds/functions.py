@@ -60,11 +60,8 @@ class Bounds:
             return x if condition.value else y
         value = np.where(condition.value, x.value, y.value)
         if condition.is_exact:
-            if x.is_exact and y.is_exact:
-                return exact(value)
-            return _chosen(value, condition.value, np.logical_not(condition.value), x, y, x)
-        both = hull(x, y)
-        return _chosen(value, condition.low, np.logical_not(condition.high), x, y, both)
+            return exact(value) if x.is_exact and y.is_exact else _one(value, condition.value, x, y)
+        return _either(value, condition.low, np.logical_not(condition.high), x, y)
 
     def logical_and(self, x: Any, y: Any, /) -> Bounded:
         """Whether both conditions hold."""
@@ -390,10 +387,17 @@ def _of_ends(
     return Bounded(value, low, high, form)
 
 
-def _chosen(
-    value: Array, is_first: Array, is_second: Array, x: Bounded, y: Bounded, both: Bounded
-) -> Bounded:
-    """``x``, ``y``, or any value of ``both`` where it may be either."""
+def _one(value: Array, is_first: Array, x: Bounded, y: Bounded) -> Bounded:
+    """``x`` or ``y``, which is certain."""
+    low, high = np.where(is_first, x.low, y.low), np.where(is_first, x.high, y.high)
+    if x.form is None and y.form is None:
+        return Bounded(value, low, high)
+    return Bounded(value, low, high, chosen(is_first, None, x.any_form, y.any_form))
+
+
+def _either(value: Array, is_first: Array, is_second: Array, x: Bounded, y: Bounded) -> Bounded:
+    """``x``, ``y``, or anything between them where it may be either."""
+    both = hull(x, y)
     low = np.where(is_first, x.low, np.where(is_second, y.low, both.low))
     high = np.where(is_first, x.high, np.where(is_second, y.high, both.high))
     if x.form is None and y.form is None:

@@ -46,13 +46,8 @@ class Sum:
 class Single:
     """A lane that is no sum, as a term."""
 
-    low: Array
-    high: Array
-
-    @property
-    def magnitude(self) -> Array:
-        """The largest magnitude that it may have."""
-        return np.maximum(np.abs(self.low), np.abs(self.high))
+    magnitude: Array
+    """The largest one that it may have."""
 
 
 Term = Sum | Single

@@ -29,13 +29,7 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
     this is where it may lie. A number that float32 has stays as it is. A device may flush a
     subnormal result to zero (Vulkan, "Denormalized values"; WGSL, "floating point evaluation").
     """
-    below = np.asarray(low, np.float32).astype(np.float64)
-    above = below if high is low else np.asarray(high, np.float32).astype(np.float64)
-    if not np.isfinite((below - above).sum()):
-        return _flushed_up(_below_infinity(below, low)), _flushed_down(_above_infinity(above, high))
-    below = below - (below > low) * _step(below)
-    above = above + (above < high) * _step(above)
-    return _flushed_up(below), _flushed_down(above)
+    return _finite_or_infinite(_down(low), _up(high))
 
 
 def of_device(low: Array, high: Array) -> tuple[Array, Array]:
@@ -43,10 +37,22 @@ def of_device(low: Array, high: Array) -> tuple[Array, Array]:
 
     A result beyond the largest float32 is infinite, and a subnormal one may be flushed to zero.
     """
-    if not (np.abs(low).max(initial=0) <= LARGEST_FLOAT >= np.abs(high).max(initial=0)):
-        low = np.minimum(np.where(low < -LARGEST_FLOAT, -np.inf, low), LARGEST_FLOAT)
-        high = np.maximum(np.where(high > LARGEST_FLOAT, np.inf, high), -LARGEST_FLOAT)
+    low, high = _finite_or_infinite(low, high)
     return _flushed_up(low), _flushed_down(high)
+
+
+def rounding_error(magnitude: Array, times: int = 1) -> Array:
+    """The largest error of results of this magnitude that are rounded so often; none of zero."""
+    return (times * ULP) * magnitude + np.minimum(magnitude * 2.0**1000, times * SUBNORMAL_STEP)
+
+
+def lost(magnitude: Array) -> Array:
+    """What a result of this magnitude may lose besides rounding: all of it, if it is flushed to
+    zero, and everything is lost if it overflows."""
+    found = np.minimum(magnitude, SMALLEST_NORMAL)
+    if np.fmax.reduce(magnitude, axis=None, initial=0.0) > LARGEST_FLOAT:
+        return np.where(magnitude > LARGEST_FLOAT, np.inf, found)
+    return found
 
 
 def constant_ends(value: Array) -> tuple[Array, Array]:
@@ -63,28 +69,52 @@ def is_float32(value: Array) -> bool:
     return bool(((nearest == value) & normal).all())
 
 
-def _below_infinity(nearest: Array, low: Array) -> Array:
-    """The same where the nearest float32 may be infinite, or where nothing is known."""
-    nearest = np.minimum(nearest, LARGEST_FLOAT)
-    return np.where(nearest > low, nearest - _step(nearest), nearest)
+_FRACTION = np.int64(2**29 - 1)
+"""The bits of a float64 that float32 has no room for."""
 
 
-def _above_infinity(nearest: Array, high: Array) -> Array:
-    nearest = np.maximum(nearest, -LARGEST_FLOAT)
-    return np.where(nearest < high, nearest + _step(nearest), nearest)
+def _down(x: Array) -> Array:
+    """Where a rounded number may lie at least: at the next float32 below, or at zero."""
+    bits = np.asarray(x, np.float64).view(np.int64)
+    # Without a part of its fraction, a number is closer to zero, so a negative one is made larger.
+    below = ((bits + ((bits >> 63) & _FRACTION)) & ~_FRACTION).view(np.float64)
+    tiny = _subnormal(x)
+    if not np.count_nonzero(tiny):
+        return below
+    return np.where(tiny, np.where(x > 0, 0.0, x - SUBNORMAL_STEP), below)
 
 
-def _step(x: Array) -> Array:
-    """At least the distance to the next float32, also of a subnormal one."""
-    return np.abs(x) * ULP + SUBNORMAL_STEP
+def _up(x: Array) -> Array:
+    """Where a rounded number may lie at most: at the next float32 above, or at zero."""
+    bits = np.asarray(x, np.float64).view(np.int64)
+    above = ((bits + (~(bits >> 63) & _FRACTION)) & ~_FRACTION).view(np.float64)
+    tiny = _subnormal(x)
+    if not np.count_nonzero(tiny):
+        return above
+    return np.where(tiny, np.where(x < 0, 0.0, x + SUBNORMAL_STEP), above)
+
+
+def _subnormal(x: Array) -> Array:
+    magnitude = np.abs(x)
+    return (magnitude < SMALLEST_NORMAL) & (magnitude > 0)
+
+
+def _finite_or_infinite(low: Array, high: Array) -> tuple[Array, Array]:
+    """The interval, with infinity in place of what is beyond the largest float32."""
+    least = np.minimum.reduce(low, axis=None, initial=0.0)
+    largest = np.maximum.reduce(high, axis=None, initial=0.0)
+    if least >= -LARGEST_FLOAT and largest <= LARGEST_FLOAT:
+        return low, high
+    low = np.minimum(np.where(low < -LARGEST_FLOAT, -np.inf, low), LARGEST_FLOAT)
+    return low, np.maximum(np.where(high > LARGEST_FLOAT, np.inf, high), -LARGEST_FLOAT)
 
 
 def _flushed_up(low: Array) -> Array:
     """The lower end of an interval, or zero if it is positive and subnormal."""
     tiny = (low > 0) & (low < SMALLEST_NORMAL)
-    return np.where(tiny, 0.0, low) if tiny.any() else low
+    return np.where(tiny, 0.0, low) if np.count_nonzero(tiny) else low
 
 
 def _flushed_down(high: Array) -> Array:
     tiny = (high < 0) & (high > -SMALLEST_NORMAL)
-    return np.where(tiny, 0.0, high) if tiny.any() else high
+    return np.where(tiny, 0.0, high) if np.count_nonzero(tiny) else high
