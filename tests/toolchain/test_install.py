@@ -166,7 +166,7 @@ def test_a_run_does_not_wait_for_another_one_for_ever(
     monkeypatch.setattr(install, "PATIENCE", 0.3)
     monkeypatch.setitem(install.INTO_CACHE, "dxc", _no_install)
     with (no_tools / ".lock").open("w") as other:
-        fcntl.flock(other, fcntl.LOCK_EX)
+        fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
         assert install.main(["dxc"]) == 1
     said = capsys.readouterr()
     assert said.out == "waiting for another run, which is installing ...\n"
