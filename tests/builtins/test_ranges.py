@@ -50,8 +50,11 @@ def boxes(chance: np.random.Generator, row: Builtin) -> tuple[Floats, Floats, Fl
     at = chance.random((count, BOXES, POINTS))
     at[..., 0], at[..., 1] = 0.0, 1.0
     largest = LARGEST.get(row.name, 300.0)
-    points = np.float64(np.float32(np.clip(low + (high - low) * at, -largest, largest)))
-    return points.min(axis=-1), points.max(axis=-1), points
+    exact = np.clip(low + (high - low) * at, -largest, largest)
+    points: Floats = exact.astype(np.float32).astype(np.float64)
+    least: Floats = points.min(axis=-1)
+    most: Floats = points.max(axis=-1)
+    return least, most, points
 
 
 @pytest.mark.parametrize("row", OF_FLOATS, ids=lambda row: row.name)
@@ -81,7 +84,7 @@ def upwards(ends: Floats) -> Floats:
     """The least numbers that a device can return which are not below these."""
     nearest = np.float32(ends)
     found = np.where(nearest < ends, np.nextafter(nearest, np.float32(np.inf)), nearest)
-    return np.float64(np.where(np.abs(found) < SMALLEST_NORMAL, 0.0, found))
+    return np.where(np.abs(found) < SMALLEST_NORMAL, 0.0, found).astype(np.float64)
 
 
 def test_a_normalised_vector_is_of_length_one_on_all_platforms() -> None:
