@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ...stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
-from .namespace import Lane, Lanes, Namespace
+from .namespace import Lane, Lanes, Namespace, OwnFunctions
 
 _MASK = 0xFFFFFFFF
 _LARGEST_HALF = 65504.0
@@ -106,8 +106,7 @@ def bits_of(xp: Namespace, x: Lane) -> Lane:
 
 def _rising(xp: Namespace, function: Callable[[Namespace, Lane], Lane], x: Lane) -> Lane:
     """A function that never falls, which is known between two numbers by what it is for these."""
-    own = getattr(xp, "rising", None)
-    return function(xp, x) if own is None else own(function, x)
+    return xp.rising(function, x) if isinstance(xp, OwnFunctions) else function(xp, x)
 
 
 def _bits_of_magnitude(xp: Namespace, magnitude: Lane) -> Lane:

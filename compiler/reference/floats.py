@@ -2,9 +2,8 @@
 
 ``functions.py`` has them in its table. The names are those of the builtins, with an underscore if
 Python already has the name. An operand outside of the domain of Python's or NumPy's function is
-replaced *before* the function is called, as in the shaders, so that NaN never occurs. What bounds
-errors (``bounds/functions.py``) has some of these as functions of its own, where devices compute
-otherwise than by the formula here.
+replaced *before* the function is called, as in the shaders, so that NaN never occurs. An array
+library may have some of these as functions of its own (``OwnFunctions``).
 """
 
 from __future__ import annotations
@@ -12,7 +11,7 @@ from __future__ import annotations
 import math
 
 from ...stdlib.builtins.facts import SMALLEST_NORMAL
-from .namespace import Lane, Namespace
+from .namespace import Lane, Namespace, OwnFunctions
 
 NARROWEST = 2.0**-64
 """Edges of ``smoothstep`` that are closer than this count as this far apart."""
@@ -74,8 +73,7 @@ def trunc(xp: Namespace, x: Lane) -> Lane:
 
 
 def fract(xp: Namespace, x: Lane) -> Lane:
-    own = getattr(xp, "fract", None)
-    return x - xp.floor(x) if own is None else own(x)
+    return xp.fract(x) if isinstance(xp, OwnFunctions) else x - xp.floor(x)
 
 
 def min_(xp: Namespace, x: Lane, y: Lane) -> Lane:
@@ -95,8 +93,7 @@ def saturate(xp: Namespace, x: Lane) -> Lane:
 
 
 def mix(xp: Namespace, x: Lane, y: Lane, a: Lane) -> Lane:
-    own = getattr(xp, "mix", None)
-    return x * (1.0 - a) + y * a if own is None else own(x, y, a)
+    return xp.mix(x, y, a) if isinstance(xp, OwnFunctions) else x * (1.0 - a) + y * a
 
 
 def fma(_xp: Namespace, x: Lane, y: Lane, z: Lane) -> Lane:
@@ -120,8 +117,9 @@ def sqrt(xp: Namespace, x: Lane) -> Lane:
 
 def inversesqrt(xp: Namespace, x: Lane) -> Lane:
     positive = xp.maximum(x, SMALLEST_NORMAL)
-    own = getattr(xp, "inversesqrt", None)
-    return xp.divide(1.0, xp.sqrt(positive)) if own is None else own(positive)
+    if isinstance(xp, OwnFunctions):
+        return xp.inversesqrt(positive)
+    return xp.divide(1.0, xp.sqrt(positive))
 
 
 def pow_(xp: Namespace, x: Lane, y: Lane) -> Lane:

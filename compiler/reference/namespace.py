@@ -6,6 +6,8 @@ behaviour are NumPy's: no function raises, an undefined result is NaN, and overf
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Callable
 from typing import Any, Protocol
 
 Lane = Any
@@ -106,3 +108,27 @@ class Namespace(Protocol):
     def frexp(self) -> Unary: ...
     @property
     def ldexp(self) -> Binary: ...
+
+
+class OwnFunctions(ABC):
+    """Functions that an array library computes in a way of its own, not by the definitions here.
+
+    ``bounds.Bounds`` is such a library. The bounds of most builtins are those of their definitions,
+    but of these a device's may be wider, as it may use another formula, or are known to be tighter.
+    """
+
+    @abstractmethod
+    def fract(self, x: Lane, /) -> Lane:
+        """The part above the floor."""
+
+    @abstractmethod
+    def mix(self, x: Lane, y: Lane, a: Lane, /) -> Lane:
+        """A linear blend from ``x`` to ``y``."""
+
+    @abstractmethod
+    def inversesqrt(self, x: Lane, /) -> Lane:
+        """The reciprocal of the square root of a positive number."""
+
+    @abstractmethod
+    def rising(self, function: Callable[[Any, Lane], Lane], x: Lane, /) -> Lane:
+        """A function that never falls, of an array library and a lane."""

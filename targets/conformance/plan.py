@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from threading import Lock
+from typing import Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +18,7 @@ from ...stdlib.builtins.accuracy import Platform
 from ..runner.binding import FORMATS
 from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
-from ..runner.reference import graph_text, remembered
+from ..runner.reference import Program, remembered
 from ..runner.routes import Route
 from ..runner.scene_state import SceneState
 from ..runner.store import Store
@@ -29,6 +30,7 @@ from .measured import ENVELOPES
 from .rows import CaseResult
 
 Floats = NDArray[np.float64]
+T = TypeVar("T")
 
 _ANY: tuple[Platform, ...] = ("vulkan",)
 """The errors of functions that were not measured follow from those that were, on any platform. So
@@ -61,8 +63,8 @@ class Plan:
             for series in series_of(subject.reflection, seed)
         ]
         """Each series with its draws."""
-        self._expected: dict[object, Expected] = {}
-        self._emitted: dict[str, Shader] = {}
+        self._expected: dict[object, _Once[Expected]] = {}
+        self._programs: dict[object, _Once[Program]] = {}
         self._lock = Lock()
         self._store = store
 
@@ -85,17 +87,15 @@ class Plan:
         series: Series,
     ) -> Iterator[tuple[Comparison, Expected]]:
         """The comparisons with the first bounds, and with the next ones where these are left."""
-        with self._lock:
-            emitted = self._emitted_for(route.profile)
+        program, source = (
+            self._program(profile, exact=series.exact) for profile in (route.profile, None)
+        )
         for bounds in questions:
-            program, source = (
-                to_targets(shader, exact=series.exact) for shader in (emitted, self.subject.shader)
-            )
             expected = self._wanted(program, state, bounds.rules, bounds.errors)
             meant = self._wanted(source, state, _precise(bounds.rules), None)
             # The text has no promises any more: the material knows where one is broken.
             expected = replace(expected, undecided=expected.undecided | meant.undecided)
-            targets = [result.state.format for result in source.results if result.state]
+            targets = [result.state.format for result in source.shader.results if result.state]
             pairs = list(zip(targets, meant.targets, strict=True))
             comparison = compare(
                 got,
@@ -108,19 +108,41 @@ class Plan:
             if not comparison.wrong:
                 return
 
-    def _emitted_for(self, profile: str) -> Shader:
-        if profile not in self._emitted:
-            self._emitted[profile] = self.subject.emitted(profile)
-        return self._emitted[profile]
+    def _program(self, profile: str | None, *, exact: bool) -> Program:
+        """The program as emitted for a profile, or that of the source."""
+
+        def made() -> Program:
+            emitted = self.subject.shader if profile is None else self.subject.emitted(profile)
+            return Program.of(to_targets(emitted, exact=exact))
+
+        return self._once(self._programs, (profile, exact)).value(made)
 
     def _wanted(
-        self, shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None
+        self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
     ) -> Expected:
-        key = graph_text(shader), id(state), rules, errors
+        key = program.text, id(state), rules, errors
+        return self._once(self._expected, key).value(
+            lambda: remembered(program, state, rules, self._store, errors)
+        )
+
+    def _once(self, known: dict[object, _Once[T]], key: object) -> _Once[T]:
         with self._lock:
-            if key not in self._expected:
-                self._expected[key] = remembered(shader, state, rules, self._store, errors)
-            return self._expected[key]
+            return known.setdefault(key, _Once())
+
+
+class _Once(Generic[T]):
+    """A value that the first thread makes which asks for it; others wait until it is there."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._values: list[T] = []
+
+    def value(self, make: Callable[[], T]) -> T:
+        """The value; if ``make`` raises an error, the next thread tries again."""
+        with self._lock:
+            if not self._values:
+                self._values.append(make())
+            return self._values[0]
 
 
 def summed_up(found: Sequence[Comparison]) -> Comparison:

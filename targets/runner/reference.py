@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from io import BytesIO
 from pathlib import Path
@@ -107,19 +107,33 @@ def geometry_for(shader: Shader, geometry: Geometry) -> Geometry:
     return replace(geometry, attributes=attributes)
 
 
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A shader, and everything that the reference reads of it as text, by which equal ones are
+    found."""
+
+    shader: Shader
+    text: str
+
+    @classmethod
+    def of(cls, shader: Shader) -> Program:
+        """The program of a shader; making its text takes a while."""
+        return cls(shader, graph_text(shader))
+
+
 def remembered(
-    shader: Shader,
+    program: Program,
     state: SceneState,
     rules: RasterRules,
     store: Store,
     errors: Errors | None = None,
 ) -> Expected:
     """The expected picture, from the store if the reference has drawn it before."""
-    name = _digest(shader, state, rules, errors)
+    name = _digest(program, state, rules, errors)
     kept = store.read(name)
     if kept is not None:
         return _loaded(kept)
-    made = expected(shader, state, rules, errors)
+    made = expected(program.shader, state, rules, errors)
     store.write(name, _dumped(made))
     return made
 
@@ -146,13 +160,13 @@ def _loaded(data: bytes) -> Expected:
 
 
 def _digest(
-    shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None = None
+    program: Program, state: SceneState, rules: RasterRules, errors: Errors | None = None
 ) -> str:
     """A digest of everything that the picture depends on."""
     kinds = [(name, str(values.dtype)) for name, values in state.attributes.items()]
     drawn = json.dumps([to_json(state.draw()), kinds])
     allowed, values = repr((rules, errors)), repr(state.instance.values())
-    return digest(_code_digest(), np.__version__, graph_text(shader), allowed, values, drawn)
+    return digest(_code_digest(), np.__version__, program.text, allowed, values, drawn)
 
 
 def graph_text(shader: Shader) -> str:

@@ -11,13 +11,12 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.picture import RasterRules
 from burnish.stdlib.builtins.accuracy import Error, Within
 from burnish.targets.runner import reference
 from burnish.targets.runner.meshes import plane
-from burnish.targets.runner.reference import remembered
+from burnish.targets.runner.reference import Program, remembered
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import SceneState, set_up
 from burnish.targets.runner.store import Store
@@ -32,17 +31,17 @@ ERRORS = Errors(("vulkan",))
 
 def asked(
     text: str = TEXT, width: int = 2, height: int = 1, k: float = 1.0
-) -> tuple[Shader, SceneState]:
+) -> tuple[Program, SceneState]:
     material = burnish.compile(text, ["wgsl"])["M"]
     instance = material.instance()
     texels = np.arange(8, dtype=np.uint8).reshape(height, width, 4)
     instance.set("m", burnish.Texture.of_array(texels))
     instance.set("k", k)
-    return material.shader, set_up(instance, plane(2), Scene(), (8, 8))
+    return Program.of(material.shader), set_up(instance, plane(2), Scene(), (8, 8))
 
 
 def name(
-    question: tuple[Shader, SceneState], rules: RasterRules = RULES, errors: Errors | None = None
+    question: tuple[Program, SceneState], rules: RasterRules = RULES, errors: Errors | None = None
 ) -> str:
     return reference._digest(*question, rules, errors)
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ..namespace import OwnFunctions
 from .affine import Derivative, Form, chosen, curved
 from .bounded import (
     Bounded,
@@ -38,7 +39,7 @@ _BELOW_ONE = 2.0**-24
 _LN2 = math.log(2.0)
 
 
-class Bounds:
+class Bounds(OwnFunctions):
     """An array library whose lanes are ``Bounded``, for platforms whose functions have these
     errors.
 

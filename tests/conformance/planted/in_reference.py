@@ -19,7 +19,10 @@ from burnish.compiler.reference import (
     operations,
     vectors,
 )
+from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.picture import (
+    Expected,
+    RasterRules,
     clip,
     coverage,
     cube,
@@ -33,7 +36,9 @@ from burnish.compiler.reference.picture import (
 from burnish.compiler.reference.picture.intervals import increasing, quotient
 from burnish.compiler.reference.picture.quads import Barycentric
 from burnish.targets.conformance import plan
-from burnish.targets.runner.reference import expected
+from burnish.targets.runner.reference import Program, expected
+from burnish.targets.runner.scene_state import SceneState
+from burnish.targets.runner.store import Store
 
 from .planting import QUICKEST, Plant, Planted, replaced
 
@@ -289,8 +294,13 @@ _PICTURE = [
 def _drawn_anew(plant: Plant) -> Plant:
     """Draw the reference's pictures again: the cache's keys do not depend on what is planted."""
 
+    def drawn(
+        program: Program, state: SceneState, rules: RasterRules, _: Store, errors: Errors | None
+    ) -> Expected:
+        return expected(program.shader, state, rules, errors)
+
     def whole_plant(patch: pytest.MonkeyPatch, folder: Path) -> None:
-        patch.setattr(plan, "remembered", lambda *about: expected(*about[:3]))
+        patch.setattr(plan, "remembered", drawn)
         plant(patch, folder)
 
     return whole_plant
