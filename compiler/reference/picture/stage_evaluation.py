@@ -122,7 +122,10 @@ class StageEvaluator:
 
         watch = _Watch(self, (count,))
         evaluator = Evaluator(leaves, self._xp, watch)
-        crossings = {node.id: evaluator.value(node.operands[0]) for node in self._crossings}
+        crossings = {
+            node.id: tuple(_whole(lane, (count,)) for lane in evaluator.value(node.operands[0]))
+            for node in self._crossings
+        }
         lanes = [_whole(lane, (count,)) for lane in evaluator.value(self._position)]
         positions = np.stack([lane.value for lane in lanes], axis=-1)
         off = np.stack([_radius(lane) for lane in lanes], axis=-1)
