@@ -161,6 +161,14 @@ def test_a_derivative_may_be_that_of_the_quads_other_row() -> None:
     assert found.high[0][:, 0, 0] == pytest.approx([1.5, 1.5, 3.5, 3.5], abs=1e-4)
 
 
+def test_opengl_pairs_the_rows_of_a_picture_from_below() -> None:
+    given = passing("value = vec4(ddy(frag_coord.y * frag_coord.y))")
+    found = picture(given, triangles(FULL), at(3)).targets[0][:, 0, 0]
+    from_below = picture(given, triangles(FULL), at(3, bottom_up=True)).targets[0][:, 0, 0]
+    assert found.tolist() == [2, 2, 6]
+    assert from_below.tolist() == [0, 4, 4]
+
+
 # --- depth, discarding, blending -----------------------------------------------------------------
 
 

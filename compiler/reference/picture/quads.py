@@ -38,16 +38,22 @@ class Quads:
         return Quads(self.face[begin:end], self.x[begin:end], self.y[begin:end], self.side)
 
 
-def quads_of(fragments: Fragments, width: int, side: int) -> tuple[Quads, Ints]:
+def rows_above(rules: RasterRules, side: int) -> int:
+    """How many rows of the first quads are above the picture, as OpenGL pairs rows from below."""
+    return rules.height % side if rules.bottom_up else 0
+
+
+def quads_of(fragments: Fragments, rules: RasterRules, side: int) -> tuple[Quads, Ints]:
     """The quads that contain the fragments, and for each fragment the number of its lane in
     them."""
-    x, y = fragments.pixel % width, fragments.pixel // width
+    width, above = rules.width, rows_above(rules, side)
+    x, y = fragments.pixel % width, fragments.pixel // width + above
     across = -(-width // side)
     column, row = x // side, y // side
     span = (int(row.max(initial=0)) + 1) * across
     keys, quad = np.unique(fragments.face * span + row * across + column, return_inverse=True)
     place = keys % span
-    quads = Quads(keys // span, place % across * side, place // across * side, side)
+    quads = Quads(keys // span, place % across * side, place // across * side - above, side)
     return quads, (quad * side + y % side) * side + x % side
 
 
