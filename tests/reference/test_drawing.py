@@ -156,6 +156,14 @@ def test_the_nearest_wins_and_of_equals_the_first(discard: str) -> None:
     assert equals.undecided.all()
 
 
+def test_depths_that_rounding_may_exchange_are_undecided() -> None:
+    """The plane through the depths is as precise as ``frag_coord``, whose depth is the same."""
+    given, rows = passing(COLOURED), ((0.4, RED), (0.4 - 2.0**-17, GREEN))
+    coarse, fine = (changed(at(), frag_coord_bits=bits) for bits in (16, 20))
+    assert picture(given, layers(*rows), coarse).undecided.all()
+    assert not picture(given, layers(*rows), fine).undecided.any()
+
+
 def test_the_far_plane_is_not_nearer_than_itself() -> None:
     found = picture(passing(COLOURED), layers((1.0, RED)), at(), clear=BLUE)
     assert (found.targets[0] == BLUE).all() and not found.covered.any()

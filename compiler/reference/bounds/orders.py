@@ -27,8 +27,8 @@ class Sum:
     roundings: int
     """How many operations may round a partial sum, in any order."""
     operands: tuple[Term, Term]
-    is_exact: bool
-    """Whether every partial sum of its terms is a float32."""
+    is_exact: Array
+    """Where every partial sum of its terms is a float32, in any order."""
     error: Array = 0.0
     """By how much its bounds are wider because of the order of its terms."""
     _magnitude: Array | None = None
@@ -66,11 +66,13 @@ def in_any_order(sum_: Sum) -> Array:
     """
     step = ULP * sum_.magnitude + np.minimum(sum_.magnitude, SMALLEST_NORMAL)
     sum_.error = sum_.roundings * step
+    if np.any(sum_.is_exact):
+        sum_.error = np.where(sum_.is_exact, 0.0, sum_.error)
     before = [term.error for term in sum_.operands if isinstance(term, Sum)]
     return sum_.error - sum(before)
 
 
-def is_coarse(value: Array) -> bool:
-    """Whether sums of such numbers are exact in any order: small multiples of a fraction."""
+def is_coarse(value: Array) -> Array:
+    """Where sums of such numbers are exact in any order: small multiples of a fraction."""
     scaled = value / _FINEST
-    return bool((np.abs(value) < _LARGEST).all() and (np.rint(scaled) == scaled).all())
+    return (np.abs(value) < _LARGEST) & (np.rint(scaled) == scaled)

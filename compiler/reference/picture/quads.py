@@ -206,14 +206,11 @@ def _error(bits: int | None) -> float:
     return 0.0 if bits is None else 2.0**-bits
 
 
-def depth_of(faces: Faces, fragments: Fragments, width: int) -> Floats:
-    """The depths of fragments."""
-    x = (fragments.pixel % width + np.float64(0.5))[:, None, None]
-    y = (fragments.pixel // width + np.float64(0.5))[:, None, None]
-    second, third = _linear(faces, fragments.face, x, y)
-    a, b, c = faces.z[fragments.face].T
-    depth: Floats = a + second[:, 0, 0] * (b - a) + third[:, 0, 0] * (c - a)
-    return np.clip(depth, 0.0, 1.0)
+def depths_of(faces: Faces, fragments: Fragments, rules: RasterRules) -> tuple[Floats, Floats]:
+    """The depths of fragments, and by how much those of a device may differ."""
+    x, y = fragments.pixel % rules.width, fragments.pixel // rules.width
+    depth = Barycentric(faces, Quads(fragments.face, x, y, 1), rules).depth
+    return depth.value[:, 0, 0], depth.radius[:, 0, 0]
 
 
 def _linear(faces: Faces, face: Ints, x: Floats, y: Floats) -> tuple[Floats, Floats]:
