@@ -29,10 +29,6 @@ CONSTANT = 2.0**-4
 """The least range, relative to the largest value: that of a picture of one colour is 0. Of a black
 picture it is 1."""
 
-FLATTEST = 2.0**-6
-"""The least range of a lane, as a part of the largest one of its target. A lane with so little in
-it, such as the third of a normal that hardly turns, need not be known any better."""
-
 PROVEN_SHARE = 0.9
 """The part of the object's pixels, of all cases together, that has to be proven."""
 FEW = 40
@@ -203,7 +199,7 @@ def _larger_of(values: Floats, seen: Bools) -> Floats:
 
 
 def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bools:
-    """Where some lane's bounds are wider than a part of the range of its values."""
+    """Where some lane's bounds are wider than a part of the range of values of its target."""
     found = np.zeros(seen.shape, dtype=np.bool_)
     for value, least, most in zip(values, low, high, strict=True):
         if seen.any():
@@ -211,8 +207,7 @@ def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bool
             span = np.maximum(ends[1] - ends[0], CONSTANT * np.abs(ends).max(axis=0))
             with np.errstate(invalid="ignore"):
                 width = most - least
-            span = np.maximum(span, FLATTEST * (span.max() or 1.0 / FLATTEST))
-            found |= ~(width <= SAYS_NOTHING * span).all(axis=-1)
+            found |= ~(width <= SAYS_NOTHING * (span.max() or 1.0)).all(axis=-1)
     return found
 
 
