@@ -15,7 +15,7 @@ from ..bounds import Bounded, as_bounded, exact
 from ..namespace import Lane, Lanes
 from . import levels
 from .choices import Choice, Part, hull_of_choices, sure, with_hull
-from .cube import met
+from .cube import may_be_nowhere, met
 from .filtering import Filter, Place
 from .intervals import finite, increasing
 from .levels import Steps
@@ -163,7 +163,21 @@ class TextureReader:
         found = filter_.of(nominal)
         for pixels, in_face in further:
             found = with_hull(found, pixels, filter_.of(in_face))
+        lost = self._without_place(place, shape)
+        if len(lost):
+            found = with_hull(found, lost, filter_.of_any(place.at(lost)))
         return _lanes(found, shape)
+
+    def _without_place(self, place: Place, shape: tuple[int, ...]) -> Ints:
+        """The pixels that may read a cube in the direction zero, or whose neighbours in their quad
+        do so: the differences between their places are not defined, either."""
+        if self._image.is_exact:
+            return np.zeros(0, dtype=np.int64)
+        lost = may_be_nowhere(place.axes)
+        if len(shape) == 3:
+            quads = lost.reshape(shape).any(axis=(1, 2), keepdims=True)
+            lost = np.broadcast_to(quads, shape).ravel()
+        return np.flatnonzero(lost)
 
     def _in_faces(self, place: Place, steps: Steps | None) -> Iterator[tuple[Part, Place]]:
         """The places in a cube's faces where directions may meet it, for the pixels that may.
