@@ -1,4 +1,4 @@
-"""The bounds of ``mix`` where it is open which of the two it takes, against both formulas."""
+"""The bounds of ``mix`` with an open weight, and of sums of whole numbers."""
 
 from __future__ import annotations
 
@@ -50,3 +50,13 @@ def test_a_choice_by_an_open_weight_is_between_both() -> None:
     found = BOUNDS.mix(exact(np.array([0.75])), exact(np.array([0.5])), weight)
     assert found.low[0] == pytest.approx(0.5, abs=1e-6)
     assert found.high[0] == pytest.approx(0.75, abs=1e-6)
+
+
+def test_whole_numbers_are_counted_exactly_in_any_order() -> None:
+    """Noise adds up whole numbers as floats, and floors the sums. Other elements are inexact."""
+    places = np.array([288.0, 16777216.0, 7.5, 12.0])
+    off = np.array([0.0, 0.0, 0.0, 1e-6])
+    lane = Bounded(places, places - off, places + off)
+    widths = ((lane + exact(np.full(4, 288.0))) + exact(np.full(4, 1.0)) + lane).radius
+    assert widths[0] == 0
+    assert (widths[1:] > 0).all()

@@ -51,5 +51,5 @@ def _ends(x: Bounded, y: Bounded, a: Bounded) -> tuple[Array, Array]:
             for one in (x.low, x.high)
             for other in (y.low, y.high)
         ]
-    corners = np.broadcast_arrays(*corners)
-    return np.minimum.reduce(corners), np.maximum.reduce(corners)
+    stacked = np.stack(np.broadcast_arrays(*corners))
+    return stacked.min(axis=0), stacked.max(axis=0)

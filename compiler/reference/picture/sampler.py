@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from ..bounds import Bounded, as_bounded, exact
+from ..bounds import Bounded, as_bounded, exact, remembered
 from ..namespace import Lane, Lanes
 from . import levels
 from .choices import Choice, Part, hull_of_choices, sure, with_hull
@@ -123,7 +123,7 @@ class TextureReader:
         image = self._image
         filter_ = Filter(image, image.state["filter"])
         if image.only is not None:
-            return tuple(map(filter_.of_equal, image.only))
+            return tuple(remembered(filter_.of_equal(texel)) for texel in image.only)
         if image.has_one_level:
             return self._read(filter_, where)
         if isinstance(level, Steps) and self._moves_on_surface:
@@ -207,9 +207,10 @@ def _flat(lane: Bounded, shape: tuple[int, ...]) -> Bounded:
 
 
 def _lanes(found: Bounded, shape: tuple[int, ...]) -> Lanes:
-    """The lanes of a read (lanes, pixels) in the shape of its operands."""
+    """The lanes of a read (lanes, pixels) in the shape of its operands, with errors that all share
+    that is computed from them."""
     return tuple(
-        Bounded(*ends) if not found.is_exact else exact(ends[0])
+        remembered(Bounded(*ends)) if not found.is_exact else exact(ends[0])
         for ends in zip(*(
             np.reshape(end, (len(end), *shape)) for end in (found.value, found.low, found.high)
         ), strict=True)
