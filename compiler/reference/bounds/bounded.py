@@ -97,6 +97,13 @@ class Bounded:
         return self._radius
 
     @property
+    def rounding(self) -> Array:
+        """By how much a device may round a sum or a product, in any order that it may take."""
+        if self._sum is not None:
+            return self._sum.roundings * (ULP * self._sum.magnitude + SMALLEST_NORMAL)
+        return self._factors * (ULP * self.magnitude + SMALLEST_NORMAL)
+
+    @property
     def any_form(self) -> Form:
         """Its form, or one that shares no error."""
         return alone(self.radius) if self.form is None else self.form
@@ -419,11 +426,11 @@ def _added(x: Bounded, y: Bounded) -> Bounded:
         return made
     terms = _term(x), _term(y)
     before = [term.roundings for term in terms if isinstance(term, Sum)]
-    is_exact = _is_coarse(x) & _is_coarse(y)
+    is_exact = are_exact and made.is_exact and all(map(_is_coarse, (x, y)))
     # A common factor may be taken out: then the sum of the others is rounded, too.
     roundings = 2 if (x._of | {x._number}) & (y._of | {y._number}) else 1
     sum_ = Sum(roundings + sum(before), terms, is_exact)
-    if sum_.roundings > 1 and not np.all(is_exact):
+    if sum_.roundings > 1 and not is_exact:
         more = in_any_order(sum_)
         low, high = np.minimum(made.low, low - more), np.maximum(made.high, high + more)
         made = Bounded(value, low, high, None if made.form is None else made.form.widened(more))
@@ -477,12 +484,8 @@ def _product_form(x: Bounded, y: Bounded) -> Form | None:
     return form.widened(x.radius * y.radius)
 
 
-def _is_coarse(lane: Bounded) -> Array:
-    """Where a lane has a single value, sums of which are exact in any order."""
-    if lane._sum is not None:
-        return lane._sum.is_exact
-    single = lane.low == lane.high
-    return single & is_coarse(lane.value) if np.any(single) else single
+def _is_coarse(lane: Bounded) -> bool:
+    return is_coarse(lane.value) if lane._sum is None else lane._sum.is_exact
 
 
 def _whole(operation: whole.Operation, x: Bounded, other: Any) -> Bounded:

@@ -18,6 +18,8 @@ _FINEST = 2.0**-12
 _LARGEST = 2.0**6
 """Sums of multiples of the one are exact in any order, for a long time, if no term is larger than
 the other."""
+_COUNTED = 2.0**24
+"""Float32 has all whole numbers up to this one."""
 
 
 @dataclass(slots=True, eq=False)
@@ -27,11 +29,12 @@ class Sum:
     roundings: int
     """How many operations may round a partial sum, in any order."""
     operands: tuple[Term, Term]
-    is_exact: Array
-    """Where every partial sum of its terms is a float32, in any order."""
+    is_exact: bool
+    """Whether every partial sum of its terms is a float32."""
     error: Array = 0.0
     """By how much its bounds are wider because of the order of its terms."""
     _magnitude: Array | None = None
+    _whole: Array | None = None
 
     @property
     def magnitude(self) -> Array:
@@ -40,6 +43,14 @@ class Sum:
             left, right = self.operands
             self._magnitude = left.magnitude + right.magnitude
         return self._magnitude
+
+    @property
+    def whole(self) -> Array:
+        """Where every device has exactly each of the terms, and they are whole numbers."""
+        if self._whole is None:
+            left, right = self.operands
+            self._whole = left.whole & right.whole
+        return self._whole
 
 
 @dataclass(slots=True, eq=False)
@@ -54,6 +65,12 @@ class Single:
         """The largest magnitude that it may have."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
 
+    @property
+    def whole(self) -> Array:
+        """Where every device has exactly this number, and it is whole."""
+        same = np.equal(self.low, self.high)
+        return same & (np.rint(self.low) == self.low) if same.any() else same
+
 
 Term = Sum | Single
 
@@ -62,17 +79,18 @@ def in_any_order(sum_: Sum) -> Array:
     """By how much further the bounds of a sum have to be widened for any order of its terms.
 
     Each of n operations rounds a partial sum, which no order makes larger than the sum of all
-    magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero.
+    magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero. Whole
+    numbers that float32 counts one by one are not rounded in any order.
     """
     step = ULP * sum_.magnitude + np.minimum(sum_.magnitude, SMALLEST_NORMAL)
+    if (whole := sum_.whole).any():
+        step = np.where(whole & (sum_.magnitude <= _COUNTED), 0.0, step)
     sum_.error = sum_.roundings * step
-    if np.any(sum_.is_exact):
-        sum_.error = np.where(sum_.is_exact, 0.0, sum_.error)
     before = [term.error for term in sum_.operands if isinstance(term, Sum)]
     return sum_.error - sum(before)
 
 
-def is_coarse(value: Array) -> Array:
-    """Where sums of such numbers are exact in any order: small multiples of a fraction."""
+def is_coarse(value: Array) -> bool:
+    """Whether sums of such numbers are exact in any order: small multiples of a fraction."""
     scaled = value / _FINEST
-    return (np.abs(value) < _LARGEST) & (np.rint(scaled) == scaled)
+    return bool((np.abs(value) < _LARGEST).all() and (np.rint(scaled) == scaled).all())
