@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen
 from .orders import Single, Sum, Term, in_any_order, is_coarse
@@ -461,7 +462,9 @@ def _is_whole_sum(value: Array, x: Array, y: Array) -> bool:
 
 
 def _term(lane: Bounded) -> Term:
-    return Single(lane.magnitude) if lane._sum is None else lane._sum
+    if lane._sum is not None:
+        return lane._sum
+    return Single(lane.low, lane.high, lane.magnitude)
 
 
 def _square(x: Bounded) -> tuple[Array, Array]:

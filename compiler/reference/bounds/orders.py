@@ -57,6 +57,8 @@ class Sum:
 class Single:
     """A lane that is no sum, as a term."""
 
+    low: Array
+    high: Array
     magnitude: Array
     """The largest one that it may have."""
 
