@@ -133,6 +133,14 @@ def test_a_value_that_is_the_same_at_all_vertices_is_interpolated() -> None:
     assert found.low[0].max() < 0.7 < found.high[0].min()
 
 
+def test_nothing_is_known_of_values_whose_plane_may_overflow() -> None:
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    for large, known in ((1e38, False), (1e35, True)):
+        mesh = triangles(FULL, s=[large, 3 * large, -large])
+        found = picture(given, mesh, at(2, varying_bits=20), errors=few_ulps)
+        assert np.isfinite(found.high[0]).all() == known
+
+
 def test_values_may_be_interpolated_between_snapped_places() -> None:
     given = passing("attribute s : float\nvalue = vec4(s)")
     mesh = triangles([(-1, -1, 0, 1), (3.1, -1, 0, 1), (-1, 3.1, 0, 1)], s=[0, 4.1, 0])
