@@ -150,6 +150,20 @@ def test_values_may_be_interpolated_between_snapped_places() -> None:
     assert snapped.targets[0][0, 0, 0] == pytest.approx(4.1 / 4)
 
 
+def test_corners_far_outside_are_snapped_with_larger_errors() -> None:
+    """Float32 has steps of 0.001 there, so that a corner may be snapped to either side."""
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    rules = at(2, subpixel_bits=0, interpolates_snapped=True, clips_sides=True, varying_bits=23)
+
+    def width(far: float) -> float:
+        mesh = triangles([(-1, -1, 0, 1), (far, -1, 0, 1), (-1, 9, 0, 1)], s=[0, far, 0])
+        found = picture(given, mesh, rules, errors=few_ulps)
+        return float((found.high[0] - found.low[0])[1, 1, 0])
+
+    assert width(9999.502) > 1
+    assert width(9999.6) < 0.1
+
+
 def test_derivatives_reach_beyond_the_triangle() -> None:
     given = passing("attribute s : float\nvalue = vec4(ddx(s), ddy(s), ddy(frag_coord.x), 1)")
     # Only the pixel at the top left is covered.
