@@ -7,5 +7,15 @@ imports it.
 from . import formats
 from .drawing import draw
 from .scene import Expected, Geometry, RasterRules, Texels, instanced
+from .stage_evaluation import compares_neighbours
 
-__all__ = ["Expected", "Geometry", "RasterRules", "Texels", "draw", "formats", "instanced"]
+__all__ = [
+    "Expected",
+    "Geometry",
+    "RasterRules",
+    "Texels",
+    "compares_neighbours",
+    "draw",
+    "formats",
+    "instanced",
+]

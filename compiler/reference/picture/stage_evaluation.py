@@ -98,8 +98,7 @@ class StageEvaluator:
         self._discard = next(iter(discards), None)
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "cross"]
-        neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
-        self.side = 2 if _called(nodes) & neighbours else 1
+        self.side = 2 if _compares(nodes, rules) else 1
         everywhere = (*nodes, *reachable((self._position,)))
         read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
@@ -314,6 +313,12 @@ def _attribute(geometry: Geometry, attribute: Attribute) -> Lanes:
     return tuple(np.ascontiguousarray(array.T, dtype=kind))
 
 
-def _called(nodes: Iterable[Node]) -> set[str]:
-    """The builtins among these nodes."""
-    return {CALL.data(node) for node in nodes if node.op in BUILTIN_OPS}
+def compares_neighbours(shader: Shader, rules: RasterRules) -> bool:
+    """Whether pixels depend on others of their quad; if not, no rules about quads count."""
+    results = (result.value for result in shader.results if result.kind in (TARGET, DISCARD))
+    return _compares(reachable(tuple(results)), rules)
+
+
+def _compares(nodes: Iterable[Node], rules: RasterRules) -> bool:
+    neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
+    return any(node.op in BUILTIN_OPS and CALL.data(node) in neighbours for node in nodes)
