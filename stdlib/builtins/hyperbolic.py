@@ -10,6 +10,7 @@ from .intervals import around
 from .row import Builtin, nowhere
 
 _FLOATS = ("T -> T",)
+_INSTRUCTION = "DXIL has an instruction without a limit of its error; the definition is assumed"
 _FLAT = 16.0
 """From here on tanh is 1 in float32; far beyond, the quotient of exponentials would overflow."""
 
@@ -32,7 +33,7 @@ ROWS = (
         signatures=_FLOATS,
         meaning="numbers",
         doc="Hyperbolic sine, (exp(x) - exp(-x)) / 2. Beyond 88 it is too large for float32.",
-        accuracy=inherited("(exp(x) - exp(-x)) * 0.5"),
+        accuracy=inherited("(exp(x) - exp(-x)) * 0.5", direct3d=_INSTRUCTION),
         cost=10,
     ),
     Builtin(
@@ -41,7 +42,7 @@ ROWS = (
         meaning="numbers",
         doc="Hyperbolic cosine, (exp(x) + exp(-x)) / 2. Beyond 88 it is too large for float32.",
         range=_cosine,
-        accuracy=inherited("(exp(x) + exp(-x)) * 0.5"),
+        accuracy=inherited("(exp(x) + exp(-x)) * 0.5", direct3d=_INSTRUCTION),
         cost=10,
     ),
     Builtin(
@@ -54,7 +55,7 @@ ROWS = (
         outside="-1 or 1 outside of -16 to 16, also where exponentials are too large for float32.",
         expansion="tanh",
         range=_tangent,
-        accuracy=inherited("sinh(x) / cosh(x)", 1e-5),
+        accuracy=inherited("sinh(x) / cosh(x)", 1e-5, direct3d=_INSTRUCTION),
         cost=14,
         samples=((0.0,), (20.0,), (-1e30,)),
     ),

@@ -58,7 +58,7 @@ def test_a_device_that_does_not_exist(name: str) -> None:
     route = DEVICE_ROUTES[name]
     with Runner([route], device="no such GPU") as runner, pytest.raises(DriverError) as error:
         runner.device(route)
-    assert "no device is called `no such GPU`; there are " in str(error.value)
+    assert "no device is called `no such GPU`: 0 is " in str(error.value)
     assert SOFTWARE in str(error.value)
 
 
