@@ -72,6 +72,18 @@ def test_a_spot_fades_between_its_cones(turn: float) -> None:
     assert (falloff > 0) == (turn < 30.0)
 
 
+def test_highlights_fade_like_the_rest() -> None:
+    """Exactly between the cones, in the cosine, half of both arrives."""
+    inner, outer = math.radians(10.0), math.radians(50.0)
+    cosine = (math.cos(inner) + math.cos(outer)) / 2
+    across = unit(np.cross(TO_LAMP, (1.0, 0.0, 0.0)))
+    axis = -TO_LAMP * cosine + across * math.sqrt(1.0 - cosine * cosine)
+    given = {"place": lanes(LAMP), "specular_color": TINT, "inner": inner, "outer": outer}
+    there = lit("Spot", "phong(vec3(1), 5)", axis=lanes(-TO_LAMP), **given)
+    assert there.min() > 0
+    assert lit("Spot", "phong(vec3(1), 5)", axis=lanes(axis), **given) == close(there / 2)
+
+
 @pytest.mark.parametrize("turn", [10.0, 60.0, 120.0])
 def test_a_focused_spot_narrows_and_fades_with_the_square(turn: float) -> None:
     across = unit(np.cross(TO_LAMP, (1.0, 0.0, 0.0)))

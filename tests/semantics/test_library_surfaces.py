@@ -66,6 +66,12 @@ def test_a_surface_in_clip_space() -> None:
     assert clip_position("material M {}") == close(CLIP @ [*POSITION_IN_WORLD, 1.0])
 
 
+def test_the_librarys_pass_writes_colour_and_alpha() -> None:
+    whole = shader("material M { color = vec3(0.5, 0.25, 0.75)  alpha = 0.125 }")
+    (target,) = whole.results_of(TARGET)
+    assert at(whole, target.value, MESH) == close((0.5, 0.25, 0.75, 0.125))
+
+
 # --- mixins --------------------------------------------------------------------------------------
 
 TANGENT = (0.7, -0.2, 0.4)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from burnish.compiler.ir import range_rules
-from burnish.compiler.passes import guard, move_to_vertices
+from burnish.compiler.passes import guard, move_to_vertices, split_stages
 from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, Fact
@@ -81,6 +81,8 @@ PLANTED = [
             claimed("mul", lambda _facts, _same: UNIT)),
     Planted("absolute values are not zero", "integers: Unsigned", QUICKEST["glsl"],
             claimed("abs", lambda _facts, _same: Fact(1.0, 9.0))),
+    Planted("reads within branches", "choices: Reads", "chromium:webgpu",
+            replaced(split_stages, "needing_uniform_flow", lambda _nodes: frozenset()), "failed"),
     Planted("everything is affine", "pipeline: Crossing", QUICKEST["glsl"],
             replaced(move_to_vertices, "_is_affine", lambda _node: True)),
 ]  # fmt: skip
