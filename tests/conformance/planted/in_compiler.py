@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from burnish.compiler.ir import range_rules
-from burnish.compiler.passes import guard, move_to_vertices, split_stages
+from burnish.compiler.ir.refinements import refinements
+from burnish.compiler.passes import guard, move_to_vertices, path_conditions, split_stages
 from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, Fact
@@ -34,6 +36,11 @@ def claimed(builtin: str, rule: RangeRule) -> Plant:
         patch.setattr(range_rules, "BUILTINS", {**BUILTINS, builtin: row})
 
     return plant
+
+
+def _holding(fact: Any, condition: Any, _holds: bool, without: Any) -> Any:
+    """What a condition says where it holds, wherever that is asked."""
+    return refinements(fact, condition, True, without)
 
 
 GUARDS = [
@@ -81,6 +88,8 @@ PLANTED = [
             claimed("mul", lambda _facts, _same: UNIT)),
     Planted("absolute values are not zero", "integers: Unsigned", QUICKEST["glsl"],
             claimed("abs", lambda _facts, _same: Fact(1.0, 9.0))),
+    Planted("conditions hold on both sides", "operations: Simplified", QUICKEST["glsl"],
+            replaced(path_conditions, "refinements", _holding)),
     Planted("reads within branches", "choices: Reads", "chromium:webgpu",
             replaced(split_stages, "needing_uniform_flow", lambda _nodes: frozenset()), "failed"),
     Planted("everything is affine", "pipeline: Crossing", QUICKEST["glsl"],
