@@ -42,8 +42,7 @@ so it clamps loads to the wrong size."""
 
 MAY_PROVE_LITTLE = {
     "kinds: Slopes": "gradients of a cube read all levels that some choice of derivatives allows",
-    "operations: Limits": "a width of nothing but rounding divides in a smoothstep",
-    "pipeline: Inverses": "a determinant that is zero, or its rounding",
+    "pipeline: Singular": "a determinant that is zero, or its rounding",
     "values: Loops": "a loop ends where two sums are equal",
 }
 """Materials of which some pixels may have nearly any value on a device that conforms, and why."""

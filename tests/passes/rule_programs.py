@@ -36,6 +36,7 @@ EQUATIONS: Mapping[str, str] = {
     "magnitude squared": "color = vec3(abs(x) * abs(x))",
     "divided by one": "color = vec3(x / 1)",
     "rounded quotient": "color = vec3(floor(x / 2))",
+    "quotient of whole numbers": "color = vec3(floor(floor(9 * x) / 3))",
     "zero divided": "color = vec3(0 / x)",
     "equal lanes": "color = vec3(x) + vec3(y)",
     "scalar operand": "color = v * vec3(y)",

@@ -70,6 +70,16 @@ def test_interpolation_is_correct_in_perspective() -> None:
     assert np.allclose(found.targets[0][y, x, :2], expected, rtol=1e-12)
 
 
+def test_what_is_zero_at_all_corners_is_exactly_zero() -> None:
+    """So that the floor of a plane's coordinate, or its sign, does not hang on what is flushed."""
+    given = passing("attribute s : vec2\nvalue = vec4(s, 0, 1)")
+    mesh = triangles(*FULL, s=[(0, 0.5), (0, 0.25), (0, 0.125)])
+    found = picture(given, mesh, at(4, varying_bits=20), errors=few_ulps)
+    widths = (found.high[0] - found.low[0])[found.covered]
+    assert (widths[:, 0] == 0).all()
+    assert (widths[:, 1] > 0).all()
+
+
 def test_a_clipped_triangle_keeps_its_values() -> None:
     given = passing("attribute s : vec2\nvalue = vec4(s, frag_coord.w, frag_coord.z)")
     world = [(-40.0, 30.0), (40.0, 30.0), (0.0, -30.0)]
@@ -193,6 +203,14 @@ def test_the_nearest_wins_and_of_equals_the_first(discard: str) -> None:
     equals = picture(given, layers((0.4, RED), (0.4, GREEN)), at())
     assert (equals.targets[0] == RED).all()
     assert equals.undecided.all()
+
+
+def test_depths_that_rounding_may_exchange_are_undecided() -> None:
+    """The plane through the depths is as precise as ``frag_coord``, whose depth is the same."""
+    given, rows = passing(COLOURED), ((0.4, RED), (0.4 - 2.0**-17, GREEN))
+    coarse, fine = (changed(at(), frag_coord_bits=bits) for bits in (16, 20))
+    assert picture(given, layers(*rows), coarse).undecided.all()
+    assert not picture(given, layers(*rows), fine).undecided.any()
 
 
 def test_the_far_plane_is_not_nearer_than_itself() -> None:

@@ -25,9 +25,13 @@ from .rule import (
     operand,
     uniform_lane,
 )
+from .whole_numbers import MAY_BE_WHOLE, is_whole
 
 LARGEST_EXPONENT = 100
 """Of powers of two: neither these nor their reciprocals come near the subnormal numbers."""
+LARGEST_DIVISOR = 512.0
+"""Of whole numbers that a half is added to. Where float64 has no halves beside them any more, it
+has no quotients by these either that are closer to a whole number than to the next float64."""
 
 
 def _negated(b: Builder, at: Site) -> Node:
@@ -178,6 +182,19 @@ def _of_exact_quotient(b: Builder, at: Site) -> Node | None:
     return b.call(str(at.data), at.type, b.call("mul", at.type, value, reciprocal))
 
 
+def _of_middle(b: Builder, at: Site) -> Node | None:
+    """The quotient of a half more, which is far from whole numbers, so no rounding reaches them."""
+    (quotient,) = at.operands
+    value, divisor = quotient.operands
+    number = uniform_lane(divisor)
+    if number is None or number != int(number) or not 1 < number <= LARGEST_DIVISOR:
+        return None
+    if not is_whole(value):
+        return None
+    middle = b.call("add", value.type, value, b.constant(value.type, 0.5))
+    return b.call("floor", at.type, b.make(quotient.op, quotient.type, (middle, divisor), "div"))
+
+
 ARITHMETIC = (
     Rule("zero added", "Adding zero changes nothing.",
          ("add",), (lanes(0), ANY), operand(1), either=True),
@@ -208,6 +225,10 @@ ARITHMETIC = (
          " quotient may be less than the whole number that it is: x mod 2.0 would be 2.",
          ("floor", "ceil", "round", "trunc", "fract"), (builtin("div", parts=(ANY, CONSTANT)),),
          _of_exact_quotient),
+    Rule("quotient of whole numbers", "The quotient of a whole number, rounded down, is that of a"
+         " half more, but a rounded one may be less than the whole number that it is: floor(x) mod"
+         " 3.0 would be 3.",
+         ("floor",), (builtin("div", parts=(MAY_BE_WHOLE, CONSTANT)),), _of_middle, is_float),
     Rule("zero divided", "Zero divided by anything is zero: so is 0 / 0 by definition.",
          ("div",), (lanes(0), ANY), constant(0), is_float),
     Rule("equal lanes", "Arithmetic with equal lanes in all operands is that of scalars, once.",

@@ -23,7 +23,7 @@ from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
 from ..picture.coverage import Fragments, fragments_of
 from ..picture.faces import Faces, assemble
-from ..picture.quads import Barycentric, Quads, depth_of, rows_above
+from ..picture.quads import Barycentric, Quads, depths_of, rows_above
 from ..picture.sampler import TextureReader
 from ..picture.scene import Floats, Geometry, RasterRules, Texels
 from ..picture.stage_evaluation import StageEvaluator
@@ -223,7 +223,7 @@ def _faces_at(faces: Faces, rules: RasterRules, x: int, y: int) -> list[int]:
     fragments, _ = fragments_of(faces, rules)
     here = fragments.pixel == y * rules.width + x
     members = Fragments(fragments.face[here], fragments.pixel[here])
-    depth = depth_of(faces, members, rules.width)
+    depth, _ = depths_of(faces, members, rules)
     nearest: list[int] = members.face[np.argsort(depth, kind="stable")].tolist()
     return nearest
 

@@ -14,7 +14,7 @@ from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
 from .coverage import Fragments, fragments_of
 from .faces import Faces, assemble
-from .quads import Barycentric, Quads, depth_of, quads_of
+from .quads import Barycentric, Quads, depths_of, quads_of
 from .resolve import Canvas, Shades, nearest, with_missing
 from .scene import Bools, Expected, Floats, Geometry, Ints, RasterRules, Texels
 from .stage_evaluation import StageEvaluator, Vertices
@@ -79,13 +79,12 @@ class _Drawing:
     def drawn(self, progress: Callable[[float], None] | None) -> Expected:
         canvas = self._canvas
         fragments, canvas.undecided[:] = fragments_of(self._faces, self._rules)
-        depth = depth_of(self._faces, fragments, self._rules.width)
+        depth, off = depths_of(self._faces, fragments, self._rules)
         if self._opaque:
-            winners, close = nearest(fragments, depth, self._faces.z_off[fragments.face])
+            winners, close = nearest(fragments, depth, off)
             canvas.undecided[close] = True
             fragments = Fragments(fragments.face[winners], fragments.pixel[winners])
-            depth = depth[winners]
-        off = self._faces.z_off[fragments.face]
+            depth, off = depth[winners], off[winners]
         canvas.draw(fragments.pixel, depth, off, self._shaded(fragments, progress))
         return self._expected()
 

@@ -19,7 +19,9 @@ from .texels import EVERY_LANE, Image
 
 _NEAREST = 2.0**-15
 """The error that a place may have where single texels are used, in units of the texture: some
-devices find them with 16 bits. Assumed, because no API promises anything; measured."""
+devices find them with 16 bits. Assumed: only Direct3D promises anything, namely a number of bits
+behind the point in units of texels (11.3 functional specification, 7.18.7), and these count, too.
+"""
 _NEAREST_RELATIVE = 4e-6
 """The further error of the same place, relative to itself."""
 _GATHERED = 2.0**-12
@@ -89,6 +91,12 @@ class Filter:
 
         found = hull_of_choices([place.layer, self._number(level)], compute, anything)
         return found if place.reference is not None else self._weighed(found)
+
+    def of_any(self, place: Place) -> Bounded:
+        """The lanes of reads of any texels, in any level; only the number of places counts."""
+        level = np.zeros(place.axes[0].value.shape, dtype=np.int64)
+        low, high = self._anything(place, level, every_level=True)
+        return self._weighed(Bounded(low, low, high))
 
     def of_equal(self, texel: Bounded) -> Bounded:
         """A read of a texture all of whose texels are the same, lane by lane."""
@@ -183,8 +191,8 @@ class Filter:
             return found
         if self._kind == "linear":
             return widened(found, 2.0**-bits + _PRODUCT * (found.magnitude + size))
-        off = _GATHERED if self._kind == "gather" else 0.0
-        return widened(found, off + _NEAREST * size + _NEAREST_RELATIVE * found.magnitude)
+        off = np.maximum(2.0**-bits, _NEAREST * size) + (_GATHERED if self._kind == "gather" else 0)
+        return widened(found, off + _NEAREST_RELATIVE * found.magnitude)
 
     def _shown(self, texel: Bounded, reference: Bounded | None) -> Bounded:
         """A texel, or 1 where a reference passes the comparison with a depth, else 0."""

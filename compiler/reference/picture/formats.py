@@ -18,7 +18,7 @@ from .scene import Floats
 
 _CURVED = 0.1
 """By how much of a step a device's curve of sRGB may be off, besides rounding: Direct3D allows 0.6
-of a step in all."""
+of a step in all (11.3 functional specification, 3.2.3.8). Elsewhere it is assumed."""
 _ON_STEP = 1e-9
 """By how much of a step float64 may be off at a number that the format has."""
 _READ = 2.0**-22

@@ -17,7 +17,8 @@ from .faces import Faces
 from .scene import Floats, Ints, RasterRules
 
 _FLUSHED = 2.0**-120
-"""The error of a mean where a device may take small numbers of the computation for zero."""
+"""The error of a mean where a device may take small numbers of the computation for zero. Means of
+nothing but zeros are exact."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +131,8 @@ class Barycentric:
         near = self._faces.per_w[self._face]
         largest = np.abs(corners).max(axis=1) * np.abs(near).max(axis=1)
         planes = self._nudge * self._largest(parts * near, largest) / np.abs(self.per_w.value)
-        off = planes + self._far * np.abs(value) + self._flushed
+        flushed = self._flushed * (largest > 0)[:, None, None]
+        off = planes + self._far * np.abs(value) + flushed
         a, b, c = parts.T[:, :, None, None]
         second, third = np.abs(b - a), np.abs(c - a)
         off = off + self._moved * (self._slopes[0] * second + self._slopes[1] * third)
@@ -216,14 +218,17 @@ def _error(bits: int | None) -> float:
     return 0.0 if bits is None else 2.0**-bits
 
 
-def depth_of(faces: Faces, fragments: Fragments, width: int) -> Floats:
-    """The depths of fragments."""
-    x = (fragments.pixel % width + np.float64(0.5))[:, None, None]
-    y = (fragments.pixel // width + np.float64(0.5))[:, None, None]
-    second, third = _linear(faces, fragments.face, x, y)
-    a, b, c = faces.z[fragments.face].T
-    depth: Floats = a + second[:, 0, 0] * (b - a) + third[:, 0, 0] * (c - a)
-    return np.clip(depth, 0.0, 1.0)
+def depths_of(faces: Faces, fragments: Fragments, rules: RasterRules) -> tuple[Floats, Floats]:
+    """The depths of fragments as they are compared, and by how much those of a device may differ.
+
+    Whatever a shader reads, the test clamps them to 0 and 1.
+    """
+    x, y = fragments.pixel % rules.width, fragments.pixel // rules.width
+    read = Barycentric(faces, Quads(fragments.face, x, y, 1), rules).depth
+    low, depth, high = (
+        np.clip(end[:, 0, 0], 0.0, 1.0) for end in (read.low, read.value, read.high)
+    )
+    return depth, np.maximum(high - depth, depth - low)
 
 
 def _linear(faces: Faces, face: Ints, x: Floats, y: Floats) -> tuple[Floats, Floats]:

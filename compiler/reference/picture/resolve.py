@@ -18,8 +18,6 @@ from .coverage import Fragments
 from .formats import clamped, rounded
 from .scene import Bools, Floats, Ints
 
-DEPTH_MARGIN = 1e-6
-"""If depths differ by less, either may win."""
 _MISSING = (0.0, 0.0, 0.0, 1.0)
 """The values of lanes that a format lacks."""
 
@@ -88,8 +86,8 @@ class Canvas:
         """Draw at most one fragment of each pixel."""
         at = pixel[members]
         before, new = self.depth[at], depth[members]
-        margin = DEPTH_MARGIN + off[members] + self._depth_off[at]
-        nearer, doubtful = new < before, np.abs(new - before) < margin
+        margin = off[members] + self._depth_off[at]
+        nearer, doubtful = new < before, np.abs(new - before) <= margin
         hidden = ~nearer & ~doubtful
         unsure = doubtful | (shades.undecided[members] & ~hidden)
         if self._opaque:
@@ -143,8 +141,8 @@ def nearest(fragments: Fragments, depth: Floats, off: Floats) -> tuple[Ints, Int
     pixel, sorted_depth = fragments.pixel[order], depth[order]
     first = np.ones(len(order), dtype=np.bool_)
     first[1:] = pixel[1:] != pixel[:-1]
-    margin = DEPTH_MARGIN + off[order][1:] + off[order][:-1]
-    close = ~first[1:] & first[:-1] & (np.diff(sorted_depth) < margin)
+    margin = off[order][1:] + off[order][:-1]
+    close = ~first[1:] & first[:-1] & (np.diff(sorted_depth) <= margin)
     return np.sort(order[first]), pixel[1:][close]
 
 

@@ -28,8 +28,9 @@ it from the bits that are stored."""
 
 _SRGB_STEP = 1.05 * 0.5 / 255
 """By how much a device may be off when it decodes sRGB, in encoded units: half a step of 8 bits
-(Direct3D 11.3 Functional Specification, "SRGB to FLOAT"; assumed elsewhere), and what the curve
-bends within it. Its slope is that of IEC 61966-2-1."""
+(Direct3D 11.3 functional specification, 3.2.3.7), and what the curve bends within it. Its slope is
+that of IEC 61966-2-1. Vulkan, OpenGL and WebGPU name the curve, but limit no error: there it is
+assumed, and Direct3D's exception is not, that 0 and 1 are exact."""
 
 EVERY_LANE = slice(None)
 
