@@ -8,7 +8,7 @@ from pathlib import Path
 
 import burnish
 
-from .changes import Change, changes, template_changes
+from .changes import Change, changes, statement_lines, template_changes
 
 ROOT = Path(burnish.__file__).parent
 
@@ -38,6 +38,13 @@ class Mutant:
     path: str
     """Relative to the package."""
     change: Change
+
+    @property
+    def lines(self) -> range:
+        """The lines of the statement that is changed, in a module of Python; none in a template."""
+        if not self.path.endswith(".py"):
+            return range(0)
+        return statement_lines((ROOT / self.path).read_bytes(), self.change.start)
 
     def __str__(self) -> str:
         return f"{self.path}:{self.change.told((ROOT / self.path).read_bytes())}"

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
 from .changes import Change, changes, template_changes
-from .copies import MATERIALS, Copy
+from .copies import MATERIALS, Copy, Judgement, Known, copy
 from .places import AREAS, ROOT, Mutant, mutants
 
 NOTICED = [
@@ -29,17 +30,26 @@ SAME = ("compiler/ir/storage.py", "LANE = 4", "LANE = 2 + 2")
 """A change that changes nothing."""
 
 
-@pytest.fixture(scope="module")
-def few(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Copy]:
+@dataclass(frozen=True)
+class Few:
     """A copy of the package that is judged by a few materials."""
+
+    package: Copy
+    known: Known
+
+    def judged(self, mutant: Mutant) -> Judgement:
+        return self.package.judged(mutant, self.known)
+
+
+@pytest.fixture(scope="module")
+def few(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Few]:
     folder = tmp_path_factory.mktemp("mutants")
     materials = folder / "materials"
     materials.mkdir()
     for name in ("operations", "integers"):
-        shutil.copy(MATERIALS / f"{name}.burnish", materials)
-    (folder / "copy").mkdir()
-    yield Copy(folder / "copy", materials)
-    shutil.rmtree(folder)
+        shutil.copy(MATERIALS[0] / f"{name}.burnish", materials)
+    with copy(folder / "copy", [materials]) as package:
+        yield Few(package, package.known())
 
 
 def _mutant(path: str, before: str, after: str) -> Mutant:
@@ -51,18 +61,18 @@ def _mutant(path: str, before: str, after: str) -> Mutant:
 
 
 @pytest.mark.parametrize(("path", "before", "after"), NOTICED)
-def test_it_is_noticed(few: Copy, path: str, before: str, after: str) -> None:
+def test_it_is_noticed(few: Few, path: str, before: str, after: str) -> None:
     found = few.judged(_mutant(path, before, after))
     assert found.verdict == "caught"
     assert found.by.endswith((": differs", ": failed")), found.by
 
 
-def test_what_changes_nothing_is_the_same(few: Copy) -> None:
+def test_what_changes_nothing_is_the_same(few: Few) -> None:
     found = few.judged(_mutant(*SAME))
     assert found.verdict == "same"
 
 
-def test_the_copy_is_unchanged_afterwards(few: Copy) -> None:
+def test_the_copy_is_unchanged_afterwards(few: Few) -> None:
     few.judged(_mutant("compiler/ir/storage.py", "LANE = 4", "LANE ="))
     assert few.judged(_mutant(*SAME)).verdict == "same"
 
