@@ -32,7 +32,7 @@ def main() -> None:
     print(f"{len(chosen)} mutants, seed {asked.seed}", flush=True)
     counts: dict[str, Counter[str]] = {}
     with tempfile.TemporaryDirectory() as folder, copy(Path(folder), asked.materials) as package:
-        known = package.known(asked.known, code=True)
+        known = package.known(asked.known, drawn=True)
         for mutant in chosen:
             found = package.judged(mutant, known, asked.most)
             counts.setdefault(mutant.area, Counter())[found.verdict] += 1

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import json
 import os
-import random
 import shutil
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,7 +14,7 @@ from subprocess import DEVNULL, PIPE
 from typing import Any
 
 from ..suite.processes import Program, started
-from .places import ROOT, Mutant
+from .places import DRAWING, ROOT, Mutant
 
 JUDGE = Path(__file__).with_name("judge.py")
 MATERIALS = (ROOT / "tests" / "conformance" / "materials",)
@@ -54,6 +53,15 @@ class Known:
     materials: Sequence[str]
     """All of them, in their order."""
 
+    def runs(self, path: str, materials: Iterable[str]) -> dict[str, set[str]]:
+        """The lines of a file that each of some materials runs."""
+        found: dict[str, set[str]] = {name: set() for name in materials}
+        for line, names in self.reached.items():
+            if line.startswith(f"{path}:"):
+                for name in found.keys() & set(names):
+                    found[name].add(line)
+        return found
+
 
 class Copy:
     """A copy of the package in a folder of its own, and the process that judges mutants of it."""
@@ -62,13 +70,13 @@ class Copy:
         """Of ``folder``, which has the package; see ``copy``."""
         self._folder, self._judge, self._package = folder, judge, package
 
-    def known(self, kept: Path | None = None, *, code: bool = False) -> Known:
-        """What all materials come to without a mutant, with ``code`` also what compilers make of
-        their texts, and which lines they run. It is taken from the file ``kept``, or else written
-        there, so that a next run need not look again."""
+    def known(self, kept: Path | None = None, *, drawn: bool = False) -> Known:
+        """What all materials come to without a mutant, and which lines they run; with ``drawn``
+        also what compilers make of their texts, and what is run to draw them. It is taken from
+        the file ``kept``, or else written there, so that a next run need not look again."""
         into = kept or self._folder / "known.json"
         if not into.exists():
-            self._answer({"kind": "known", "into": str(into), "everything": code}, LONG)
+            self._answer({"kind": "known", "into": str(into), "everything": drawn}, LONG)
         behaviour, reached = json.loads(into.read_text("utf-8")).values()
         materials = dict.fromkeys(name for names in reached.values() for name in names if name)
         return Known(behaviour, reached, sorted(materials))
@@ -89,7 +97,7 @@ class Copy:
                 "path": mutant.path,
                 "materials": materials,
                 "known": {k: v for k, v in known.behaviour.items() if k.split(", ")[0] in labels},
-                "everything": mutant.area == "drivers",
+                "everything": mutant.area in DRAWING,
             }, LIMIT)  # fmt: skip
         finally:
             path.write_bytes(source)
@@ -106,14 +114,21 @@ class Copy:
 
 
 def _that_show(mutant: Mutant, known: Known, most: int) -> Sequence[str]:
-    """Of the materials that run a mutant's lines, at most so many, in random order. All materials
-    count, if the import runs the lines, or if nobody can say who does."""
+    """Of the materials that run a mutant's lines, at most so many, which together run as much of
+    its file as possible. All materials count, if the import runs the lines, or if nobody can say
+    who does."""
     found = set()
     for line in mutant.lines:
         found |= set(known.reached.get(f"{mutant.path}:{line}", ()))
     anything = "" in found or not mutant.path.endswith(".py") or mutant.area == "drivers"
-    shown = known.materials if anything else sorted(found)
-    return random.Random(str(mutant)).sample(shown, min(most, len(shown)))
+    waiting = known.runs(mutant.path, known.materials if anything else sorted(found))
+    shown: list[str] = []
+    run: set[str] = set()
+    while waiting and len(shown) < most:
+        best = max(waiting, key=lambda name: (len(waiting[name] - run), -len(waiting[name])))
+        run |= waiting.pop(best)
+        shown.append(best)
+    return shown
 
 
 @contextmanager

@@ -12,10 +12,12 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import select
 import signal
 import struct
 import sys
+import threading
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, suppress
@@ -24,7 +26,7 @@ from functools import cached_property, partial
 from hashlib import blake2b
 from importlib import import_module
 from pathlib import Path
-from types import FrameType
+from types import CodeType, FrameType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -37,8 +39,8 @@ DRAWN = ("lavapipe:glsl", "lavapipe:hlsl-dxc", "lavapipe:wgsl-naga", "llvmpipe:g
 NOTICED = ("differs", "failed")
 SMALL = (36, 28)
 """The size of the pictures that are drawn first, as most errors show in a small one."""
-PICTURES = 10
-"""So many materials and routes are drawn at most; each kind of error shows in one of them."""
+PICTURES = 16
+"""So many materials and routes are drawn at most: first each material once, on its first route."""
 LARGE_PICTURES = 2
 """Of so many of them, large pictures are drawn if small ones are right."""
 PATIENCE = 150.0
@@ -73,8 +75,8 @@ class Question:
     known: Mapping[str, str] | None = None
     """What these came to without the mutant."""
     everything: bool = False
-    """Whether to draw also what does not differ: the drivers' own code is different. When asked
-    what is known: whether to look also what code compilers make of it."""
+    """Whether to draw also what does not differ, because the code that draws is different. When
+    asked what is known: whether to look also what code compilers make of it, and who draws it."""
 
 
 def main(folders: Sequence[str]) -> None:
@@ -130,7 +132,8 @@ def _drawing_modules() -> None:
 
 def _answered(asked: Question, folders: Sequence[str]) -> Answer:
     if asked.kind == "known":
-        reached = _in_child(lambda: _reached(folders), LONG)  # before anything is imported
+        # Before anything is imported.
+        reached = _in_child(partial(_reached, folders, drawn=asked.everything), LONG)
         behaviour = dict(row for name in names(folders) for row in _behaviour(name, told=True))
         if asked.everything:
             with _Studio() as studio:
@@ -240,6 +243,8 @@ def _digest(data: object) -> str:
 
 def _judged(asked: Question) -> Answer:
     """Compile one material after the other, and draw what differs, until a picture is wrong."""
+    in_runtime = asked.path.startswith(IN_RUNTIME)
+    same_code = {} if in_runtime or asked.everything else asked.known or {}
     different: list[str] = []
     waiting: list[tuple[Name, CompiledMaterial, str]] = []
     with _Studio() as studio:
@@ -249,10 +254,10 @@ def _judged(asked: Question) -> Answer:
             if routes:
                 first, *others = [(name, compiled(name), route) for route in routes]
                 waiting += others
-                if wrong := studio.wrong(*first, asked.known):
+                if wrong := studio.wrong(*first, same_code):
                     return {"verdict": "caught", "by": wrong}
         for each in waiting:
-            if wrong := studio.wrong(*each, asked.known):
+            if wrong := studio.wrong(*each, same_code):
                 return {"verdict": "caught", "by": wrong}
         if not different:
             return {"verdict": "same"}
@@ -301,15 +306,17 @@ class _Studio(ExitStack):
         from burnish.targets.runner.routes import ROUTES
 
         codes = compile_one(ROUTES[route], material.files, self._toolchain)
-        return [(code.entry, code.text, _nameless(code.spirv)) for code in codes.stages.values()]
+        stages = codes.stages.values()
+        return [(code.entry, _plain(code.text), _nameless(code.spirv)) for code in stages]
 
     def wrong(
-        self, name: Name, material: CompiledMaterial, route: str, known: Mapping[str, str] | None
+        self, name: Name, material: CompiledMaterial, route: str, known: Mapping[str, str]
     ) -> str:
-        """How a picture of a material is wrong; empty if it is right, or not drawn because the code
-        is the same, or because there are enough pictures already."""
+        """How a picture of a material is wrong; empty if it is right, or not drawn because its code
+        is known, or because there are enough pictures already."""
         from burnish.targets.conformance import cases
         from burnish.targets.conformance.conform import conform
+        from burnish.targets.runner.codes import CodeError
         from burnish.targets.runner.routes import ROUTES
 
         if self.drawn >= PICTURES:
@@ -317,8 +324,11 @@ class _Studio(ExitStack):
         place, row = f"{label(name)}, {route}", ROUTES[route]
         if row.profile in material.lacking:
             return f"{place}: {material.lacking[row.profile]}"
-        before = (known or {}).get(f"{place}: code")
-        if before == _digest((self.code(material, route), material.reflection)):
+        try:
+            code = self.code(material, route)
+        except CodeError:
+            return f"{place}: failed"
+        if known.get(f"{place}: code") == _digest((code, material.reflection)):
             return ""
         self.drawn += 1
         whole = cases.SIZE
@@ -330,6 +340,12 @@ class _Studio(ExitStack):
             if found.status in NOTICED:
                 return f"{place}: {found.status}"
         return ""
+
+
+def _plain(text: str) -> str:
+    """A text without comments, and without the white space that only arranges it."""
+    text = re.sub(r"//[^\n]*", "", text)
+    return re.sub(r"\s*([^\w\s])\s*", r"\1", text)
 
 
 NAMES = {3, 4, 5, 6, 7, 8, 317, 330}
@@ -351,7 +367,7 @@ def _nameless(module: bytes) -> str:
 # --- which lines are reached ----------------------------------------------------------------------
 
 
-def _reached(folders: Sequence[str]) -> dict[str, list[str]]:
+def _reached(folders: Sequence[str], *, drawn: bool) -> dict[str, list[str]]:
     """For each line of the package, as ``path:line``, the materials that run it. A line that runs
     when the package is imported has the material ``""``."""
     trace = _Trace()
@@ -360,16 +376,23 @@ def _reached(folders: Sequence[str]) -> dict[str, list[str]]:
     sys.settrace(None)
     found = {line: [""] for line in trace.lines}
     for name in names(folders):
-        for line in _in_child(partial(_lines_of, name), PATIENCE)["lines"]:
+        for line in _in_child(partial(_lines_of, name, drawn=drawn), PATIENCE)["lines"]:
             found.setdefault(line, []).append(": ".join(name))
     return found
 
 
-def _lines_of(name: Name) -> Answer:
+def _lines_of(name: Name, *, drawn: bool) -> Answer:
+    """The lines that are run to compile a material, and if it is ``drawn`` also all lines of the
+    functions that are called for a picture of it: to look at every line would take too long."""
     trace = _Trace()
     sys.settrace(trace.entered)
     list(_behaviour(name, told=True))
     sys.settrace(None)
+    if drawn:
+        threading.setprofile(trace.called)
+        with _Studio() as studio:
+            studio.wrong(name, compiled(name), DRAWN[0], {})
+        threading.setprofile(None)
     return {"lines": sorted(trace.lines)}
 
 
@@ -380,6 +403,7 @@ class _Trace:
         import burnish
 
         self._root = str(Path(burnish.__file__).parent) + "/"
+        self._codes: set[CodeType] = set()
         self.lines: set[str] = set()
 
     def entered(self, frame: FrameType, _event: str, _argument: object) -> Any:
@@ -394,6 +418,15 @@ class _Trace:
             return ran
 
         return ran
+
+    def called(self, frame: FrameType, event: str, _argument: object) -> None:
+        """Collect all lines of a function."""
+        path = frame.f_code.co_filename
+        if event == "call" and frame.f_code not in self._codes and path.startswith(self._root):
+            self._codes.add(frame.f_code)
+            name = path.removeprefix(self._root)
+            lines = {line for _start, _end, line in frame.f_code.co_lines()}
+            self.lines |= {f"{name}:{line}" for line in lines}
 
 
 if __name__ == "__main__":

@@ -25,9 +25,13 @@ AREAS: Mapping[str, tuple[str, ...]] = {
     "textures": ("targets/runner/textures/*.py",),
     "scenes": ("targets/runner/scene*.py", "targets/runner/binding.py"),
     "drivers": ("targets/runner/drivers/vulkan/*.py", "targets/runner/drivers/readback.py"),
+    "reference": ("compiler/reference/*.py", "compiler/reference/picture/*.py"),
+    "bounds": ("compiler/reference/bounds/*.py",),
 }  # fmt: skip
-"""Which files of the package each part has. The reference is not among them: both sides of its
-tests, such as ``tests/reference``, do not share it."""
+"""Which files of the package each part has."""
+
+DRAWING = frozenset({"drivers", "reference", "bounds"})
+"""The parts that draw. Their mutants change pictures, but no texts and nothing that is told."""
 
 
 @dataclass(frozen=True, slots=True)

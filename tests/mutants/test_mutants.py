@@ -16,6 +16,7 @@ import pytest
 from .changes import Change, changes, template_changes
 from .copies import MATERIALS, Copy, Judgement, Known, copy
 from .places import AREAS, ROOT, Mutant, mutants
+from .texts import text_changes
 
 NOTICED = [
     ("compiler/passes/rules/bounds.py", ".lo >= 0, drops", ".lo <= 0, drops"),
@@ -121,6 +122,37 @@ def test_changes_of_a_template() -> None:
         "1 condition: flat -> not (flat)",
         "2 line: flat; -> nothing",
     ]
+
+
+TEXT = """layout(set = 1, binding = 0) uniform Material {
+    vec3 base;
+    float power;
+};
+flat in vec2 v_uv;
+void main() {
+    // a - b
+    out_color = base.x < 2.5 ? max(base[1], 0.0) - power : 1.5 / power;
+}
+"""
+TEXT_CHANGES = [
+    "8 operand order: '1.5 / power' -> 'power / 1.5'",
+    "8 operator: ' < ' -> ' <= '",
+    "8 operator: ' - ' -> ' + '",
+    "8 operator: ' / ' -> ' * '",
+    "8 constant: '2.5' -> '2.5000009536743164'",
+    "8 constant: '1.5' -> '1.5000004768371582'",
+    "8 lanes: '.x' -> '.y'",
+    "8 guard: 'max(base[1], 0.0)' -> '(base[1])'",
+    "8 function: 'max' -> 'min'",
+    "8 index: '[1]' -> '[0]'",
+    "5 qualifier: 'flat ' -> ''",
+    "1 binding: 'binding = 0' -> 'binding = 1'",
+    "2 members: '    vec3 base;\\n    float power;' -> '    float power;\\n    vec3 base;'",
+]
+
+
+def test_changes_of_an_emitted_text() -> None:
+    assert [change.told(TEXT) for change in text_changes(TEXT)] == TEXT_CHANGES
 
 
 def test_all_of_the_package_that_is_named_is_there() -> None:

@@ -64,9 +64,11 @@ def _exchanged(found: re.Match[str]) -> str:
 
 def _off_in_last_places(found: re.Match[str]) -> str:
     value = np.float32(found[0])
+    if not value:
+        return found[0]
     for _ in range(LAST_PLACES):
         value = np.nextafter(value, np.float32(np.inf))
-    return repr(float(value)) if value else found[0]
+    return repr(float(value))
 
 
 def _other_lanes(found: re.Match[str]) -> str:
@@ -87,21 +89,24 @@ _OPPOSITES = {
     "rsqrt": "sqrt", "inverseSqrt": "sqrt",
 }  # fmt: skip
 _OTHER = {
-    " + ": " - ", " - ": " + ", " * ": " / ", " < ": " <= ", " <= ": " < ", " > ": " >= ",
-    " >= ": " > ", " == ": " != ", " != ": " == ", " && ": " || ", " || ": " && ",
+    " + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ",
+    " < ": " <= ", " <= ": " < ", " > ": " >= ", " >= ": " > ",
+    " == ": " != ", " != ": " == ", " && ": " || ", " || ": " && ",
 }  # fmt: skip
 _OPERAND = r"[\w.]+(?:\[\w+\])?(?:\.\w+)?"
+_ORDERED = r"(?<!max\()(?<!min\()(?<!dot\()(?<!layout\()(?<=\()"
+"""The beginning of arguments of which the order matters."""
 
 KINDS: Sequence[tuple[str, str, Callable[[re.Match[str]], str]]] = (
     ("operand order", rf"({_OPERAND})( [-/] )({_OPERAND})", _exchanged),
-    ("operator", r" (?:[-+*<>]|<=|>=|==|!=|&&|\|\|) ", lambda found: _OTHER[found[0]]),
+    ("operator", r" (?:[-+*/<>]|<=|>=|==|!=|&&|\|\|) ", lambda found: _OTHER[found[0]]),
     ("constant", r"(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?(?![\w.])", _off_in_last_places),
     ("lanes", r"\.([xyzw]{1,4})\b", _other_lanes),
     ("guard", r"\b(?:max|min|clamp)\(([^(),]+), [^()]+\)", lambda found: f"({found[1]})"),
     ("guard", r"\(([^()?:]+) \? ([^()?:]+) : ([^()?:]+)\)", lambda found: f"({found[2]})"),
     ("guard", r"\bselect\(([^(),]+), ([^(),]+), [^()]+\)", lambda found: f"({found[2]})"),
     ("function", rf"\b({'|'.join(_OPPOSITES)})(?=\()", lambda found: _OPPOSITES[found[1]]),
-    ("arguments", r"(?<=\()([^(),]+)(, )([^(),]+)(?=[,)])", _exchanged),
+    ("arguments", rf"{_ORDERED}([^(),]+)(, )([^(),]+)(?=[,)])", _exchanged),
     ("index", r"(\[)(\d+)(\])", _next_number),
     ("qualifier", r"\b(?:flat|nointerpolation) |@interpolate\(flat\) ", lambda _found: ""),
     ("qualifier", r"(?<=\) )in (?=vec|float)", lambda _found: "noperspective in "),
@@ -110,7 +115,7 @@ KINDS: Sequence[tuple[str, str, Callable[[re.Match[str]], str]]] = (
     ("qualifier", r"column_major", lambda _found: "row_major"),
     ("binding", r"(binding = |@binding\(|register\([bts])(\d+)(\b)", _next_number),
     ("location", r"(\bin \w+ |location = |@location\(|LOC)(\d+)(\b)", _next_number),
-    ("members", r"^( {4}[^/\n]+[;,]).*(\n)( {4}[^/\n]+[;,]).*$", _exchanged),
+    ("members", r"^( {4}\w+:? \w+[;,]).*(\n)( {4}\w+:? \w+[;,]).*$", _exchanged),
 )  # fmt: skip
 """The kinds of changes, where each can be made, and what replaces what is found."""
 
