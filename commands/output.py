@@ -35,7 +35,7 @@ def obstacle(folder: Path, file: str = "") -> str | None:
         return f"`{nearest}` is a file, not a folder"
     if os.access(nearest, os.W_OK | os.X_OK):
         return None
-    if os.statvfs(nearest).f_flag & os.ST_RDONLY:
+    if hasattr(os, "statvfs") and os.statvfs(nearest).f_flag & os.ST_RDONLY:
         return os.strerror(errno.EROFS)
     return f"nobody but its owner may write into `{nearest}`"
 

@@ -22,11 +22,12 @@ from __future__ import annotations
 import errno
 import os
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from os.path import join
 from stat import S_ISDIR
 
+ON_WINDOWS = os.name == "nt"
 PATIENCE = 10.0
 """For how many seconds to wait for another process, which needs far less to write its files."""
 
@@ -118,11 +119,14 @@ def _journal(folder: str) -> Iterator[_Journal]:
             yield journal
         finally:
             journal.clear()
-            os.unlink(join(path, "lock"))
-            with suppress(OSError):  # Whoever has waited may have made the next lock in it.
-                os.rmdir(path)
+            if not ON_WINDOWS:
+                os.unlink(join(path, "lock"))
     finally:
         os.close(lock)
+        with suppress(OSError):  # Whoever has waited may have made the next lock in it.
+            if ON_WINDOWS:  # There nobody can delete a file that is open, not even its owner.
+                os.unlink(join(path, "lock"))
+            os.rmdir(path)
 
 
 def _locked(path: str) -> int:
@@ -170,17 +174,28 @@ def _make_private_folder(path: str) -> None:
 def _lock(file: int) -> bool:
     """Lock an open file for this process, unless another one has locked it."""
     try:
-        from fcntl import LOCK_EX, LOCK_NB, flock
-    except ImportError:  # On Windows, where nobody can delete a file that is open.
-        return True
-    try:
-        flock(file, LOCK_EX | LOCK_NB)
-    except BlockingIOError:
+        if ON_WINDOWS:
+            _lock_on_windows(file)
+        else:
+            from fcntl import LOCK_EX, LOCK_NB, flock
+
+            flock(file, LOCK_EX | LOCK_NB)
+    except (BlockingIOError, PermissionError):
         return False
     except OSError as error:
         if error.errno not in _NO_LOCKS:
             raise
     return True
+
+
+def _lock_on_windows(file: int) -> None:
+    """Lock an open file, or raise ``PermissionError``; the lock ends with the process as well."""
+    from importlib import import_module
+
+    system = import_module("msvcrt")
+    locking: Callable[[int, int, int], None] = system.locking
+    without_waiting: int = system.LK_NBLCK
+    locking(file, without_waiting, 1)
 
 
 def _is_at(file: int, path: str) -> bool:

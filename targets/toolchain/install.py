@@ -5,15 +5,18 @@ System packages are installed with apt-get, all other tools into Burnish's cache
 these is completed in a temporary folder and then renamed, so that a tool is never half installed.
 Several runs at the same time wait for each other. Packages come from where apt, pip, cargo and npm
 are configured to get them.
+
+Nothing waits for ever: neither for another run, nor for a network that does not answer, nor for a
+program that hangs.
 """
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 import platform
 import shutil
+import signal
 import subprocess
 import sys
 import tarfile
@@ -22,11 +25,13 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import TextIO
 
 from .places import is_trusted
 from .sources import Debian, Extra, OwnInstaller
 from .tools import DXC_LIBRARY, TOOLS, Tool, cache_folder, inspect, judge, tool_named
 
+ON_WINDOWS = os.name == "nt"
 PARTIAL = ".partial-"
 
 DXC_ARCHIVE = "compushady==0.17.5"
@@ -39,7 +44,23 @@ it.
 """
 NPM_LOCK = Path(__file__).with_name("npm-lock.json")
 """The packages that Tint consists of, with their digests; ``npm ci`` insists on all of it."""
+
+PATIENCE = 1800.0
+"""How many seconds one command may take, and how long one run waits for another. On a slow machine,
+cargo takes ten minutes for naga."""
+GRACE = 10.0
+"""How many seconds a command may take to end, once it was asked to; then it is killed."""
+PAUSE = 0.1
+"""After how many seconds a run looks again whether another one has ended."""
 APT_LOCK_SECONDS = 300
+NETWORK_SECONDS = 60
+"""How long a download may stand still before it is tried again or given up."""
+NETWORK_SETTINGS = {
+    "CARGO_HTTP_TIMEOUT": f"{NETWORK_SECONDS}",
+    "NPM_CONFIG_FETCH_TIMEOUT": f"{NETWORK_SECONDS * 1000}",
+    "PIP_DEFAULT_TIMEOUT": f"{NETWORK_SECONDS}",
+}
+"""The same for the programs that have a variable for it."""
 
 
 class InstallError(Exception):
@@ -48,6 +69,10 @@ class InstallError(Exception):
 
 def main(names: Sequence[str]) -> int:
     """Install the named tools, or all tools; returns the process's exit code."""
+    if ON_WINDOWS:
+        reason = "this installs tools on Linux only; `burnish doctor` says what is missing"
+        print(f"burnish: {reason}", file=sys.stderr)
+        return 1
     known = [tool.name for tool in TOOLS]
     if unknown := set(names) - set(known):
         print(f"burnish: no such tool: {', '.join(unknown)}; there are {', '.join(known)}")
@@ -100,10 +125,32 @@ def _lock() -> Iterator[None]:
             "another one in BURNISH_TOOLS"
         )
     with (cache_folder() / ".lock").open("w") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
+        _wait_for_others(file)
         for leftover in cache_folder().glob(f"{PARTIAL}*"):
             shutil.rmtree(leftover)
         yield
+
+
+def _wait_for_others(file: TextIO) -> None:
+    """Lock a file, once no other run has it any more."""
+    import fcntl  # which Windows lacks
+
+    give_up = time.monotonic() + PATIENCE
+    told = False
+    while True:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return
+        except BlockingIOError:
+            if time.monotonic() > give_up:
+                reason = f"another run has been installing for {_minutes(PATIENCE)}"
+                raise InstallError(
+                    f"{reason}, and holds {file.name}: end it, then try again"
+                ) from None
+        if not told:
+            print("waiting for another run, which is installing ...", flush=True)
+            told = True
+        time.sleep(PAUSE)
 
 
 def _install(tool: Tool) -> None:
@@ -139,7 +186,9 @@ def _apt(*names: str) -> None:
             f"it needs {', '.join(names)}: install what your system's package manager calls so, "
             "or run this as root where there is apt-get"
         )
-    patience = ("-o", f"DPkg::Lock::Timeout={APT_LOCK_SECONDS}")
+    network = (f"Acquire::{kind}::Timeout={NETWORK_SECONDS}" for kind in ("http", "https"))
+    options = (f"DPkg::Lock::Timeout={APT_LOCK_SECONDS}", *network)
+    patience = [word for option in options for word in ("-o", option)]
     packages = ("--no-install-recommends", *names)
     try:
         _run("apt-get", *patience, "install", "-y", *packages)
@@ -195,17 +244,43 @@ def _run(*command: str) -> None:
     print("  " + " ".join(command), flush=True)
     if not shutil.which(command[0]):
         raise InstallError(f"it needs {command[0]}, which is not on PATH")
-    ended = subprocess.run(
+    process = subprocess.Popen(
         command,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
-        check=False,
-        env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"},
+        errors="replace",
+        env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"} | NETWORK_SETTINGS,
+        start_new_session=True,
     )
-    if ended.returncode != 0:
-        raise InstallError(f"{command[0]} ended with {ended.returncode}:\n{ended.stdout}")
+    try:
+        output, _ = process.communicate(timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        said = _ended(process)
+        raise InstallError(
+            f"{command[0]} did not end within {_minutes(PATIENCE)}, and was stopped: does the "
+            f"network answer?\n{said}"
+        ) from None
+    except BaseException:
+        _ended(process)
+        raise
+    if process.returncode != 0:
+        raise InstallError(f"{command[0]} ended with {process.returncode}:\n{output}")
+
+
+def _ended(process: subprocess.Popen[str]) -> str:
+    """Ask a command and all that it has started to end, or kill them; returns what it has said."""
+    for number in (signal.SIGTERM, signal.SIGKILL):
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, number)
+        with suppress(subprocess.TimeoutExpired):
+            return process.communicate(timeout=GRACE)[0]
+    return ""
+
+
+def _minutes(seconds: float) -> str:
+    return f"{seconds / 60:g} minutes"
 
 
 INTO_CACHE: dict[str, Callable[[str, Path], None]] = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -68,5 +69,8 @@ def crashed(code: int) -> bool:
 
 
 def how_it_crashed(code: int) -> str:
-    """An exit code in words."""
-    return f"killed by signal {-code}" if code < 0 else f"ended with exit code {code}"
+    """An exit code in words; negative ones are signals."""
+    if code >= 0:
+        return f"ended with exit code {code}"
+    name = signal.strsignal(-code)
+    return f"killed by signal {-code}{f' ({name})' if name else ''}"

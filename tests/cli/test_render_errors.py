@@ -265,7 +265,7 @@ def test_all_routes_without_their_tools() -> None:
 
 
 CRASHES = {
-    "import os; os.kill(os.getpid(), 9)": "crashed: {python}: killed by signal 9",
+    "import os; os.kill(os.getpid(), 9)": "crashed: {python}: killed by signal 9 (Killed)",
     "import sys; sys.exit('out of luck')": (
         "crashed: out of luck\n  {python}: ended with exit code 1"
     ),

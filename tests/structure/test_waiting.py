@@ -30,11 +30,12 @@ LIMITED = {
 OF_SUBPROCESS = {"call", "check_call", "check_output", "communicate", "run"}
 """Those of ``LIMITED`` that have other arguments besides."""
 ENDLESS = {
-    "Pool", "Popen", "ProcessPoolExecutor", "ThreadPoolExecutor", "flock", "getoutput",
-    "getstatusoutput", "lockf", "pause", "popen", "sigwait", "system", "urlopen",
-    "waitpid",
+    "Pool", "Popen", "ProcessPoolExecutor", "ThreadPoolExecutor", "getoutput", "getstatusoutput",
+    "pause", "popen", "sigwait", "system", "urlopen", "waitpid",
 }  # fmt: skip
 """Functions that have no limit, or are easily called without one, or what they make has none."""
+LOCKING = {"flock", "lockf"}
+"""Functions that wait, unless they are told ``LOCK_NB``."""
 STARTING = {"Thread", "Timer", "Process"}
 """What they start keeps the process of the tests from ending, unless it is a daemon."""
 READING = {"read", "readline", "readlines"}
@@ -60,6 +61,8 @@ def _may_hang(call: ast.Call) -> bool:
         return of_subprocess and "timeout" not in options
     if name in LIMITED and isinstance(call.func, ast.Attribute):
         return not call.args and "timeout" not in options
+    if name in LOCKING:
+        return "LOCK_NB" not in ast.unparse(call)
     if name in READING:
         return _owner(call.func) in PIPES
     return name in ENDLESS and not _is_own(call.func)
@@ -130,6 +133,7 @@ def test_what_waits_is_found(line: str) -> None:
         "table.get(name)",
         "run(command)",
         "path.open().readline()",
+        "fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)",
         "time.sleep(1)",
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import multiprocessing
 import os
 import time
@@ -12,7 +13,7 @@ import pytest
 from burnish.targets.toolchain import install
 from burnish.targets.toolchain.tools import DXC_LIBRARY
 
-from ..suite.processes import LIMIT
+from ..suite.processes import LIMIT, until
 
 
 def _no_install(_version: str, _folder: Path) -> None:
@@ -157,3 +158,54 @@ def test_what_cannot_be_installed_is_not_passed_over(
     said = capsys.readouterr().err
     assert way_out in said
     assert f"NOT installed: {tool}" in said
+
+
+def test_a_run_does_not_wait_for_another_one_for_ever(
+    no_tools: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(install, "PATIENCE", 0.3)
+    monkeypatch.setitem(install.INTO_CACHE, "dxc", _no_install)
+    with (no_tools / ".lock").open("w") as other:
+        fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        assert install.main(["dxc"]) == 1
+    said = capsys.readouterr()
+    assert said.out == "waiting for another run, which is installing ...\n"
+    assert said.err == (
+        "dxc: FAILED: another run has been installing for 0.005 minutes, and holds "
+        f"{no_tools / '.lock'}: end it, then try again\nburnish: NOT installed: dxc\n"
+    )
+
+
+HANGS = """#!/bin/sh
+echo "fetching packages ..."
+/bin/sleep 3600 &
+echo "$$ $!" > {folder}/pids
+wait
+"""
+"""Waits for a program that it has started, as npm does for a download."""
+
+
+def test_a_command_that_hangs_is_ended(
+    no_tools: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(install, "PATIENCE", 1.2)
+    (no_tools / "npm").write_text(HANGS.format(folder=no_tools))
+    (no_tools / "npm").chmod(0o755)
+    monkeypatch.setenv("PATH", str(no_tools))
+    assert install.main(["tint"]) == 1
+    assert capsys.readouterr().err == (
+        "tint: FAILED: npm did not end within 0.02 minutes, and was stopped: does the network "
+        "answer?\nfetching packages ...\n\nburnish: NOT installed: tint\n"
+    )
+    places = [Path("/proc", pid) for pid in (no_tools / "pids").read_text().split()]
+    until(lambda: not any(place.exists() for place in places), "the end of all processes")
+    assert _folders(no_tools) == set()
+
+
+@pytest.mark.usefixtures("no_tools")
+def test_on_windows_it_says_what_it_cannot_do(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(install, "ON_WINDOWS", True)
+    assert install.main(["tint"]) == 1
+    assert "on Linux only; `burnish doctor` says what is missing" in capsys.readouterr().err

@@ -21,6 +21,10 @@ TEXTURE = vk.VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE
 SAMPLER = vk.VK_DESCRIPTOR_TYPE_SAMPLER
 COMBINED = vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
 
+FATAL_BLOCK = 4
+"""Mesa's lavapipe 22.3 may crash if a branch depends on the block with this number, counted from 1
+through all sets (docs/drivers.md). So no block has it: set 0 is filled up with unused ones."""
+
 
 @dataclass(frozen=True, slots=True)
 class DescriptorSets:
@@ -84,6 +88,17 @@ def make_descriptor_sets(owned: ExitStack, gpu: Gpu, pipeline: Pipeline) -> Desc
 
 def _descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
     """All descriptors with their types."""
+    used = list(_used_descriptors(pipeline))
+    yield from used
+    if len(pipeline.blocks) >= FATAL_BLOCK:
+        first = [(place.binding or 0, kind) for place, kind in used if place.group == 0]
+        free = max((binding for binding, _ in first), default=-1) + 1
+        missing = FATAL_BLOCK - sum(kind == BLOCK for _, kind in first)
+        for number in range(missing):
+            yield Place("", group=0, binding=free + number), BLOCK
+
+
+def _used_descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
     for block in pipeline.blocks:
         yield block.place, BLOCK
     for slot in pipeline.textures:
