@@ -12,8 +12,10 @@ from typing import Protocol
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from ...stdlib.builtins.accuracy import INTERPOLATED_BITS
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, UNKNOWN, Fact
-from ...stdlib.builtins.intervals import outward
+from ...stdlib.builtins.intervals import around, product
+from ...stdlib.builtins.weakest import ROUNDING
 from . import rulebook
 from .leaves import Parameter
 from .node import Formal, Node
@@ -153,15 +155,13 @@ def _select(ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
 def _cross(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     """A mean of three vertices' values stays between them, but is no longer of unit length.
 
-    Rounding may take it a little past either end.
+    A device computes it as a plane through these values. The error is a part of the largest of
+    them, and may take the mean past either end: below zero, too, where no vertex is.
     """
     (at_vertex,) = known
     if CROSS.data(node).mode == "flat":
         return at_vertex
-    slack = 1e-5 * max(abs(at_vertex.lo), abs(at_vertex.hi))
-    if slack == float("inf"):
-        return Fact(0.0) if at_vertex.lo >= 0 else UNKNOWN
-    return Fact(at_vertex.lo - slack if at_vertex.lo else 0.0, at_vertex.hi + slack)
+    return around(at_vertex, at_vertex.most * 2.0**-INTERPOLATED_BITS)
 
 
 def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
@@ -177,8 +177,9 @@ def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     if data.operator == "add":
         lo = start.lo + min(0.0, body.lo * data.bound) if data.bound else start.lo
         hi = start.hi + max(0.0, body.hi * data.bound) if data.bound else start.hi
-        # Each turn rounds once more.
-        return outward(lo, hi, float(data.bound))
+        # Each turn rounds once more, and what only grows never rounds to less than it was.
+        slack = product(max(abs(lo), abs(hi)), data.bound * ROUNDING)
+        return Fact(lo - slack if body.lo < 0 else lo, hi + slack if body.hi > 0 else hi)
     return Fact(0.0) if start.lo >= 0 and body.lo >= 0 else UNKNOWN
 
 

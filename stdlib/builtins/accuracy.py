@@ -39,6 +39,13 @@ SECTIONS: Mapping[Platform, str] = {
 """Where each platform has its table."""
 
 
+INTERPOLATED_BITS = 16
+"""Binary places to which a value between vertices is exact, relative to the largest at a vertex.
+
+This is assumed of all platforms, as none promises anything. It is less than what is known of any
+device; those whose precision is known better have it in ``targets/conformance/drivers.py``."""
+
+
 @frozen
 class Error:
     """A largest error. It is the sum of its parts, of which most errors have only one."""

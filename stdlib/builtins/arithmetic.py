@@ -11,8 +11,9 @@ import math
 from ...frozen import changed
 from .accuracy import CORRECT, Error, Within, in_table, inherited, promised
 from .facts import SMALLEST_NORMAL, Fact
-from .intervals import around, outward, products, quotients, squares
+from .intervals import around, inexact, products, quotients, rounded, squares
 from .row import Builtin
+from .weakest import ROUNDING, limit, relative
 
 _LANEWISE = ("N, N -> N", "N, L -> N", "L, N -> N")
 SIGNED = ("T -> T", "int -> int", "ivec2 -> ivec2", "ivec3 -> ivec3", "ivec4 -> ivec4")
@@ -20,35 +21,40 @@ SIGNED = ("T -> T", "int -> int", "ivec2 -> ivec2", "ivec3 -> ivec3", "ivec4 -> 
 
 def _sum(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y = facts
-    return outward(x.lo + y.lo, x.hi + y.hi).as_kind(x.kind)
+    return rounded(x.lo + y.lo, x.hi + y.hi).as_kind(x.kind)
 
 
 def _difference(facts: tuple[Fact, ...], same: bool) -> Fact:
     x, y = facts
     if same:
         return Fact(0.0, 0.0, kind=x.kind)
-    return outward(x.lo - y.hi, x.hi - y.lo).as_kind(x.kind)
+    return rounded(x.lo - y.hi, x.hi - y.lo).as_kind(x.kind)
 
 
 def _product(facts: tuple[Fact, ...], same: bool) -> Fact:
     x, y = facts
     if "matrix" in (x.kind, y.kind):
         return Fact(kind="matrix")
-    return outward(*(squares(x) if same else products(x, y))).as_kind(x.kind)
+    return rounded(*(squares(x) if same else products(x, y))).as_kind(x.kind)
 
 
-def _quotient(facts: tuple[Fact, ...], _same: bool) -> Fact:
+def quotient_range(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y = facts
     if x.kind != "float":
         return _whole_quotient(x, y)
-    ends = quotients(x, y, SMALLEST_NORMAL)
+    ends = quotients(x, y, SMALLEST_NORMAL, _USUAL_DIVISOR)
     if not y.excludes_zero:
         ends.append(0.0)
-    return outward(min(ends), max(ends), 2.5)
+    if y.most <= _USUAL_DIVISOR:
+        return inexact(min(ends), max(ends), _QUOTIENT_ERROR)
+    # The quotient by a divisor whose reciprocal may be flushed to zero.
+    far = quotients(x, y, _USUAL_DIVISOR, math.inf)
+    beyond = inexact(min(far), max(far), _LARGEST_QUOTIENT_ERROR)
+    return inexact(min(ends), max(ends), _QUOTIENT_ERROR).union(beyond) if ends else beyond
 
 
 def _whole_quotient(x: Fact, y: Fact) -> Fact:
-    ends: list[float] = [math.trunc(end) for end in quotients(x, y, 1.0)]
+    ends: list[float] = [math.trunc(end) for end in quotients(x, y, 1.0, math.inf)]
     if not y.excludes_zero:
         ends += [x.lo, x.hi]
     return Fact(min(ends), max(ends)).as_kind(x.kind)
@@ -59,8 +65,10 @@ def _remainder(facts: tuple[Fact, ...], _same: bool) -> Fact:
     if x.kind != "float":
         return Fact(min(y.lo + 1, 0.0), max(y.hi - 1, 0.0)).as_kind(x.kind)
     exact = Fact(min(y.lo, 0.0), max(y.hi, 0.0))
-    # In float32 the rounded-down quotient may be wrong by one, and its product with y is rounded.
-    return around(exact, (x.most + y.most) * 2.0**-20)
+    # Where the quotient is off, it may be rounded down to another whole number. Its product with y,
+    # and the difference between x and that, are rounded.
+    quotient = _QUOTIENT_ERROR if y.most <= _USUAL_DIVISOR else _LARGEST_QUOTIENT_ERROR
+    return around(exact, x.most * quotient + (x.most + y.most) * 2.0 * ROUNDING)
 
 
 def _negated(facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -102,6 +110,9 @@ QUOTIENT = promised(
     beyond_assumed=_FLUSHED,
 )
 """Quotients of floats; those of integers are exact."""
+_USUAL_DIVISOR = limit(QUOTIENT)
+_QUOTIENT_ERROR = relative(QUOTIENT)
+_LARGEST_QUOTIENT_ERROR = relative(QUOTIENT, operand=math.inf)
 
 ROWS = (
     Builtin(
@@ -145,7 +156,7 @@ ROWS = (
         ),
         expansion="div",
         by_profile=_whole,
-        range=_quotient,
+        range=quotient_range,
         accuracy=QUOTIENT,
         cost=4,
         samples=((1.0, 0.0), (0.0, 0.0), (-3.0, 0.0), (1.0, -0.0), (1.0, 1e-40), (7.0, -2.0)),

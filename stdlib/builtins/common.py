@@ -8,8 +8,9 @@ from collections.abc import Callable
 from .accuracy import COMMON, Inherited, Rounded, in_table, inherited, promised, silent
 from .arithmetic import SIGNED
 from .facts import SMALLEST_NORMAL, Fact
-from .intervals import around, monotone, outward, product, products
+from .intervals import around, inexact, monotone, product, products, rounded
 from .row import Builtin, RangeRule
+from .weakest import ROUNDING
 
 _FLOATS = ("T -> T",)
 _PAIRS = ("N, N -> N", "N, L -> N")
@@ -64,15 +65,15 @@ def _saturated(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 def _blended(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y, a = facts
-    rest = outward(1.0 - a.hi, 1.0 - a.lo)
+    rest = rounded(1.0 - a.hi, 1.0 - a.lo)
     if not a.within(0.0, 1.0):
         (x_lo, x_hi), (y_lo, y_hi) = products(x, rest), products(y, a)
-        exact = outward(x_lo + y_lo, x_hi + y_hi)
+        exact = rounded(x_lo + y_lo, x_hi + y_hi)
     else:
         exact = x.union(y)
     # Backends write this in two ways, whose rounding errors grow with the larger operand;
     # neither turns a blend of non-negative values negative.
-    slack = around(exact, (x.most + y.most) * (1.0 + a.most) * 2.0**-21)
+    slack = around(exact, (x.most + y.most) * (1.0 + a.most) * 4.0 * ROUNDING)
     if a.within(0.0, 1.0) and min(x.lo, y.lo) >= 0:
         return Fact(max(slack.lo, 0.0), slack.hi)
     return Fact(slack.lo, slack.hi)
@@ -81,7 +82,7 @@ def _blended(facts: tuple[Fact, ...], _same: bool) -> Fact:
 def _multiplied_and_added(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y, z = facts
     lo, hi = products(x, y)
-    return around(outward(lo + z.lo, hi + z.hi), product(product(x.most, y.most), 2.0**-22))
+    return around(rounded(lo + z.lo, hi + z.hi), product(product(x.most, y.most), 2.0 * ROUNDING))
 
 
 def _stepped(facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -92,7 +93,7 @@ def _stepped(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _ramped(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return outward(0.0, 1.0, 4.0)
+    return inexact(0.0, 1.0, 4.0 * ROUNDING)
 
 
 def _ordered(facts: tuple[Fact, ...]) -> bool:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
-from .accuracy import Error, Inherited, Within, in_section, inherited, promised, silent
+from .accuracy import CORRECT, Error, Inherited, Within, in_section, inherited, promised, silent
+from .arithmetic import QUOTIENT
 from .facts import SMALLEST_NORMAL, Fact
-from .intervals import around, monotone, outward, products
+from .intervals import around, inexact, products, rounded
 from .row import Builtin, nowhere
+from .weakest import ROUNDING, absolute, relative
 
 _FLOATS = ("T -> T",)
 _EXP = Within(Error(ulp=3.0, ulp_by_operand=2.0))
@@ -36,67 +39,91 @@ INVERSE_ROOT = promised(
     in_section(Within(Error(relative=2.0**-21)), "22.10.19 rsq"),
 )
 
+ROOT_ERROR = relative(INVERSE_ROOT, QUOTIENT)
+"""The largest error of a root, as a part of it: it is ``1 / inversesqrt(x)`` on most platforms."""
+_INVERSE_ROOT_ERROR = relative(INVERSE_ROOT)
+_LOG_ERROR = max(relative(LOG), relative(LOG2, CORRECT, CORRECT))
+"""The factor of ``log2(x) * ln(2)`` is rounded, and so is the product."""
+_LOG2_ERROR = relative(LOG2)
+
 _BEYOND = 1000.0
 """An exponent far outside of float32, but small enough for Python's floats."""
 
 
 def _root(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    # The error is that of 1 / inversesqrt(x): 2.5 ulp and 2 ulp.
-    return monotone(lambda bound: math.sqrt(max(bound, 0.0)), facts[0], 5.0)
+    (x,) = facts
+    return inexact(math.sqrt(max(x.lo, 0.0)), math.sqrt(max(x.hi, 0.0)), ROOT_ERROR)
 
 
 def _inverse_root(facts: tuple[Fact, ...], _same: bool) -> Fact:
     (x,) = facts
     lo, hi = (1.0 / math.sqrt(max(bound, SMALLEST_NORMAL)) for bound in (x.hi, x.lo))
-    return outward(lo, hi, 2.0)
+    return inexact(lo, hi, _INVERSE_ROOT_ERROR)
 
 
 def _exponential(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return _power_of_two(facts[0], math.log2(math.e))
+    return _power_of_two(facts[0], math.log2(math.e), exponential_error)
 
 
 def _exponential2(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return _power_of_two(facts[0], 1.0)
+    return _power_of_two(facts[0], 1.0, _exponential2_error)
 
 
-def _power_of_two(x: Fact, scale: float) -> Fact:
-    """Bounds of ``2 ** (scale * x)``; the error in ulp grows with the exponent."""
+def exponential_error(operand: float) -> float:
+    """The largest error of ``exp`` of operands up to a magnitude, as a part of the result.
+
+    Direct3D computes ``exp2(x * log2(e))``, of which the factor and the product are rounded.
+    """
+    exponent = operand * math.log2(math.e)
+    moved = math.expm1(operand * 2.0 * ROUNDING)
+    of_power = (1.0 + relative(EXP2, operand=exponent)) * (1.0 + moved) - 1.0
+    return max(relative(EXP, operand=operand), of_power)
+
+
+def _exponential2_error(operand: float) -> float:
+    return relative(EXP2, operand=operand)
+
+
+def _power_of_two(x: Fact, scale: float, error: Callable[[float], float]) -> Fact:
+    """Bounds of ``2 ** (scale * x)``, whose error grows with the magnitude of the operand."""
     least, most = scale * x.lo, scale * x.hi
     lo = 2.0 ** min(max(least, -_BEYOND), _BEYOND)
     hi = math.inf if most > _BEYOND else 2.0 ** max(most, -_BEYOND)
-    return Fact(
-        max(outward(lo, lo, 3.0 + 2.0 * min(abs(least), _BEYOND)).lo, 0.0),
-        outward(hi, hi, 3.0 + 2.0 * min(abs(most), _BEYOND)).hi,
-    )
+    errors = (error(min(abs(end), _BEYOND)) for end in (x.lo, x.hi))
+    found = inexact(lo, hi, *errors)
+    return Fact(max(found.lo, 0.0), found.hi)
 
 
 def _logarithm(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return _log2(facts[0], math.log(2.0))
+    return _log2(facts[0], math.log(2.0), _LOG_ERROR)
 
 
 def _logarithm2(facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return _log2(facts[0], 1.0)
+    return _log2(facts[0], 1.0, _LOG2_ERROR)
 
 
-def _log2(x: Fact, scale: float) -> Fact:
+def _log2(x: Fact, scale: float, error: float) -> Fact:
     """Bounds of ``scale * log2(x)``; near 1 the error is absolute."""
     lo, hi = (
         bound if math.isinf(bound) else scale * math.log2(max(bound, SMALLEST_NORMAL))
         for bound in (max(x.lo, 0.0), x.hi)
     )
-    return around(outward(min(lo, hi), hi, 3.0), 2.0**-21)
+    return around(inexact(min(lo, hi), hi, error), max(absolute(LOG), absolute(LOG2)))
 
 
 def _power(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y = facts
+    # It is exp2(y * log2(x)); the logarithm of 1 may be above 0.
     if x.lo < SMALLEST_NORMAL or not math.isfinite(x.hi * y.most):
-        most = max(1.0, _power_of_two(y, 2.0**-21).hi) if x.hi <= 1 and y.lo >= 0 else math.inf
-        return Fact(0.0, most)
-    # exp2(y * log2(x)), in which log2 is wrong by up to 2^-21 near 1, and by 3 ulp elsewhere.
-    logs = Fact(math.log2(x.lo), math.log2(x.hi))
-    lo, hi = products(logs, y)
-    error = y.most * (2.0**-21 + logs.most * 2.0**-21)
-    return _power_of_two(Fact(lo - error, hi + error), 1.0)
+        above = Fact(0.0, absolute(LOG2))
+        falls = x.hi <= 1 and y.lo >= 0
+        return Fact(0.0, max(1.0, _raised(y, above).hi) if falls else math.inf)
+    return _raised(y, _logarithm2((x,), False))
+
+
+def _raised(y: Fact, logs: Fact) -> Fact:
+    """Bounds of two to the power of a product."""
+    return _exponential2((rounded(*products(logs, y)),), False)
 
 
 def _not_negative(facts: tuple[Fact, ...]) -> bool:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from ...frozen import changed
 from .accuracy import EXACT, Inherited, in_table, inherited, promised, silent
+from .exponential import ROOT_ERROR
 from .facts import UNIT, UNIT_SLACK, UNKNOWN, Fact
-from .intervals import around, product, products, squares
+from .intervals import around, product, products, rounded, squares
 from .row import Builtin, nowhere
+from .weakest import ROUNDING
 
 _PAIR = ("V, V -> S",)
 _WHOLE_PAIR = tuple(
@@ -15,6 +17,9 @@ _WHOLE_PAIR = tuple(
     for lanes in (2, 3, 4)
 )
 _NARROWEST, _WIDEST = 2, 4
+_SUM_ERROR = _WIDEST * ROUNDING
+"""Of a sum of as many products in any order, as a part of the sum of their magnitudes."""
+_LENGTH_ERROR = (1.0 + _SUM_ERROR) * (1.0 + ROOT_ERROR) - 1.0
 SHORTEST = 2.0**-60
 """The least length whose square is far above what a device may flush to zero."""
 
@@ -29,11 +34,11 @@ def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
         return Fact().as_kind(x.kind)
     lo, hi = squares(x) if same else products(x, y)
     lo, hi = min(_NARROWEST * lo, _WIDEST * lo), max(_NARROWEST * hi, _WIDEST * hi)
-    error = product(_WIDEST * product(x.most, y.most), 2.0**-20)
+    error = product(_WIDEST * product(x.most, y.most), _SUM_ERROR)
     total = around(Fact(lo, hi), error)
     total = Fact(max(total.lo, 0.0), total.hi) if lo >= 0 else total
     if same and x.length:
-        total = total.meet(Fact(product(x.length, x.length) * (1.0 - 2.0**-20)))
+        total = total.meet(Fact(product(x.length, x.length) * (1.0 - _SUM_ERROR)))
     return total.meet(UNIT_PRODUCT) if x.unit and y.unit else total
 
 
@@ -46,15 +51,15 @@ def _outer(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y = facts
     if x.unit and y.unit:
         return UNIT_PRODUCT
-    bound = product(2.0 * product(x.most, y.most), 1.0 + 2.0**-20)
+    bound = product(2.0 * product(x.most, y.most), 1.0 + _SUM_ERROR)
     return Fact(-bound, bound)
 
 
 def _norm(facts: tuple[Fact, ...], _same: bool) -> Fact:
     (x,) = facts
     # In four dimensions, the diagonal of a box is at most twice its side.
-    longest = 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + 2.0**-20)
-    shortest = x.length * (1.0 - 2.0**-20) if x.length >= SHORTEST else 0.0
+    longest = 1.0 + UNIT_SLACK if x.unit else product(2.0 * x.most, 1.0 + _LENGTH_ERROR)
+    shortest = x.length * (1.0 - _LENGTH_ERROR) if x.length >= SHORTEST else 0.0
     return Fact(min(shortest, longest), longest)
 
 
@@ -62,7 +67,7 @@ def _apart(facts: tuple[Fact, ...], same: bool) -> Fact:
     x, y = facts
     if same:
         return Fact(0.0, 0.0)
-    return _norm((Fact(x.lo - y.hi, x.hi - y.lo),), False)
+    return _norm((rounded(x.lo - y.hi, x.hi - y.lo),), False)
 
 
 def _direction(_facts: tuple[Fact, ...], _same: bool) -> Fact:

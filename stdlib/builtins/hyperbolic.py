@@ -4,22 +4,38 @@ from __future__ import annotations
 
 import math
 
-from .accuracy import inherited
+from .accuracy import CORRECT, inherited
+from .arithmetic import QUOTIENT
+from .exponential import exponential_error
 from .facts import Fact
-from .intervals import around
+from .intervals import around, inexact
 from .row import Builtin, nowhere
+from .weakest import absolute, relative
 
 _FLOATS = ("T -> T",)
 _FLAT = 16.0
 """From here on tanh is 1 in float32; far beyond, the quotient of exponentials would overflow."""
 
 
+TANH = inherited("sinh(x) / cosh(x)", 1e-5)
+
+
+def _half_sum_error(operand: float) -> float:
+    """The error of ``sinh`` and ``cosh``, as a part of the latter."""
+    return (1.0 + exponential_error(operand)) * (1.0 + relative(CORRECT, CORRECT)) - 1.0
+
+
+_TANH_ERROR = max(absolute(TANH), 2.0 * _half_sum_error(_FLAT) + relative(QUOTIENT, CORRECT))
+"""Farther out the result is 1; the quotient is off by what both functions are off by."""
+
+
 def _tangent(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return around(Fact(-1.0, 1.0), 1e-5)
+    return around(Fact(-1.0, 1.0), _TANH_ERROR)
 
 
 def _cosine(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return Fact(1.0 - 2.0**-20, math.inf)
+    # The error grows with the operand, but more slowly than the result does.
+    return inexact(1.0, math.inf, _half_sum_error(0.0))
 
 
 def _is_near(facts: tuple[Fact, ...]) -> bool:
@@ -54,7 +70,7 @@ ROWS = (
         outside="-1 or 1 outside of -16 to 16, also where exponentials are too large for float32.",
         expansion="tanh",
         range=_tangent,
-        accuracy=inherited("sinh(x) / cosh(x)", 1e-5),
+        accuracy=TANH,
         cost=14,
         samples=((0.0,), (20.0,), (-1e30,)),
     ),

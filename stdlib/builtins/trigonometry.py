@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 
 from ...frozen import EMPTY
 from .accuracy import (
+    CORRECT,
     Accuracy,
     Bound,
     Error,
@@ -20,9 +21,11 @@ from .accuracy import (
     promised,
     silent,
 )
-from .facts import SMALLEST_NORMAL, Fact
-from .intervals import outward, quotients
+from .arithmetic import quotient_range
+from .facts import Fact
+from .intervals import around, inexact
 from .row import Builtin, RangeRule
+from .weakest import absolute, relative
 
 _FLOATS = ("T -> T",)
 _REDUCTION = 2.0**-22
@@ -73,14 +76,16 @@ ARC_SINE = _of_arc("atan2(x, sqrt(1 - x * x))", 6.81e-5)
 ARC_COSINE = _of_arc("atan2(sqrt(1 - x * x), x)", 6.77e-5)
 TANGENT = _like_vulkan(Inherited("sin(x) / cos(x)"))
 
-_WAVE_ERROR = 2.0**-11
-_ARC_ERROR = 4096 * 2.0**-22 + 6.8e-5
-"""4096 ulp of an angle below 4, or the absolute error of asin and acos."""
+_WAVE_ERROR = absolute(WAVE)
+"""The error of reducing an angle to one turn does not count: no angle has a sine beyond 1."""
+_ARC_ERROR = relative(ARC)
+_SCALED_ERROR = relative(CORRECT, CORRECT)
+"""A constant factor is rounded, and so is the product."""
 
 
-def _between(lo: float, hi: float) -> RangeRule:
-    """The range rule of a function whose results lie between fixed bounds."""
-    fact = Fact(lo, hi)
+def _between(lo: float, hi: float, error: float = 0.0) -> RangeRule:
+    """The range rule of an angle that is that of ``atan2``, or off by an absolute error."""
+    fact = inexact(lo, hi, _ARC_ERROR).union(around(Fact(lo, hi), error))
     return lambda _facts, _same: fact
 
 
@@ -104,14 +109,11 @@ def _wave(x: Fact, lowest: float, highest: float, wave: Callable[[float], float]
 
 def _tangent(facts: tuple[Fact, ...], _same: bool) -> Fact:
     sine, cosine = _sine(facts, False), _cosine(facts, False)
-    if cosine.lo <= 0:
-        return Fact()
-    ends = quotients(sine, cosine, SMALLEST_NORMAL)
-    return outward(min(ends), max(ends), 2.5)
+    return quotient_range((sine, cosine), False) if cosine.lo > 0 else Fact()
 
 
 def _scaled(factor: float) -> RangeRule:
-    return lambda facts, _same: outward(facts[0].lo * factor, facts[0].hi * factor, 1.0)
+    return lambda facts, _same: inexact(facts[0].lo * factor, facts[0].hi * factor, _SCALED_ERROR)
 
 
 def _has_arc(facts: tuple[Fact, ...]) -> bool:
@@ -159,7 +161,7 @@ ROWS = (
         needs="the operand lies within -1..1",
         outside="The operand is clamped to -1 to 1.",
         expansion="asin",
-        range=_between(-math.pi / 2 - _ARC_ERROR, math.pi / 2 + _ARC_ERROR),
+        range=_between(-math.pi / 2, math.pi / 2, absolute(ARC_SINE)),
         accuracy=ARC_SINE,
         cost=12,
         samples=((1.0,), (-1.0,), (1.0000001,), (-2.0,)),
@@ -173,7 +175,7 @@ ROWS = (
         needs="the operand lies within -1..1",
         outside="The operand is clamped to -1 to 1.",
         expansion="acos",
-        range=_between(-_ARC_ERROR, math.pi + _ARC_ERROR),
+        range=_between(0.0, math.pi, absolute(ARC_COSINE)),
         accuracy=ARC_COSINE,
         cost=12,
         samples=((1.0,), (-1.0,), (1.0000001,), (-2.0,)),
@@ -183,7 +185,7 @@ ROWS = (
         signatures=_FLOATS,
         meaning="angle",
         doc="The angle between -pi/2 and pi/2 that has this tangent.",
-        range=_between(-math.pi / 2 - _ARC_ERROR, math.pi / 2 + _ARC_ERROR),
+        range=_between(-math.pi / 2, math.pi / 2),
         accuracy=ARC,
         cost=10,
     ),
@@ -199,7 +201,7 @@ ROWS = (
             "counts as 0."
         ),
         expansion="atan2",
-        range=_between(-math.pi - _ARC_ERROR, math.pi + _ARC_ERROR),
+        range=_between(-math.pi, math.pi),
         accuracy=ARC,
         cost=14,
         samples=((0.0, 0.0), (0.0, -1.0), (-0.0, -1.0), (1.0, 0.0), (-1.0, -1.0)),

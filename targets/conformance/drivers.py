@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from ...stdlib.builtins.accuracy import INTERPOLATED_BITS
+
 
 @dataclass(frozen=True, slots=True)
 class Hardware:
@@ -87,7 +89,13 @@ _WEBGL = replace(_SWIFTSHADER, edge_slack=2.0**-16, bottom_up=True)
 # Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
 # less than what such devices are known for. It was tried on lavapipe only.
 _ANY_DEVICE = Driver(
-    Hardware(varying_bits=16, frag_coord_bits=16, subtexel_bits=8, mip_bits=4, mixing_bits=8),
+    Hardware(
+        varying_bits=INTERPOLATED_BITS,
+        frag_coord_bits=INTERPOLATED_BITS,
+        subtexel_bits=8,
+        mip_bits=4,
+        mixing_bits=8,
+    ),
     interpolates_snapped=True,
     clips_sides=True,
     edge_slack=2.0**-11,

@@ -42,6 +42,8 @@ class Checker:
     check: Check
     batch: int = 1
     """The largest number of jobs that one call of ``check`` takes."""
+    together: int = 1
+    """How many jobs one call takes even where others could be made at the same time."""
 
 
 def _each(check: Callable[[Job, Toolbox], Verdict]) -> Check:
@@ -110,9 +112,12 @@ def _tint(job: Job, toolbox: Toolbox) -> Verdict:
 CHECKERS: dict[str, Checker] = {
     checker.name: checker
     for checker in (
-        Checker("glslang-vulkan", ("glslang", "spirv-tools"), _each(check_vulkan_glsl)),
-        Checker("glslang-gl330", ("glslang",), check_glsl, batch=32),
-        Checker("glslang-es300", ("glslang",), check_glsl, batch=32),
+        Checker(
+            "glslang-vulkan", ("glslang", "spirv-tools"), check_vulkan_glsl,
+            batch=2, together=2,  # the stages of a program
+        ),
+        Checker("glslang-gl330", ("glslang",), check_glsl, batch=32, together=8),
+        Checker("glslang-es300", ("glslang",), check_glsl, batch=32, together=8),
         Checker("glslang-hlsl", ("glslang", "spirv-tools"), _each(check_hlsl)),
         Checker("dxc-spirv", ("dxc", "spirv-tools"), _each(_dxc_spirv)),
         Checker("dxc-dxil", ("dxc",), _each(_dxc_dxil)),
@@ -120,7 +125,7 @@ CHECKERS: dict[str, Checker] = {
         Checker("tint", ("tint", "node"), _each(_tint)),
         Checker("clang-msl", ("clang",), _each(check_against(MSL_DECLARATIONS, MSL_ENTRIES))),
     )
-}
+}  # fmt: skip
 
 
 def checkers_needing(tool: str) -> tuple[str, ...]:

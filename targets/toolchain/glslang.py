@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from .job import Job, Verdict
@@ -12,10 +12,48 @@ from .process import Outcome
 from .toolbox import Toolbox
 from .verdicts import accepted_unless_error, judge_spirv, rejected, undone
 
+_TO_VULKAN = ("-V", "--target-env", "vulkan1.1")
 
-def check_vulkan_glsl(job: Job, toolbox: Toolbox) -> Verdict:
-    """Compile GLSL for Vulkan to SPIR-V, and validate that."""
-    return _to_spirv(job, toolbox, ())
+
+def check_vulkan_glsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
+    """Compile GLSL for Vulkan to SPIR-V, and validate that.
+
+    Before the text, glslang reads the declarations of all functions that GLSL has, which takes far
+    longer. So the stages of a program share a process, which answers for all of them if it accepts
+    them without a word. Otherwise each job gets its own process, so that it is clear what is wrong
+    with which one.
+    """
+    return [verdict for program in _programs(jobs) for verdict in _program(program, toolbox)]
+
+
+def _programs(jobs: Sequence[Job]) -> Iterator[list[Job]]:
+    """The jobs in their order, those that follow each other together while their stages differ."""
+    program: list[Job] = []
+    for job in jobs:
+        if job.stage in {other.stage for other in program}:
+            yield program
+            program = []
+        program.append(job)
+    yield program
+
+
+def _program(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
+    if len(jobs) == 1:
+        return [_to_spirv(jobs[0], toolbox, ())]
+    files = [f"shader.{job.stage}" for job in jobs]
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for file, job in zip(files, jobs, strict=True):
+            (folder / file).write_text(job.text, encoding="utf-8")
+        outcome = toolbox.run("glslang", *_TO_VULKAN, *jobs[0].flags, *files, folder=folder)
+        silent = outcome.log.split() == files
+        if outcome.ending != "ended" or outcome.code != 0 or not silent:
+            return [_to_spirv(job, toolbox, ()) for job in jobs]
+        modules = [(folder / f"{job.stage}.spv").read_bytes() for job in jobs]
+    return [
+        judge_spirv(Verdict(job, "accepted", log=f"{file}\n"), module, toolbox)
+        for job, file, module in zip(jobs, files, modules, strict=True)
+    ]
 
 
 def check_hlsl(job: Job, toolbox: Toolbox) -> Verdict:
@@ -24,7 +62,7 @@ def check_hlsl(job: Job, toolbox: Toolbox) -> Verdict:
 
 
 def _to_spirv(job: Job, toolbox: Toolbox, language: tuple[str, ...]) -> Verdict:
-    arguments = (*language, "-V", "--target-env", "vulkan1.1", "-S", job.stage, *job.flags)
+    arguments = (*language, *_TO_VULKAN, "-S", job.stage, *job.flags)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "shader").write_text(job.text, encoding="utf-8")

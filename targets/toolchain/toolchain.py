@@ -66,7 +66,7 @@ class Toolchain(Closing):
             alike[job.checker, job.flags].append(index)
         for (name, _flags), indices in alike.items():
             share = -(-len(indices) // self._parallel)
-            size = min(CHECKERS[name].batch, share)
+            size = min(CHECKERS[name].batch, max(CHECKERS[name].together, share))
             yield from (indices[at : at + size] for at in range(0, len(indices), size))
 
     def _answer(self, jobs: Sequence[Job], problems: Mapping[str, str | None]) -> list[Verdict]:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import pytest
 
 from burnish.targets.toolchain import CHECKERS, Job, Toolchain
+from burnish.targets.toolchain.process import Outcome
+from burnish.targets.toolchain.toolbox import Toolbox
 
 GL = """#version 330 core
 uniform vec3 tint;
@@ -200,3 +203,52 @@ def test_verdicts_come_in_the_order_of_the_jobs(toolchain: Toolchain) -> None:
 def test_an_unknown_checker_is_the_callers_mistake(toolchain: Toolchain) -> None:
     with pytest.raises(KeyError, match="fxc"):
         toolchain.check([Job("fxc", "frag", HLSL)])
+
+
+VERTEX = """#version 450
+layout(location = 0) in vec3 place;
+layout(location = 0) out vec3 normal;
+void main() {
+  normal = place;
+  gl_Position = vec4(place, 1.0);
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("vertex", "fragment", "statuses", "processes"),
+    [
+        (VERTEX, VULKAN, ["accepted", "accepted"], 1),
+        (VERTEX, VULKAN.replace("* tint", "* hue"), ["accepted", "rejected"], 3),
+        (VERTEX.replace("= place;", "= hue;"), VULKAN, ["rejected", "accepted"], 3),
+        # No program is made of these two. Nobody has said that it should be.
+        (VERTEX, VULKAN.replace("in vec3", "in vec4").replace("normal)", "normal.xyz)"),
+         ["accepted", "accepted"], 3),
+    ],
+    ids=["both good", "bad fragment", "bad vertex", "unlike"],
+)  # fmt: skip
+def test_the_stages_of_a_program_share_a_process(
+    vertex: str,
+    fragment: str,
+    statuses: list[str],
+    processes: int,
+    toolchain: Toolchain,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The answers are those of a process for each."""
+    jobs = [
+        Job("glslang-vulkan", stage, text) for stage, text in (("vert", vertex), ("frag", fragment))
+    ]
+    alone = [toolchain.check([job], keep_spirv=True)[0] for job in jobs]
+    started = []
+    run = Toolbox.run
+
+    def counted(self: Toolbox, tool: str, *arguments: str, **options: Any) -> Outcome:
+        started.append(tool)
+        return run(self, tool, *arguments, **options)
+
+    monkeypatch.setattr(Toolbox, "run", counted)
+    verdicts = toolchain.check(jobs, keep_spirv=True)
+    assert [verdict.status for verdict in verdicts] == statuses
+    assert started.count("glslang") == processes
+    assert [(v.spirv, v.messages) for v in verdicts] == [(v.spirv, v.messages) for v in alone]
