@@ -22,7 +22,7 @@ from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
 from .compare import Bools, ends_of, says_nothing, shares
-from .error_words import blamed, causes, lines, small
+from .error_words import blamed, causes, lanes_text, lines, small
 from .plan import bounds_of
 from .rows import CaseResult, Row
 
@@ -218,11 +218,11 @@ def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
         if expected.undecided[y, x]:
             note = "undecided: what is drawn here hangs on rounding"
         rows += [
-            (route, _lanes(got), note),
-            ("  from", _lanes(low), ""),
-            ("  to", _lanes(high), ""),
+            (route, lanes_text(got), note),
+            ("  from", lanes_text(low), ""),
+            ("  to", lanes_text(high), ""),
         ]
-    rows.insert(0, ("value", _lanes(seen.result.expected.targets[target][y, x]), ""))
+    rows.insert(0, ("value", lanes_text(seen.result.expected.targets[target][y, x]), ""))
     width = max(len(name) for name, _, _ in rows)
     for name, lanes, note in rows:
         yield f"{name:<{width}}  {lanes}{'  ' + note if note else ''}"
@@ -267,7 +267,3 @@ def _width(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.float6
 
 def _quoted(name: str) -> str:
     return f"`{name}`"
-
-
-def _lanes(values: Iterable[float]) -> str:
-    return f"({', '.join(f'{value:.7g}' for value in values)})"

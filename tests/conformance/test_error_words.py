@@ -113,6 +113,17 @@ def test_jumps() -> None:
     ]
 
 
+def test_jumps_that_change_nothing_by_themselves() -> None:
+    """They are told if there is no better cause, as the bounds allow for several at once."""
+    tie = Tipping(FRACTION, "equality", False, 0.0, 5e-7, 0.0)
+    found = replace(FOUND, losses=(), contributions=(), tippings=(tie,))
+    assert list(causes(found)) == [
+        "`fract(wave * 9000)` is 0 from equality, and may be off by 5.0e-07: the bounds are those "
+        "of both sides, though this alone changes nothing (m.burnish:3)"
+    ]
+    assert tie.words not in "".join(causes(replace(FOUND, tippings=(tie,))))
+
+
 def test_blame() -> None:
     """One operation is to blame if it explains nearly all of the error."""
     assert list(blamed(FOUND)) == ["90% of what it may be off is due to `sin(uv.x)` (m.burnish:2)"]

@@ -83,7 +83,7 @@ class Tipping:
     error: float
     """How close it is to the jump, and by how much it may be off."""
     effect: float
-    """By how much the picture changes if it jumps; infinite if the pixel is discarded."""
+    """By how much the picture changes if nothing else jumps; infinite if the pixel is discarded."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -288,7 +288,7 @@ class _Explaining:
             )
             for site in self._found.sites
             for jump in site.jumps
-            if jump.effect is not None and jump.effect[self._worst] > 0
+            if jump.effect is not None
         ]  # fmt: skip
         seen = set()
         for tipping in sorted(found, key=lambda tipping: -tipping.effect):
