@@ -55,6 +55,8 @@ def causes(explanation: Explanation) -> Iterator[str]:
 
 def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
     """Those that change the pixel by themselves."""
+    for large in explanation.overflows[:1]:
+        yield _with_place(_overflow(large), large.span)
     for loss in explanation.losses[:1]:
         yield _with_place(_lossy(loss), loss.expression.span)
     for tipping in [one for one in _other_tippings(explanation) if one.effect > 0][:1]:
@@ -64,6 +66,15 @@ def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
         if worst.own > _INACCURATE * _ROUNDING * max(size, 1.0):
             text = f"`{worst.text}` {_OWN[worst.kind]} {_short(worst.own)}"
             yield _with_place(text, worst.span)
+
+
+def small(explanation: Explanation, width: float) -> str:
+    """What is said of a pixel whose bounds are wide although nothing in it loses precision."""
+    return (
+        f"no expression magnifies rounding much: at ({explanation.x}, {explanation.y}) it amounts "
+        f"to {_short(explanation.error)}, to first order, but the bounds are {_short(width)} wide, "
+        "as they do not see how errors cancel out"
+    )
 
 
 def blamed(explanation: Explanation) -> Iterator[str]:
@@ -80,6 +91,10 @@ def lines(explanation: Explanation) -> Iterator[str]:
     lane = _LANES[explanation.lane]
     value = explanation.value[explanation.lane]
     yield f"rounding may change {lane} = {value:.7g} by {_short(explanation.error)}, to first order"
+    if explanation.overflows:
+        yield from ("", "what overflows:")
+        for large in explanation.overflows:
+            yield f"  {_with_place(_overflow(large), large.span)}"
     if explanation.losses:
         yield from ("", "where precision is lost:")
         for loss in explanation.losses[:MOST]:
@@ -138,6 +153,10 @@ def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
     for row in rows:
         cells = (text.ljust(width) for text, width in zip(row, widths, strict=True))
         yield f"  {'  '.join(cells)}".rstrip()
+
+
+def _overflow(large: Expression) -> str:
+    return f"`{large.text}` is too large for float32: anything may follow"
 
 
 def _lossy(loss: Loss) -> str:

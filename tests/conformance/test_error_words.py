@@ -13,7 +13,7 @@ from burnish.compiler.reference.attribution.explanation import (
     Loss,
     Tipping,
 )
-from burnish.targets.conformance.error_words import blamed, causes, lines
+from burnish.targets.conformance.error_words import blamed, causes, lines, small
 
 TEXT = "material M {\n    wave  = sin(uv.x)\n    color = vec3(fract(wave * 9000))\n}\n"
 SOURCE = Source("m.burnish", TEXT)
@@ -84,6 +84,21 @@ def test_causes() -> None:
         "the operand of `fract(wave * 9000)` may be off by 1.25: anything may follow (m.burnish:3)",
         "`uv` is interpolated, and may be off by 0.002 (m.burnish:2)",
     ]
+
+
+def test_what_overflows_comes_first() -> None:
+    """All that follows may be anything, and what else is said of the pixel matters less."""
+    found = replace(FOUND, overflows=(PRODUCT,))
+    told = "`wave * 9000` is too large for float32: anything may follow (m.burnish:3)"
+    assert next(causes(found)) == told
+    assert list(lines(found))[2:4] == ["what overflows:", f"  {told}"]
+
+
+def test_wide_bounds_without_a_cause() -> None:
+    assert small(replace(FOUND, error=1.1e-4), 0.25) == (
+        "no expression magnifies rounding much: at (36, 28) it amounts to 1.1e-04, to first order, "
+        "but the bounds are 0.25 wide, as they do not see how errors cancel out"
+    )
 
 
 def test_jumps() -> None:
