@@ -143,6 +143,14 @@ def test_a_value_that_is_the_same_at_all_vertices_is_interpolated() -> None:
     assert found.low[0].max() < 0.7 < found.high[0].min()
 
 
+def test_nothing_is_known_of_values_whose_plane_may_overflow() -> None:
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    for large, known in ((1e38, False), (1e35, True)):
+        mesh = triangles(FULL, s=[large, 3 * large, -large])
+        found = picture(given, mesh, at(2, varying_bits=20), errors=few_ulps)
+        assert np.isfinite(found.high[0]).all() == known
+
+
 def test_values_may_be_interpolated_between_snapped_places() -> None:
     given = passing("attribute s : float\nvalue = vec4(s)")
     mesh = triangles([(-1, -1, 0, 1), (3.1, -1, 0, 1), (-1, 3.1, 0, 1)], s=[0, 4.1, 0])
@@ -150,6 +158,20 @@ def test_values_may_be_interpolated_between_snapped_places() -> None:
     snapped = picture(given, mesh, at(1, subpixel_bits=0, interpolates_snapped=True))
     assert exact == pytest.approx(1.0)
     assert snapped.targets[0][0, 0, 0] == pytest.approx(4.1 / 4)
+
+
+def test_corners_far_outside_are_snapped_with_larger_errors() -> None:
+    """Float32 has steps of 0.001 there, so that a corner may be snapped to either side."""
+    given = passing("attribute s : float\nvalue = vec4(s)")
+    rules = at(2, subpixel_bits=0, interpolates_snapped=True, clips_sides=True, varying_bits=23)
+
+    def width(far: float) -> float:
+        mesh = triangles([(-1, -1, 0, 1), (far, -1, 0, 1), (-1, 9, 0, 1)], s=[0, far, 0])
+        found = picture(given, mesh, rules, errors=few_ulps)
+        return float((found.high[0] - found.low[0])[1, 1, 0])
+
+    assert width(9999.502) > 1
+    assert width(9999.6) < 0.1
 
 
 def test_derivatives_reach_beyond_the_triangle() -> None:

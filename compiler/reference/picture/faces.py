@@ -89,7 +89,9 @@ def assemble(
     unsure = _unsure(across, down, moved[:, None], rules)
     if rules.interpolates_snapped:
         whole = _window(positions[corners], rules)
-        moved = moved + _unsure(*whole, moved[:, None], rules).max(axis=1)
+        # Corners that were clipped may be far outside of the picture, where steps are larger.
+        far = _FLOAT32_STEPS * np.maximum(*np.abs(whole))
+        moved = moved + _unsure(*whole, moved[:, None] + far, rules).max(axis=1)
     faces = Faces(
         corners=corners,
         weights=clipped.weights,
