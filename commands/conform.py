@@ -108,8 +108,7 @@ def conform(**chosen: Any) -> None:
         burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
     request = Request(**chosen)
-    if request.case is not None and request.explain is None:
-        raise click.UsageError("--case names the scene of a pixel: it goes with --explain")
+    _check_options(request)
     with told():
         _check_report(request.report)
         routes = _routes(request)
@@ -123,6 +122,19 @@ def conform(**chosen: Any) -> None:
             _write(request.report, rows, strict=request.strict)
         if not _passed(rows, asked=request.routes != "all", strict=request.strict):
             click.get_current_context().exit(FAILED)
+
+
+def _check_options(request: Request) -> None:
+    """Raise ``UsageError`` for options that would have no effect together."""
+    if request.explain is None:
+        if request.case is not None:
+            raise click.UsageError("--case names the scene of a pixel: it goes with --explain")
+        return
+    for option, given in (("--report", request.report), ("--strict", request.strict)):
+        if given:
+            raise click.UsageError(
+                f"{option} is about verdicts, which --explain does not give: leave out one of them"
+            )
 
 
 def _check_report(folder: Path | None) -> None:

@@ -216,13 +216,17 @@ INHERITED = promised(Inherited(), silent(Inherited(), _WRITTEN_OUT, "direct3d"))
 """Functions that the specifications define by other operations, or that Burnish expands."""
 
 
-def inherited(definition: str, at_least: float = 0.0) -> Accuracy:
-    """A function that all but Direct3D define by the same expression."""
+def inherited(definition: str, at_least: float = 0.0, *, direct3d: str = _WRITTEN_OUT) -> Accuracy:
+    """A function that all but Direct3D define by the same expression.
+
+    ``at_least`` is an absolute error that WGSL allows in any case, and ``direct3d`` the reason to
+    assume the expression there.
+    """
     bound = Inherited(definition)
     return promised(
         bound,
         {
             **in_table("wgsl", Inherited(definition, at_least)),
-            **silent(bound, _WRITTEN_OUT, "direct3d"),
+            **silent(bound, direct3d, "direct3d"),
         },
     )

@@ -13,11 +13,12 @@ from .row import Builtin, nowhere
 from .weakest import absolute, relative
 
 _FLOATS = ("T -> T",)
+_INSTRUCTION = "DXIL has an instruction without a limit of its error; the definition is assumed"
 _FLAT = 16.0
 """From here on tanh is 1 in float32; far beyond, the quotient of exponentials would overflow."""
 
 
-TANH = inherited("sinh(x) / cosh(x)", 1e-5)
+TANH = inherited("sinh(x) / cosh(x)", 1e-5, direct3d=_INSTRUCTION)
 
 
 def _half_sum_error(operand: float) -> float:
@@ -48,7 +49,7 @@ ROWS = (
         signatures=_FLOATS,
         meaning="numbers",
         doc="Hyperbolic sine, (exp(x) - exp(-x)) / 2. Beyond 88 it is too large for float32.",
-        accuracy=inherited("(exp(x) - exp(-x)) * 0.5"),
+        accuracy=inherited("(exp(x) - exp(-x)) * 0.5", direct3d=_INSTRUCTION),
         cost=10,
     ),
     Builtin(
@@ -57,7 +58,7 @@ ROWS = (
         meaning="numbers",
         doc="Hyperbolic cosine, (exp(x) + exp(-x)) / 2. Beyond 88 it is too large for float32.",
         range=_cosine,
-        accuracy=inherited("(exp(x) + exp(-x)) * 0.5"),
+        accuracy=inherited("(exp(x) + exp(-x)) * 0.5", direct3d=_INSTRUCTION),
         cost=10,
     ),
     Builtin(

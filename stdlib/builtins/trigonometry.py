@@ -71,7 +71,15 @@ def _of_arc(definition: str, wgsl: float) -> Accuracy:
     )
 
 
-ARC = _like_vulkan(Within(Error(ulp=4096.0)))
+_ARC = Within(Error(ulp=4096.0))
+ARC = _like_vulkan(_ARC)
+ARC_OF_POINT = _like_vulkan(
+    _ARC,
+    in_table(
+        "wgsl", _ARC,
+        beyond_assumed="WGSL limits no error where |x| is 0 or above 2^126; the same is assumed",
+    ),
+)  # fmt: skip
 ARC_SINE = _of_arc("atan2(x, sqrt(1 - x * x))", 6.81e-5)
 ARC_COSINE = _of_arc("atan2(sqrt(1 - x * x), x)", 6.77e-5)
 TANGENT = _like_vulkan(Inherited("sin(x) / cos(x)"))
@@ -202,7 +210,7 @@ ROWS = (
         ),
         expansion="atan2",
         range=_between(-math.pi, math.pi),
-        accuracy=ARC,
+        accuracy=ARC_OF_POINT,
         cost=14,
         samples=((0.0, 0.0), (0.0, -1.0), (-0.0, -1.0), (1.0, 0.0), (-1.0, -1.0)),
     ),

@@ -29,6 +29,9 @@ class Table:
     inherited: Mapping[str, str] = field(default_factory=dict)
     at_least: Mapping[str, float] = field(default_factory=dict)
     """Absolute errors that are allowed even where the inherited error is less."""
+    by_equation: str = ""
+    """Functions that the specification defines by an equation of these operations, outside of its
+    table. They inherit their error from it."""
 
 
 PI = 3.141592653589793
@@ -54,13 +57,25 @@ _SHARED = {
     "mix": "x * (1 - z) + y * z",
     "reflect": "x - 2 * dot(x, y) * y",
     "smoothstep": "t * t * (3 - 2 * t)",
+    "radians": "x * 0.01745329",
+    "degrees": "x * 57.29578",
+    "dot": "the sum of x[i] * y[i]",
+    "cross": "x[i] * y[j] - x[j] * y[i]",
+    "refract": "z * x - (z * dot(y, x) + sqrt(k)) * y",
+    "faceforward": "dot(z, y) < 0 ? x : -x",
 }
+_EQUATIONS = (
+    "mod fract mix smoothstep radians degrees sinh cosh tanh dot cross length distance normalize "
+    "reflect refract faceforward"
+)
+"""Of chapter 8 of both specifications of GLSL."""
 
 TABLES: Mapping[Platform, Table] = {
     "wgsl": Table(
         "WebGPU Shading Language, gpuweb at da251f90",
         "Accuracy of Concrete Floating Point Expressions",
-        "add sub mul neg abs ceil clamp floor ldexp max min round sign saturate step trunc",
+        "add sub mul neg abs ceil clamp floor ldexp max min round sign saturate step trunc "
+        "to_float",
         ulp={
             "div": 2.5, "inversesqrt": 2.0, "atan": 4096.0, "atan2": 4096.0,
             **_EXPONENTIALS, **_OUTSIDE,
@@ -69,25 +84,29 @@ TABLES: Mapping[Platform, Table] = {
         absolute={"sin": (2.0**-11, -PI, PI), "cos": (2.0**-11, -PI, PI), **_NEAR_ONE},
         inherited={**_SHARED, "fract": "x - floor(x)", "normalize": "x / length(x)"},
         at_least={"asin": 6.81e-5, "acos": 6.77e-5, "tanh": 1.0e-5},
+        # `x % y` cuts the quotient, so Burnish writes the equation itself.
+        by_equation="mod",
     ),
     "vulkan": Table(
         "Vulkan 1.4.360",
         "Precision of Core SPIR-V Instructions; Precision of GLSL.std.450 Instructions",
-        "add sub mul neg abs ceil clamp floor fract ldexp max min round sign step trunc outer "
-        "ddx ddy",
+        "add sub mul neg abs ceil clamp saturate floor fract ldexp max min round sign step trunc "
+        "outer ddx ddy to_float",
         ulp={
             "div": 2.5, "inversesqrt": 2.0, "atan": 4096.0, "atan2": 4096.0,
             **_EXPONENTIALS, **_OUTSIDE,
         },
         ulp_by_operand=_BY_EXPONENT,
         absolute={"sin": (2.0**-11, -PI, PI), "cos": (2.0**-11, -PI, PI), **_NEAR_ONE},
-        inherited={**_SHARED, "normalize": "x * inversesqrt(dot(x, x))"},
+        inherited={
+            **_SHARED, "normalize": "x * inversesqrt(dot(x, x))", "mod": "x - y * floor(x / y)",
+        },
     ),
     "direct3d": Table(
         "Direct3D 11.3 functional specification",
-        "3.1.3 32-bit floating point; 22.10.6 exp, 22.10.8 log, 22.10.19 rsq, 22.10.20 sincos, "
-        "22.10.21 sqrt",
-        "add sub mul",
+        "3.1.3 32-bit floating point; 3.2.2 conversions; 22.10.6 exp, 22.10.7 frc, 22.10.8 log, "
+        "22.10.19 rsq, 22.10.20 sincos, 22.10.21 sqrt",
+        "add sub mul to_float",
         ulp={"sqrt": 1.0},
         relative={"exp2": 2.0**-21, "log2": 2.0**-21, "inversesqrt": 2.0**-21},
         absolute={
@@ -95,23 +114,26 @@ TABLES: Mapping[Platform, Table] = {
             "cos": (0.0008, -100 * PI, 100 * PI),
             "log2": (2.0**-21, 0.5, 2.0),
         },
+        by_equation="div fract",
     ),
     "opengl": Table(
         "OpenGL Shading Language 4.60",
         "4.7.1 Range and Precision",
-        "add sub mul",
+        "add sub mul to_float",
         ulp={"div": 2.5, "inversesqrt": 2.0, **_EXPONENTIALS, **_OUTSIDE},
         ulp_by_operand=_BY_EXPONENT,
         absolute=_NEAR_ONE,
         inherited=_KHRONOS,
+        by_equation=_EQUATIONS,
     ),
     "es": Table(
         "OpenGL ES Shading Language 3.20",
         "4.7.1 Range and Precision",
-        "add sub mul",
+        "add sub mul to_float",
         ulp={"div": 2.5, "inversesqrt": 2.0, **_EXPONENTIALS, **_OUTSIDE},
         ulp_by_operand=_BY_EXPONENT,
         absolute=_NEAR_ONE,
         inherited=_KHRONOS,
+        by_equation=_EQUATIONS,
     ),
 }  # fmt: skip

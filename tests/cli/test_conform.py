@@ -296,6 +296,14 @@ def test_a_case_without_a_pixel() -> None:
     assert "--case names the scene of a pixel: it goes with --explain" in result.stderr
 
 
+@pytest.mark.parametrize("option", ["--strict", "--report=somewhere"])
+def test_what_explaining_a_pixel_has_no_use_for(option: str) -> None:
+    result = invoke("conform", "m.burnish", "--explain", "36,28", option)
+    assert result.exit_code == 2
+    name = option.partition("=")[0]
+    assert f"{name} is about verdicts, which --explain does not give: leave out" in result.stderr
+
+
 def test_a_driver_that_breaks_down(monkeypatch: pytest.MonkeyPatch) -> None:
     worker = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
     monkeypatch.setattr(routes.DriverRow, "command", lambda *_: worker)

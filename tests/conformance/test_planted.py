@@ -9,7 +9,14 @@ import pytest
 from burnish.targets.conformance.rows import Row
 
 from .kit import Studio
-from .planted import in_compiler, in_last_places, in_reference, in_runtime, in_targets
+from .planted import (
+    in_compiler,
+    in_last_places,
+    in_library,
+    in_reference,
+    in_runtime,
+    in_targets,
+)
 from .planted.planting import Planted
 from .subjects import row
 
@@ -17,6 +24,7 @@ PLANTED = [
     *in_targets.PLANTED,
     *in_last_places.PLANTED,
     *in_compiler.PLANTED,
+    *in_library.PLANTED,
     *in_runtime.PLANTED,
     *in_reference.PLANTED,
 ]

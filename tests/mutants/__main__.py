@@ -8,7 +8,8 @@ mutant is a survivor, which is either equivalent or shows a hole in the tests.
     python -m tests.mutants --area passes --seed 7    # of one part
     python -m tests.mutants --file targets/emit/wrapping.py --count 0    # all of one file
 
-The seed determines which mutants are chosen. Each takes a few seconds.
+The seed determines which mutants are chosen. Each takes a second or less: only materials that run
+the changed line are compiled, only texts that differ are drawn, and small pictures come first.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections import Counter
 from pathlib import Path
 
-from .copies import copy
+from .copies import MATERIALS, MOST, copy
 from .places import AREAS, Mutant, mutants
 
 
@@ -30,13 +31,14 @@ def main() -> None:
     chosen = _chosen(asked)
     print(f"{len(chosen)} mutants, seed {asked.seed}", flush=True)
     counts: dict[str, Counter[str]] = {}
-    with tempfile.TemporaryDirectory() as folder, copy(Path(folder) / "copy") as package:
+    with tempfile.TemporaryDirectory() as folder, copy(Path(folder), asked.materials) as package:
+        known = package.known(asked.known, drawn=True)
         for mutant in chosen:
-            found = package.judged(mutant)
+            found = package.judged(mutant, known, asked.most)
             counts.setdefault(mutant.area, Counter())[found.verdict] += 1
-            print(f"{found.verdict:9}{mutant}", flush=True)
-            if found.verdict != "same":
-                print(f"{'':9}{found.by or '; '.join(found.different)}", flush=True)
+            print(f"{found.verdict:9} {mutant}", flush=True)
+            if why := found.by or "; ".join(found.different):
+                print(f"{'':9} {why}", flush=True)
     for area, counter in counts.items():
         print(f"{area:12}", ", ".join(f"{n} {verdict}" for verdict, n in counter.items()))
     sys.exit(any(counter["survived"] for counter in counts.values()))
@@ -63,6 +65,9 @@ def _asked() -> Namespace:
     parser.add_argument("--count", type=int, default=50, help="about how many; 0 for all")
     parser.add_argument("--area", action="append", choices=list(AREAS), help="a part; repeatable")
     parser.add_argument("--file", default="", help="only files whose paths contain this")
+    parser.add_argument("--materials", type=Path, nargs="+", default=MATERIALS, help="folders")
+    parser.add_argument("--most", type=int, default=MOST, help="how many materials judge each")
+    parser.add_argument("--known", type=Path, help="keeps what is known of the unchanged package")
     return parser.parse_args()
 
 

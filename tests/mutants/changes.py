@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TypeGuard
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,6 +159,24 @@ class _Finder:
     def _text(self, node: ast.expr) -> str:
         start, end = self._span(node)
         return self._source[start:end].decode()
+
+
+def statement_lines(source: bytes, offset: int) -> range:
+    """The lines of the innermost statement at an offset of a module; of one that has statements in
+    it, only those before them."""
+    line = source.count(b"\n", 0, offset) + 1
+    found = range(line, line + 1)
+    for node in ast.walk(ast.parse(source)):  # outer ones come first
+        if isinstance(node, ast.stmt) and node.end_lineno is not None:
+            inner = [part.lineno for part in ast.walk(node) if _is_inside(part, node)]
+            end = max(node.lineno, min(inner, default=node.end_lineno + 1) - 1)
+            if node.lineno <= line <= end:
+                found = range(node.lineno, end + 1)
+    return found
+
+
+def _is_inside(part: ast.AST, node: ast.stmt) -> TypeGuard[ast.stmt]:
+    return isinstance(part, ast.stmt) and part is not node
 
 
 def _parts(node: ast.AST) -> Iterator[ast.AST]:

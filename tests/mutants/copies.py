@@ -6,20 +6,26 @@ import json
 import os
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from subprocess import TimeoutExpired
+from subprocess import DEVNULL, PIPE
+from typing import Any
 
-from ..suite import processes
-from .places import ROOT, Mutant
+from ..suite.processes import Program, started
+from .places import DRAWING, ROOT, Mutant
 
 JUDGE = Path(__file__).with_name("judge.py")
-MATERIALS = ROOT / "tests" / "conformance" / "materials"
+MATERIALS = (ROOT / "tests" / "conformance" / "materials",)
 
-PATIENCE = 60.0
-"""How many seconds a mutant has; one that takes longer hangs, or is as good as that."""
+MOST = 16
+"""How many materials judge a mutant, unless somebody asks for more. Few mutants that sixteen of
+the materials that run its line do not show are shown by others."""
+LIMIT = 300.0
+"""Within how many seconds an answer comes, as the judge has less patience."""
+LONG = 3600.0
+"""The same for a question about all materials."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,58 +33,118 @@ class Judgement:
     """What became of a mutant."""
 
     verdict: str
-    """``caught``; ``same`` if no text and nothing that a driver is told differs; or ``survived``:
-    something differs, but all pictures agree."""
+    """``caught``; ``unreached`` if no material runs the line; ``same`` if no text and nothing that
+    a driver is told differs; ``same code`` if only texts differ, and compilers make the same code
+    of them; or ``survived``: something differs, but all pictures agree."""
     by: str = ""
     """The material and the route that show it, or the exception."""
     different: list[str] = field(default_factory=list)
     """Of a survivor, the materials and routes that differ."""
 
 
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What is known of the unchanged package."""
+
+    behaviour: Mapping[str, str]
+    """Digests of what each material comes to on each route."""
+    reached: Mapping[str, Sequence[str]]
+    """For each line, ``path:line``, the materials that run it; the import runs it for ``""``."""
+    materials: Sequence[str]
+    """All of them, in their order."""
+
+    def runs(self, path: str, materials: Iterable[str]) -> dict[str, set[str]]:
+        """The lines of a file that each of some materials runs."""
+        found: dict[str, set[str]] = {name: set() for name in materials}
+        for line, names in self.reached.items():
+            if line.startswith(f"{path}:"):
+                for name in found.keys() & set(names):
+                    found[name].add(line)
+        return found
+
+
 class Copy:
-    """A copy of the package in a folder of its own."""
+    """A copy of the package in a folder of its own, and the process that judges mutants of it."""
 
-    def __init__(self, folder: Path, materials: Path = MATERIALS) -> None:
-        """``folder`` must be empty; it has the unchanged package's behaviour, too."""
-        self._folder, self._materials = folder, materials
-        self._package = folder / "burnish"
-        ignored = shutil.ignore_patterns("__pycache__", "tests", "build", "docs", ".*")
-        shutil.copytree(ROOT, self._package, ignore=ignored)
-        self._behaviour = folder / "behaviour.json"
-        written = self._run("--write")
-        assert written.verdict == "written", written
+    def __init__(self, folder: Path, judge: Program, package: Path) -> None:
+        """Of ``folder``, which has the package; see ``copy``."""
+        self._folder, self._judge, self._package = folder, judge, package
 
-    def judged(self, mutant: Mutant) -> Judgement:
-        """The verdict on a mutant; afterwards the copy is unchanged again."""
+    def known(self, kept: Path | None = None, *, drawn: bool = False) -> Known:
+        """What all materials come to without a mutant, and which lines they run; with ``drawn``
+        also what compilers make of their texts, and what is run to draw them. It is taken from
+        the file ``kept``, or else written there, so that a next run need not look again."""
+        into = kept or self._folder / "known.json"
+        if not into.exists():
+            self._answer({"kind": "known", "into": str(into), "everything": drawn}, LONG)
+        behaviour, reached = json.loads(into.read_text("utf-8")).values()
+        materials = dict.fromkeys(name for names in reached.values() for name in names if name)
+        return Known(behaviour, reached, sorted(materials))
+
+    def judged(self, mutant: Mutant, known: Known, most: int = MOST) -> Judgement:
+        """The verdict on a mutant, by at most so many materials; afterwards the copy is unchanged
+        again."""
+        materials = _that_show(mutant, known, most)
+        if not materials:
+            return Judgement("unreached")
+        labels = {f"{Path(each).stem}{each[each.rindex(': ') :]}" for each in materials}
         path = self._package / mutant.path
-        source = path.read_bytes()
+        status, source = path.stat(), path.read_bytes()
         path.write_bytes(mutant.change.applied(source))
         try:
-            return self._run(*["--all"] * (mutant.area == "drivers"))
+            answer = self._answer({
+                "kind": "mutant",
+                "path": mutant.path,
+                "materials": materials,
+                "known": {k: v for k, v in known.behaviour.items() if k.split(", ")[0] in labels},
+                "everything": mutant.area in DRAWING,
+            }, LIMIT)  # fmt: skip
         finally:
             path.write_bytes(source)
+            # Python takes code from its cache if a file has the time that it had.
+            os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
+        return Judgement(**answer)
 
-    def _run(self, *options: str) -> Judgement:
-        command = [
-            sys.executable, str(JUDGE), str(self._materials), str(self._behaviour), *options
-        ]  # fmt: skip
-        # No code may be taken from another mutant's cache.
-        env = {**os.environ, "PYTHONPATH": str(self._folder), "PYTHONDONTWRITEBYTECODE": "1"}
-        try:
-            done = processes.run(command, env=env, cwd=self._folder, limit=PATIENCE)
-        except TimeoutExpired:
-            return Judgement("caught", "takes too long")
-        lines = done.stdout.splitlines()
-        if not lines or not lines[-1].startswith("{"):
-            return Judgement("caught", f"ends with {done.returncode}: {done.stderr[-200:]}")
-        return Judgement(**json.loads(lines[-1]))
+    def _answer(self, question: Mapping[str, Any], limit: float) -> dict[str, Any]:
+        self._judge.write(json.dumps(question).encode() + b"\n")
+        line = self._judge.line(limit)
+        assert line.endswith(b"\n"), "the judge has ended"
+        answer: dict[str, Any] = json.loads(line)
+        return answer
+
+
+def _that_show(mutant: Mutant, known: Known, most: int) -> Sequence[str]:
+    """Of the materials that run a mutant's lines, at most so many, which together run as much of
+    its file as possible. All materials count, if the import runs the lines, or if nobody can say
+    who does."""
+    found = set()
+    for line in mutant.lines:
+        found |= set(known.reached.get(f"{mutant.path}:{line}", ()))
+    anything = "" in found or not mutant.path.endswith(".py") or mutant.area == "drivers"
+    waiting = known.runs(mutant.path, known.materials if anything else sorted(found))
+    shown: list[str] = []
+    run: set[str] = set()
+    while waiting and len(shown) < most:
+        best = max(waiting, key=lambda name: (len(waiting[name] - run), -len(waiting[name])))
+        run |= waiting.pop(best)
+        shown.append(best)
+    return shown
 
 
 @contextmanager
-def copy(folder: Path) -> Iterator[Copy]:
-    """A copy that is deleted again."""
-    folder.mkdir(parents=True)
-    try:
-        yield Copy(folder)
-    finally:
-        shutil.rmtree(folder)
+def copy(folder: Path, materials: Sequence[Path] = MATERIALS) -> Iterator[Copy]:
+    """A copy that is judged by the materials of some folders; it is deleted again."""
+    package = folder / "burnish"
+    ignored = shutil.ignore_patterns("tests", "build", "docs", ".*")
+    shutil.copytree(ROOT, package, ignore=ignored)
+    # No code may be taken from another mutant's cache.
+    env = {
+        **os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1",
+        "OPENBLAS_NUM_THREADS": "1", "BURNISH_CACHE": str(folder / "cache"),
+    }  # fmt: skip
+    command = [sys.executable, str(JUDGE), *map(str, materials)]
+    with started(command, cwd=folder, env=env, stdin=PIPE, stderr=DEVNULL, stdout=PIPE) as judge:
+        try:
+            yield Copy(folder, judge, package)
+        finally:
+            shutil.rmtree(folder)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import burnish
 
-from .changes import Change, changes, template_changes
+from .changes import Change, changes, statement_lines, template_changes
 
 ROOT = Path(burnish.__file__).parent
 
@@ -25,9 +25,13 @@ AREAS: Mapping[str, tuple[str, ...]] = {
     "textures": ("targets/runner/textures/*.py",),
     "scenes": ("targets/runner/scene*.py", "targets/runner/binding.py"),
     "drivers": ("targets/runner/drivers/vulkan/*.py", "targets/runner/drivers/readback.py"),
+    "reference": ("compiler/reference/*.py", "compiler/reference/picture/*.py"),
+    "bounds": ("compiler/reference/bounds/*.py",),
 }  # fmt: skip
-"""Which files of the package each part has. The reference is not among them: both sides of its
-tests, such as ``tests/reference``, do not share it."""
+"""Which files of the package each part has."""
+
+DRAWING = frozenset({"drivers", "reference", "bounds"})
+"""The parts that draw. Their mutants change pictures, but no texts and nothing that is told."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +42,13 @@ class Mutant:
     path: str
     """Relative to the package."""
     change: Change
+
+    @property
+    def lines(self) -> range:
+        """The lines of the statement that is changed, in a module of Python; none in a template."""
+        if not self.path.endswith(".py"):
+            return range(0)
+        return statement_lines((ROOT / self.path).read_bytes(), self.change.start)
 
     def __str__(self) -> str:
         return f"{self.path}:{self.change.told((ROOT / self.path).read_bytes())}"

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
 from .changes import Change, changes, template_changes
-from .copies import MATERIALS, Copy
+from .copies import MATERIALS, Copy, Judgement, Known, copy
 from .places import AREAS, ROOT, Mutant, mutants
+from .texts import text_changes
 
 NOTICED = [
     ("compiler/passes/rules/bounds.py", ".lo >= 0, drops", ".lo <= 0, drops"),
@@ -29,17 +31,26 @@ SAME = ("compiler/ir/storage.py", "LANE = 4", "LANE = 2 + 2")
 """A change that changes nothing."""
 
 
-@pytest.fixture(scope="module")
-def few(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Copy]:
+@dataclass(frozen=True)
+class Few:
     """A copy of the package that is judged by a few materials."""
+
+    package: Copy
+    known: Known
+
+    def judged(self, mutant: Mutant) -> Judgement:
+        return self.package.judged(mutant, self.known)
+
+
+@pytest.fixture(scope="module")
+def few(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Few]:
     folder = tmp_path_factory.mktemp("mutants")
     materials = folder / "materials"
     materials.mkdir()
     for name in ("operations", "integers"):
-        shutil.copy(MATERIALS / f"{name}.burnish", materials)
-    (folder / "copy").mkdir()
-    yield Copy(folder / "copy", materials)
-    shutil.rmtree(folder)
+        shutil.copy(MATERIALS[0] / f"{name}.burnish", materials)
+    with copy(folder / "copy", [materials]) as package:
+        yield Few(package, package.known())
 
 
 def _mutant(path: str, before: str, after: str) -> Mutant:
@@ -51,18 +62,18 @@ def _mutant(path: str, before: str, after: str) -> Mutant:
 
 
 @pytest.mark.parametrize(("path", "before", "after"), NOTICED)
-def test_it_is_noticed(few: Copy, path: str, before: str, after: str) -> None:
+def test_it_is_noticed(few: Few, path: str, before: str, after: str) -> None:
     found = few.judged(_mutant(path, before, after))
     assert found.verdict == "caught"
     assert found.by.endswith((": differs", ": failed")), found.by
 
 
-def test_what_changes_nothing_is_the_same(few: Copy) -> None:
+def test_what_changes_nothing_is_the_same(few: Few) -> None:
     found = few.judged(_mutant(*SAME))
     assert found.verdict == "same"
 
 
-def test_the_copy_is_unchanged_afterwards(few: Copy) -> None:
+def test_the_copy_is_unchanged_afterwards(few: Few) -> None:
     few.judged(_mutant("compiler/ir/storage.py", "LANE = 4", "LANE ="))
     assert few.judged(_mutant(*SAME)).verdict == "same"
 
@@ -111,6 +122,37 @@ def test_changes_of_a_template() -> None:
         "1 condition: flat -> not (flat)",
         "2 line: flat; -> nothing",
     ]
+
+
+TEXT = """layout(set = 1, binding = 0) uniform Material {
+    vec3 base;
+    float power;
+};
+flat in vec2 v_uv;
+void main() {
+    // a - b
+    out_color = base.x < 2.5 ? max(base[1], 0.0) - power : 1.5 / power;
+}
+"""
+TEXT_CHANGES = [
+    "8 operand order: '1.5 / power' -> 'power / 1.5'",
+    "8 operator: ' < ' -> ' <= '",
+    "8 operator: ' - ' -> ' + '",
+    "8 operator: ' / ' -> ' * '",
+    "8 constant: '2.5' -> '2.5000009536743164'",
+    "8 constant: '1.5' -> '1.5000004768371582'",
+    "8 lanes: '.x' -> '.y'",
+    "8 guard: 'max(base[1], 0.0)' -> '(base[1])'",
+    "8 function: 'max' -> 'min'",
+    "8 index: '[1]' -> '[0]'",
+    "5 qualifier: 'flat ' -> ''",
+    "1 binding: 'binding = 0' -> 'binding = 1'",
+    "2 members: '    vec3 base;\\n    float power;' -> '    float power;\\n    vec3 base;'",
+]
+
+
+def test_changes_of_an_emitted_text() -> None:
+    assert [change.told(TEXT) for change in text_changes(TEXT)] == TEXT_CHANGES
 
 
 def test_all_of_the_package_that_is_named_is_there() -> None:

@@ -19,6 +19,8 @@ from .scene import Floats, Ints, RasterRules
 _FLUSHED = 2.0**-120
 """The error of a mean where a device may take small numbers of the computation for zero. Means of
 nothing but zeros are exact."""
+
+
 _OVERFLOWS = 2.0**124
 """A plane through larger numbers may become infinite on its way."""
 
@@ -132,11 +134,11 @@ class Barycentric:
         # Those of the whole triangle, because the clipped part decides how its planes are rounded.
         near = self._faces.per_w[self._face]
         largest = np.abs(corners).max(axis=1) * np.abs(near).max(axis=1)
-        bound = self._largest(parts * near, largest)
-        planes = self._nudge * bound / np.abs(self.per_w.value)
-        # A device multiplies by distances in the picture before it divides by the face's area.
-        planes = np.where(bound * self._extent**2 > _OVERFLOWS, np.inf, planes)
         flushed = self._flushed * (largest > 0)[:, None, None]
+        largest = self._largest(parts * near, largest)
+        planes = self._nudge * largest / np.abs(self.per_w.value)
+        # A device multiplies by distances in the picture before it divides by the face's area.
+        planes = np.where(largest * self._extent**2 > _OVERFLOWS, np.inf, planes)
         off = planes + self._far * np.abs(value) + flushed
         a, b, c = parts.T[:, :, None, None]
         second, third = np.abs(b - a), np.abs(c - a)

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from burnish.compiler.ir import range_rules
-from burnish.compiler.passes import guard, move_to_vertices
+from burnish.compiler.ir import range_rules, ranges
+from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.refinements import refinements
+from burnish.compiler.passes import guard, move_to_vertices, path_conditions, split_stages
+from burnish.compiler.passes.rules import table
+from burnish.compiler.passes.rules.rule import operand
 from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, Fact
@@ -34,6 +40,42 @@ def claimed(builtin: str, rule: RangeRule) -> Plant:
         patch.setattr(range_rules, "BUILTINS", {**BUILTINS, builtin: row})
 
     return plant
+
+
+Known = Sequence[Fact]
+
+
+def derived(operation: str, derive: Callable[[Any, Node, Known], Fact]) -> Plant:
+    """Give an operation that is no builtin a range rule that its values do not obey."""
+
+    def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
+        row = changed(range_rules.RULES[operation], derive=derive)
+        patch.setattr(ranges, "RULES", {**range_rules.RULES, operation: row})
+
+    return plant
+
+
+def turning(analysis: Any, node: Node, known: Known) -> Fact:
+    """The range of a fold that makes a turn at least, which many do not."""
+    count, start, body = known
+    at_least = changed(count, lo=max(count.lo, 1.0))
+    return range_rules.RULES["fold"].derive(analysis, node, (at_least, start, body))
+
+
+def rewriting(name: str, **changes: Any) -> Plant:
+    """Make a rule of ``simplify`` wrong."""
+
+    def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
+        assert any(rule.name == name for rule in table.RULES)
+        rules = [changed(r, **changes) if r.name == name else r for r in table.RULES]
+        patch.setattr(table, "ALL", table.RuleTable(rules))
+
+    return plant
+
+
+def _holding(fact: Any, condition: Any, _holds: bool, without: Any) -> Any:
+    """What a condition says where it holds, wherever that is asked."""
+    return refinements(fact, condition, True, without)
 
 
 GUARDS = [
@@ -81,6 +123,30 @@ PLANTED = [
             claimed("mul", lambda _facts, _same: UNIT)),
     Planted("absolute values are not zero", "integers: Unsigned", QUICKEST["glsl"],
             claimed("abs", lambda _facts, _same: Fact(1.0, 9.0))),
+    Planted("conditions hold on both sides", "operations: Simplified", QUICKEST["glsl"],
+            replaced(path_conditions, "refinements", _holding)),
+    Planted("reads within branches", "choices: Reads", "chromium:webgpu",
+            replaced(split_stages, "needing_uniform_flow", lambda _nodes: frozenset()), "failed"),
+    Planted("magnitudes are not zero", "rules: Zeros", QUICKEST["hlsl"],
+            claimed("abs", lambda _facts, _same: Fact(1.0, 9.0))),
+    Planted("squares are not zero", "rules: Zeros", QUICKEST["wgsl"],
+            claimed("mul", lambda _facts, _same: Fact(1.0, 9.0))),
+    Planted("lengths are not zero", "rules: Zeros", QUICKEST["glsl"],
+            claimed("length", lambda _facts, _same: Fact(1.0, 9.0))),
+    Planted("folds make a turn at least", "rules: Guarded", QUICKEST["glsl"],
+            derived("fold", turning)),
+    Planted("folds are never negative", "rules: Guarded", QUICKEST["hlsl"],
+            derived("fold", lambda _ranges, _node, _known: Fact(0.0))),
+    Planted("states stay what they were at the start", "rules: Guarded", QUICKEST["wgsl"],
+            derived("iterate", lambda _ranges, _node, known: known[1])),
+    Planted("what crosses is never negative", "rules: Guarded", QUICKEST["glsl"],
+            derived("cross", lambda _ranges, _node, _known: Fact(0.0))),
+    Planted("a sum of constant terms without the second", "rules: Gathered", QUICKEST["glsl"],
+            rewriting("constants added", gives=operand(0))),
+    Planted("a product of constant factors without the second", "rules: Gathered",
+            QUICKEST["hlsl"], rewriting("constant factors", gives=operand(0))),
+    Planted("a common factor without the other one", "rules: Gathered", QUICKEST["wgsl"],
+            rewriting("common factor", gives=operand(0))),
     Planted("everything is affine", "pipeline: Crossing", QUICKEST["glsl"],
             replaced(move_to_vertices, "_is_affine", lambda _node: True)),
 ]  # fmt: skip

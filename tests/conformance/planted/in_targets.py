@@ -10,7 +10,7 @@ from burnish.compiler.ir.operations import SWIZZLE
 from burnish.compiler.ir.program import Varying
 from burnish.frozen import changed
 from burnish.targets.description.spellings import Spelling
-from burnish.targets.emit import leaves
+from burnish.targets.emit import leaves, precedence
 from burnish.targets.emit.expressions import Expressions
 from burnish.targets.emit.precedence import POSTFIX, Printed, within
 
@@ -176,6 +176,9 @@ def _shifted(varyings: Iterable[Varying]) -> Iterator[Any]:
         yield key, (slot, max(first - 1, 0), total)
 
 
+LOOSE = precedence.Infix(precedence.Binding.PREFIX, precedence.Binding.SUM)
+"""An operator of which the operands get no parentheses."""
+
 FORMS = [
     Planted("?: the wrong way round", "integers: Compared", GLSL,
             form("glsl", select="({condition} ? {otherwise} : {then})")),
@@ -195,6 +198,10 @@ FORMS = [
     Planted("row-major blocks", "storage: Products", HLSL,
             target("hlsl", lambda whole: changed(
                 whole, types=changed(whole.types, stored_matrix="row_major {type}"))), "failed"),
+    Planted("no parentheses in divisors", "rules: Nested", GLSL,
+            replaced(precedence, "INFIX", {**precedence.INFIX, "/": LOOSE})),
+    Planted("no parentheses in subtracted sums", "rules: Nested", HLSL,
+            replaced(precedence, "INFIX", {**precedence.INFIX, "-": LOOSE})),
     Planted("swizzles backwards", "storage: Plain", GLSL,
             replaced(Expressions, "PRINTERS", {**Expressions.PRINTERS, "swizzle": _reversed})),
     Planted("lanes of a shared varying shifted", "pipeline: Crossing", WGSL,

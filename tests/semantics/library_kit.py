@@ -1,0 +1,79 @@
+"""A mesh of one point, and what the library makes of it: for tests that compare it with NumPy.
+
+Devices and the reference draw the same library, so no comparison of pictures finds a wrong formula
+in it. These tests write the formulas anew, from what the library's comments say.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from burnish.compiler.reference.namespace import Lanes
+
+from .kit import Given, color
+
+Floats = NDArray[np.float64]
+
+
+def unit(v: Any) -> Floats:
+    """The vector of length one in the same direction."""
+    return np.asarray(np.asarray(v, np.float64) / np.linalg.norm(v))
+
+
+def columns(m: Any) -> Lanes:
+    """A matrix as the kit takes it."""
+    return tuple(tuple(map(float, column)) for column in np.asarray(m).T)
+
+
+def lanes(v: Any) -> Lanes:
+    return tuple(map(float, v))
+
+
+def moved(matrix: Floats, point: Any) -> Floats:
+    """A point, moved by a matrix."""
+    return np.asarray(matrix[:3, :3] @ np.asarray(point) + matrix[:3, 3])
+
+
+WORLD = np.array(
+    [[1.2, -0.4, 0.1, 0.3], [0.5, 0.7, -0.2, -0.6], [-0.1, 0.3, 0.9, 0.2], [0.0, 0.0, 0.0, 1.0]]
+)
+CLIP = np.array(
+    [[0.9, 0.1, -0.2, 0.4], [0.0, 1.3, 0.3, -0.1], [0.2, -0.3, -1.1, 0.7], [0.1, 0.2, -0.8, 2.0]]
+)
+PLACE, NORMAL, EYE = (0.4, -0.3, 0.6), (0.3, 0.8, 0.5), (1.5, -0.7, 2.2)
+MESH: Given = {
+    "vertex_position": PLACE,
+    "vertex_normal": NORMAL,
+    "vertex_uv": (0.3, 0.8),
+    "object_to_world": columns(WORLD),
+    "view_projection": columns(CLIP),
+    "eye": EYE,
+}
+
+
+def upright(matrix: Any, normal: Any) -> Floats:
+    """A normal, moved so that it stays at a right angle to the surface."""
+    return np.asarray(np.linalg.inv(np.asarray(matrix)[:3, :3]).T @ np.asarray(normal))
+
+
+POSITION_IN_WORLD = moved(WORLD, PLACE)
+NORMAL_IN_WORLD = unit(upright(WORLD, NORMAL))
+TO_EYE = unit(EYE - POSITION_IN_WORLD)
+
+
+def shown(text: str, /, **given: Any) -> Floats:
+    """The colour of the only material of a text, on the mesh."""
+    return np.array(color(text, {**MESH, **given}))
+
+
+def of(expression: str, header: str = "M", imports: str = "", /, **given: Any) -> Floats:
+    """An expression in a material whose header is given, on the mesh."""
+    return shown(f"{imports}\nmaterial {header} {{ color = vec3({expression}) }}", **given)
+
+
+def close(expected: Any) -> Any:
+    return pytest.approx(np.asarray(expected, np.float64), rel=1e-9, abs=1e-12)

@@ -1,0 +1,137 @@
+"""What the library's lights and terms compute, against NumPy (``library_kit`` says why)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from .library_kit import (
+    NORMAL_IN_WORLD,
+    POSITION_IN_WORLD,
+    TO_EYE,
+    Floats,
+    close,
+    lanes,
+    shown,
+    unit,
+)
+
+# --- lights --------------------------------------------------------------------------------------
+
+LIT = "ambient(#000) + lambert(vec3(1))"
+TINT = (0.9, 0.5, 0.2)
+
+
+def lit(light: str, term: str, /, **given: Any) -> Floats:
+    """A term under one light."""
+    name = light.partition(" ")[0]
+    text = (
+        f"import std.lights.{{{name}}}\nimport std.terms.{{ambient, lambert, phong, blinn_phong}}\n"
+        f"material M {{ color = {term} }}\nrig R {{ lamp : {light} }}"
+    )
+    named = {f"lamp.{member}": value for member, value in given.items()}
+    return shown(text, **named)
+
+
+def lambert(to_light: Any, arriving: Any) -> Floats:
+    return max(float(NORMAL_IN_WORLD @ to_light), 0.0) * np.asarray(arriving)
+
+
+def test_a_directional_light_travels_along_its_direction() -> None:
+    direction = unit((-0.2, -0.9, -0.4))
+    found = lit("Directional", LIT, direction=lanes(direction), diffuse_color=TINT)
+    assert found == close(lambert(-direction, TINT))
+    assert found.min() > 0
+    behind = lit("Directional", LIT, direction=lanes(-direction), diffuse_color=TINT)
+    assert behind == close((0, 0, 0))
+
+
+LAMP = POSITION_IN_WORLD + np.array((0.3, 1.4, 0.8))
+TO_LAMP = unit(LAMP - POSITION_IN_WORLD)
+
+
+def test_a_point_light_shines_from_its_place() -> None:
+    found = lit("Point", LIT, place=lanes(LAMP), diffuse_color=TINT)
+    assert found == close(lambert(TO_LAMP, TINT))
+
+
+@pytest.mark.parametrize("turn", [0.0, 14.0, 22.0, 29.0, 31.0, 80.0])
+def test_a_spot_fades_between_its_cones(turn: float) -> None:
+    inner, outer = math.radians(15.0), math.radians(30.0)
+    across = unit(np.cross(TO_LAMP, (1.0, 0.0, 0.0)))
+    axis = -TO_LAMP * math.cos(math.radians(turn)) + across * math.sin(math.radians(turn))
+    found = lit("Spot", LIT, place=lanes(LAMP), diffuse_color=TINT, axis=lanes(axis),
+                inner=inner, outer=outer)  # fmt: skip
+    width = math.cos(inner) - math.cos(outer)
+    part = min(max((math.cos(math.radians(turn)) - math.cos(outer)) / width, 0.0), 1.0)
+    falloff = part * part * (3.0 - 2.0 * part)
+    assert found == close(falloff * lambert(TO_LAMP, TINT))
+    assert (falloff > 0) == (turn < 30.0)
+
+
+def test_highlights_fade_like_the_rest() -> None:
+    """Exactly between the cones, in the cosine, half of both arrives."""
+    inner, outer = math.radians(10.0), math.radians(50.0)
+    cosine = (math.cos(inner) + math.cos(outer)) / 2
+    across = unit(np.cross(TO_LAMP, (1.0, 0.0, 0.0)))
+    axis = -TO_LAMP * cosine + across * math.sqrt(1.0 - cosine * cosine)
+    given = {"place": lanes(LAMP), "specular_color": TINT, "inner": inner, "outer": outer}
+    there = lit("Spot", "phong(vec3(1), 5)", axis=lanes(-TO_LAMP), **given)
+    assert there.min() > 0
+    assert lit("Spot", "phong(vec3(1), 5)", axis=lanes(axis), **given) == close(there / 2)
+
+
+@pytest.mark.parametrize("turn", [10.0, 60.0, 120.0])
+def test_a_focused_spot_narrows_and_fades_with_the_square(turn: float) -> None:
+    across = unit(np.cross(TO_LAMP, (1.0, 0.0, 0.0)))
+    cosine = math.cos(math.radians(turn))
+    axis = -TO_LAMP * cosine + across * math.sin(math.radians(turn))
+    found = lit("FocusedSpot", LIT, place=lanes(LAMP), diffuse_color=TINT, axis=lanes(axis),
+                peak=7.0, focus=3.0)  # fmt: skip
+    distance = float(np.linalg.norm(LAMP - POSITION_IN_WORLD))
+    falloff = 7.0 * max(cosine, 0.0) ** 3 / distance**2
+    assert found == close(falloff * lambert(TO_LAMP, TINT))
+
+
+# --- terms ---------------------------------------------------------------------------------------
+
+SURFACE = (0.7, 0.4, 0.25)
+
+
+def test_ambient_light() -> None:
+    found = shown(
+        "import std.terms.{ambient}\nmaterial M { color = ambient(vec3(0.7, 0.4, 0.25)) }",
+        ambient_light=(0.2, 0.3, 0.4),
+    )
+    assert found == close(np.multiply(SURFACE, (0.2, 0.3, 0.4)))
+
+
+@pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8)])
+def test_a_highlight_after_phong(place: Any) -> None:
+    to_lamp = unit(place - POSITION_IN_WORLD)
+    cosine = float(NORMAL_IN_WORLD @ to_lamp)
+    mirrored = 2.0 * cosine * NORMAL_IN_WORLD - to_lamp
+    power = max(float(mirrored @ TO_EYE), 0.0) ** 5 if cosine > 0 else 0.0
+    found = lit("Point", "phong(vec3(0.7, 0.4, 0.25), 5)", place=lanes(place), specular_color=TINT)
+    assert found == close(power * np.multiply(SURFACE, TINT))
+
+
+@pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8)])
+def test_a_surface_after_blinn_and_phong(place: Any) -> None:
+    to_lamp = unit(place - POSITION_IN_WORLD)
+    cosine, half = float(NORMAL_IN_WORLD @ to_lamp), unit(to_lamp + TO_EYE)
+    highlight = max(float(NORMAL_IN_WORLD @ half), 0.0) ** 5 if cosine >= 0 else 0.0
+    arriving, shining = np.array(TINT), np.array((0.3, 0.6, 0.8))
+    found = lit("Point", "blinn_phong(vec3(0.7, 0.4, 0.25), 5)", place=lanes(place),
+                diffuse_color=TINT, specular_color=(0.3, 0.6, 0.8))  # fmt: skip
+    assert found == close(np.multiply(SURFACE, arriving) * max(cosine, 0.0) + shining * highlight)
+
+
+def test_both_highlights_are_seen_from_here() -> None:
+    """Otherwise the tests above would compare zeros."""
+    mirrored = 2.0 * (NORMAL_IN_WORLD @ TO_LAMP) * NORMAL_IN_WORLD - TO_LAMP
+    assert mirrored @ TO_EYE > 0.1
+    assert NORMAL_IN_WORLD @ unit(TO_LAMP + TO_EYE) > 0.1

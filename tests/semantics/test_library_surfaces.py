@@ -1,0 +1,261 @@
+"""What the library's surfaces, mixins and transforms compute, against NumPy.
+
+``library_kit`` says why.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import pytest
+
+from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
+from burnish.compiler.reference.namespace import Lanes
+
+from .kit import Painted, at, shader
+from .library_kit import (
+    CLIP,
+    EYE,
+    MESH,
+    NORMAL,
+    NORMAL_IN_WORLD,
+    PLACE,
+    POSITION_IN_WORLD,
+    TO_EYE,
+    WORLD,
+    Floats,
+    close,
+    columns,
+    moved,
+    of,
+    shown,
+    unit,
+    upright,
+)
+
+CHANCE = np.random.default_rng(20)
+"""Numbers without a pattern, so that an exchange of lanes is seen."""
+
+# --- surfaces ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("slot", "expected"),
+    [
+        ("position", POSITION_IN_WORLD),
+        ("normal", NORMAL_IN_WORLD),
+        ("to_eye", TO_EYE),
+        ("object_position", PLACE),
+        ("vec3(uv, pi)", (0.3, 0.8, math.pi)),
+        ("ambient_light", (0.1, 0.1, 0.1)),
+    ],
+)
+def test_a_surface(slot: str, expected: Any) -> None:
+    assert of(slot) == close(expected)
+
+
+def clip_position(text: str, **given: Any) -> Lanes:
+    whole = shader(text)
+    return at(whole, whole.results_of(CLIP_POSITION)[0].value, {**MESH, **given})
+
+
+def test_a_surface_in_clip_space() -> None:
+    assert clip_position("material M {}") == close(CLIP @ [*POSITION_IN_WORLD, 1.0])
+
+
+def test_the_librarys_pass_writes_colour_and_alpha() -> None:
+    whole = shader("material M { color = vec3(0.5, 0.25, 0.75)  alpha = 0.125 }")
+    (target,) = whole.results_of(TARGET)
+    assert at(whole, target.value, MESH) == close((0.5, 0.25, 0.75, 0.125))
+
+
+# --- mixins --------------------------------------------------------------------------------------
+
+TANGENT = (0.7, -0.2, 0.4)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_tangents(sign: float) -> None:
+    header, imports = "M : Surface + Tangents", "import std.tangents.{Tangents}"
+    tangent = unit(WORLD[:3, :3] @ TANGENT)
+    bitangent = np.cross(NORMAL_IN_WORLD, tangent) * sign
+    arrow = (0.3, -0.6, 0.9)
+    basis = tangent * arrow[0] + bitangent * arrow[1] + NORMAL_IN_WORLD * arrow[2]
+    given = {"vertex_tangent": (*TANGENT, sign)}
+    assert of("tangent", header, imports, **given) == close(tangent)
+    assert of("bitangent", header, imports, **given) == close(bitangent)
+    found = of("(vec3(0.3, -0.6, 0.9) as vector<tangent>) in world", header, imports, **given)
+    assert found == close(basis)
+
+
+def test_a_normal_map_bends_the_normal() -> None:
+    def texel(u: float, v: float) -> Lanes:
+        return (0.2 + 0.5 * u, 0.9 - 0.4 * v, 0.85, 1.0)
+
+    tangent = unit(WORLD[:3, :3] @ TANGENT)
+    x, y, z = (2.0 * lane - 1.0 for lane in texel(0.3, 0.8)[:3])
+    bent = tangent * x - np.cross(NORMAL_IN_WORLD, tangent) * y + NORMAL_IN_WORLD * z
+    header, imports = "M : Surface + Tangents + Bumped", "import std.tangents.{Tangents, Bumped}"
+    found = of("normal", header, imports,
+               vertex_tangent=(*TANGENT, -1.0), normal_map=Painted(texel))  # fmt: skip
+    assert found == close(unit(bent))
+
+
+BONES = np.zeros((64, 4, 4))
+BONES[:, 3, 3] = 1.0
+BONES[:, :3, :] = np.eye(3, 4) + 0.3 * CHANCE.uniform(-1.0, 1.0, (64, 3, 4))
+JOINTS, WEIGHTS = (5, 0, 63, 17), (0.4, 0.1, 0.3, 0.2)
+SKIN = sum(weight * BONES[joint] for joint, weight in zip(JOINTS, WEIGHTS, strict=True))
+SKINNED = {
+    "vertex_joints": JOINTS, "vertex_weights": WEIGHTS, "bones": tuple(map(columns, BONES)),
+}  # fmt: skip
+
+
+def test_bones_move_a_vertex() -> None:
+    header, imports = "M : Surface + Skinned", "import std.skinning.{Skinned}"
+    place = moved(WORLD, moved(np.asarray(SKIN), PLACE))
+    assert of("position", header, imports, **SKINNED) == close(place)
+    normal = unit(upright(WORLD, upright(SKIN, NORMAL)))
+    assert of("normal", header, imports, **SKINNED) == close(normal)
+
+
+def test_bones_move_a_tangent() -> None:
+    found = of("tangent", "M : Surface + Tangents + Skinned + SkinnedTangents",
+               "import std.skinning.{Skinned, SkinnedTangents}\nimport std.tangents.{Tangents}",
+               vertex_tangent=(*TANGENT, 1.0), **SKINNED)  # fmt: skip
+    assert found == close(unit(WORLD[:3, :3] @ np.asarray(SKIN)[:3, :3] @ TANGENT))
+
+
+def test_a_mesh_on_its_way_to_another_shape() -> None:
+    header, imports = "M : Surface + Morphed", "import std.morphing.{Morphed}"
+    given = {"morph": 0.3, "morph_position": (0.5, -0.2, 0.7), "morph_normal": (-0.4, 0.1, 0.6)}
+    place = moved(WORLD, np.array(PLACE) + 0.3 * np.array((0.5, -0.2, 0.7)))
+    normal = unit(upright(WORLD, np.array(NORMAL) + 0.3 * np.array((-0.4, 0.1, 0.6))))
+    assert of("position", header, imports, **given) == close(place)
+    assert of("normal", header, imports, **given) == close(normal)
+
+
+def test_an_instance_stands_where_its_transform_says() -> None:
+    header, imports = "M : Surface + Instanced", "import std.instancing.{Instanced}"
+    own = np.eye(4)
+    own[:3] += 0.4 * CHANCE.uniform(-1.0, 1.0, (3, 4))
+    # A matrix at the vertices is one input for each column.
+    given = {f"instance_transform.{i}": column for i, column in enumerate(columns(own))}
+    assert of("position", header, imports, **given) == close(moved(WORLD, moved(own, PLACE)))
+    normal = unit(upright(WORLD, upright(own, NORMAL)))
+    assert of("normal", header, imports, **given) == close(normal)
+
+
+def test_a_billboard_faces_the_viewer() -> None:
+    header, imports = "M : Surface + Billboard", "import std.billboards.{Billboard}"
+    center = WORLD[:3, 3]
+    right = unit(np.cross((0.0, 1.0, 0.0), EYE - center))
+    turned = np.stack([right, (0.0, 1.0, 0.0), unit(np.cross(right, (0.0, 1.0, 0.0)))], axis=1)
+    scale = np.linalg.norm(WORLD[:3, :3], axis=0)
+    assert of("position", header, imports) == close(center + turned @ (scale * PLACE))
+    assert of("normal", header, imports) == close(unit(turned @ (np.array(NORMAL) / scale)))
+
+
+def test_more_attributes() -> None:
+    imports = "import std.vertices.{VertexColors, SecondUv}"
+    given = {"vertex_color": (0.5, 0.25, 0.125, 0.3), "vertex_uv2": (0.6, 0.9)}
+    found = of("vec3(0.8, 0.4, 0.2)", "M", "", **given)
+    painted = shown(
+        f"{imports}\nabstract material A {{ color = vec3(0.8, 0.4, 0.2) }}\n"
+        "material M : A + VertexColors {}", **given,
+    )  # fmt: skip
+    assert painted == close(found * (0.5, 0.25, 0.125))
+    seen = of("vec3(alpha, uv2)", "M : Surface + VertexColors + SecondUv", imports, **given)
+    assert seen == close(np.array((0.3, 0.6, 0.9)))
+
+
+# --- spaces and transforms -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        ("(vec3(0.2, -0.7, 0.5) as point<object>) in world", moved(WORLD, (0.2, -0.7, 0.5))),
+        ("(vec3(0.2, -0.7, 0.5) as vector<object>) in world", WORLD[:3, :3] @ (0.2, -0.7, 0.5)),
+        (
+            "(vec3(0.2, -0.7, 0.5) as point<world>) in object",
+            moved(np.linalg.inv(WORLD), (0.2, -0.7, 0.5)),
+        ),
+        ("(vec3(0.2, -0.7, 0.5) as covector<object>) in world", upright(WORLD, (0.2, -0.7, 0.5))),
+        (
+            "(vec3(0.2, -0.7, 0.5) as covector<world>) in object",
+            upright(np.linalg.inv(WORLD), (0.2, -0.7, 0.5)),
+        ),
+    ],
+)
+def test_from_one_space_to_another(expression: str, expected: Any) -> None:
+    assert of(expression) == close(expected)
+
+
+def matrix(expression: str) -> Floats:
+    """The value of a matrix of the module of transforms."""
+    targets = "\n".join(f"target t{i} : rgba32f = material.m[{i}]" for i in range(4))
+    whole = shader(
+        "import std.transforms.{translation, scaling, rotation, look_at, perspective}\n"
+        f"material M {{ m = {expression} }}\npass P {{ {targets} }}",
+        pass_="P",
+    )
+    return np.array([at(whole, result.value) for result in whole.results_of(TARGET)]).T
+
+
+def turning(axis: Sequence[float], angle: float) -> Floats:
+    """The rotation as the exponential of its generator, by its series."""
+    x, y, z = unit(axis)
+    generator = angle * np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    term, total = np.eye(3), np.eye(3)
+    for n in range(1, 30):
+        term = term @ generator / n
+        total = total + term
+    return total
+
+
+def test_translation_and_scale() -> None:
+    expected = np.eye(4)
+    expected[:3, 3] = (0.2, -0.7, 0.5)
+    assert matrix("translation((vec3(0.2, -0.7, 0.5) as vector<world>))") == close(expected)
+    assert matrix("scaling(vec3(2, 3, 5))") == close(np.diag((2, 3, 5, 1)))
+
+
+@pytest.mark.parametrize("angle", [0.7, -2.5])
+def test_rotation(angle: float) -> None:
+    expected = np.eye(4)
+    expected[:3, :3] = turning((2.0, -1.0, 2.0), angle)
+    axis = "(normalize(vec3(2, -1, 2)) as direction<world>)"
+    assert matrix(f"rotation({axis}, {angle}rad)") == close(expected)
+
+
+def test_looking_at_a_place() -> None:
+    eye, target, up = np.array((1.0, 2.0, 3.0)), np.array((-0.5, 0.4, 0.2)), (0.1, 1.0, 0.0)
+    seen = matrix(
+        "look_at((vec3(1, 2, 3) as point<world>), (vec3(-0.5, 0.4, 0.2) as point<world>),"
+        " (vec3(0.1, 1, 0) as vector<world>))"
+    )
+    assert moved(seen, eye) == close((0, 0, 0))
+    ahead = moved(seen, target)
+    assert ahead == close((0, 0, -np.linalg.norm(target - eye)))
+    above = seen[:3, :3] @ np.asarray(up)
+    assert above[0] == pytest.approx(0.0, abs=1e-12) and above[1] > 0
+    assert seen[:3, :3] @ seen[:3, :3].T == close(np.eye(3))
+    assert np.linalg.det(seen[:3, :3]) == pytest.approx(1.0)
+
+
+def test_perspective() -> None:
+    lens = matrix("perspective(50deg, 1.5, 0.5, 20)")
+    edge = math.tan(math.radians(25.0))
+
+    def projected(*place: float) -> Floats:
+        clip = lens @ (*place, 1.0)
+        return np.asarray(clip[:3] / clip[3])
+
+    assert projected(1.5 * edge * 4, edge * 4, -4)[:2] == close((1, 1))
+    assert projected(0, 0, -0.5) == close((0, 0, 0))
+    assert projected(0, 0, -20) == close((0, 0, 1))
+    assert lens @ (0, 0, -7, 1) == close((0, 0, 20 / 19.5 * 7 - 10 / 19.5, 7))
