@@ -11,7 +11,7 @@ from .account import Account
 from .processes import run
 
 CONFIGURATION = Path(__file__).parents[2] / "pyproject.toml"
-LIMITS = ("-o", "timeout=2", "-o", "faulthandler_timeout=4")
+LIMITS = ("-o", "timeout=1", "-o", "faulthandler_timeout=4")
 
 HANGING = """
 import os, subprocess, sys, threading
