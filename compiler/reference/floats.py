@@ -125,8 +125,10 @@ def inversesqrt(xp: Namespace, x: Lane) -> Lane:
 
 
 def pow_(xp: Namespace, x: Lane, y: Lane) -> Lane:
+    tiny = x < SMALLEST_NORMAL
+    without_power = xp.logical_and(tiny, y < SMALLEST_NORMAL)
     of_zero = xp.where(_is_tiny(y), 1.0, 0.0)
-    return xp.where(x < SMALLEST_NORMAL, of_zero, xp.power(xp.maximum(x, SMALLEST_NORMAL), y))
+    return xp.where(without_power, of_zero, xp.power(xp.where(tiny, 0.0, x), y))
 
 
 def exp(xp: Namespace, x: Lane) -> Lane:

@@ -20,7 +20,10 @@ from ..runner.scene import Scene, with_inputs
 from ..runner.scene_state import Color, SceneState, set_up
 from .sample import sample_textures, sample_values
 
-SIZE = (72, 56)
+Size = tuple[int, int]
+"""Width and height of a picture, in pixels."""
+
+SIZE: Size = (72, 56)
 """Not square, so that an exchange of x and y is visible."""
 
 UNCOVERED: Color = (-8.0, -8.0, -8.0, -8.0)
@@ -48,25 +51,36 @@ class Series:
     cases: tuple[Case, ...]
 
 
-def series_of(reflection: Mapping[str, Any], seed: int = 0) -> Iterator[Series]:
-    """All cases of one material; ``seed`` is the seed of its random values."""
+def series_of(reflection: Mapping[str, Any], seed: int = 0, size: Size = SIZE) -> Iterator[Series]:
+    """All cases of one material; ``seed`` is the seed of its random values.
+
+    Pictures of a smaller ``size`` have meshes of fewer triangles: random programs are drawn so.
+    """
     yield Series(exact=True, cases=(
-        _defaults(reflection),
-        _stretched("stretched", reflection, seed, UNCOVERED),
-        _behind(reflection, seed + 1),
-        _inside(reflection, seed + 2),
+        _defaults(reflection, size),
+        _stretched("stretched", reflection, seed, UNCOVERED, size),
+        _behind(reflection, seed + 1, size),
+        _inside(reflection, seed + 2, size),
     ))  # fmt: skip
     if any(row["blend"] != "none" for row in reflection["targets"]):
-        yield Series(exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP),))
+        yield Series(exact=False, cases=(_stretched("blended", reflection, seed, BACKDROP, size),))
 
 
-def _defaults(reflection: Mapping[str, Any]) -> Case:
+def _cells(usual: int, size: Size) -> int:
+    """How many cells a mesh has in one direction, which has ``usual`` ones in the usual size."""
+    return max(3, round(usual * min(1.0, max(size) / max(SIZE))))
+
+
+def _defaults(reflection: Mapping[str, Any], size: Size) -> Case:
     instance = Instance(reflection)
     sample_values(instance, 0, missing=True)
-    return _case("defaults", instance, sphere(32, 16), Scene(light_count=2))
+    mesh = sphere(_cells(32, size), _cells(16, size))
+    return _case("defaults", instance, mesh, Scene(light_count=2), size)
 
 
-def _stretched(name: str, reflection: Mapping[str, Any], seed: int, clear: Color) -> Case:
+def _stretched(
+    name: str, reflection: Mapping[str, Any], seed: int, clear: Color, size: Size
+) -> Case:
     """Scaled differently along each axis, with all lights, close to the mesh and inside it."""
     scene = Scene(
         eye=(-0.7, 1.1, 2.6),
@@ -74,16 +88,17 @@ def _stretched(name: str, reflection: Mapping[str, Any], seed: int, clear: Color
         light_distance=0.35,
         light_count=64,
     )
-    return _case(name, _sampled(reflection, seed), torus(24, 16), scene, clear)
+    mesh = torus(_cells(24, size), _cells(16, size))
+    return _case(name, _sampled(reflection, seed), mesh, scene, size, clear)
 
 
-def _behind(reflection: Mapping[str, Any], seed: int) -> Case:
+def _behind(reflection: Mapping[str, Any], seed: int, size: Size) -> Case:
     """Back faces, and as few lights as possible."""
     scene = Scene(eye=(0.9, 0.5, -2.4), look_at=(0.1, 0.0, 0.0), light_count=0)
-    return _case("behind", _sampled(reflection, seed), plane(4), scene)
+    return _case("behind", _sampled(reflection, seed), plane(4), scene, size)
 
 
-def _inside(reflection: Mapping[str, Any], seed: int) -> Case:
+def _inside(reflection: Mapping[str, Any], seed: int, size: Size) -> Case:
     """Walls around the eye, which the near and the far plane cut."""
     scene = Scene(
         eye=(0.35, -0.2, 0.4),
@@ -92,7 +107,7 @@ def _inside(reflection: Mapping[str, Any], seed: int) -> Case:
         far=1.5,
         fov=math.radians(75),
     )
-    return _case("inside", _sampled(reflection, seed), cube(), scene)
+    return _case("inside", _sampled(reflection, seed), cube(), scene, size)
 
 
 def _sampled(reflection: Mapping[str, Any], seed: int) -> Instance:
@@ -103,10 +118,10 @@ def _sampled(reflection: Mapping[str, Any], seed: int) -> Instance:
 
 
 def _case(
-    name: str, instance: Instance, mesh: Mesh, scene: Scene, clear: Color = UNCOVERED
+    name: str, instance: Instance, mesh: Mesh, scene: Scene, size: Size, clear: Color = UNCOVERED
 ) -> Case:
     whole = with_inputs(instance.reflection, mesh)
-    return Case(name, set_up(instance, whole, scene, SIZE, clear))
+    return Case(name, set_up(instance, whole, scene, size, clear))
 
 
 def _turned_and_stretched() -> tuple[tuple[float, ...], ...]:

@@ -19,6 +19,7 @@ from ..runner.runner import Runner
 from ..runner.store import Store
 from ..runner.subject import Subject
 from ..toolchain import Toolchain
+from .cases import SIZE, Size
 from .compare import proves_little
 from .plan import Plan
 from .rows import CaseResult, Row, Status
@@ -35,10 +36,15 @@ def conform(
     *,
     seed: int = 0,
     done: Done | None = None,
+    size: Size = SIZE,
+    keep: bool = True,
 ) -> list[Row]:
-    """A row for each labelled material and each route, in this order."""
-    store = Store(STORE)
-    plans = [_plan(label, subject, seed, store) for label, subject in subjects]
+    """A row for each labelled material and each route, in this order.
+
+    Without ``keep``, what the reference draws is not kept: random programs are drawn only once.
+    """
+    store = Store(STORE) if keep else Store(STORE, limit=0)
+    plans = [_plan(label, subject, seed, store, size) for label, subject in subjects]
     rows: dict[tuple[int, int], Row] = {}
     with ThreadPoolExecutor(os.cpu_count() or 1) as threads:
         pending = {
@@ -57,10 +63,12 @@ def conform(
     return [rows[place] for place in sorted(rows)]
 
 
-def _plan(label: str, subject: Subject, seed: int, store: Store) -> Plan | tuple[str, str]:
+def _plan(
+    label: str, subject: Subject, seed: int, store: Store, size: Size
+) -> Plan | tuple[str, str]:
     """A material's plan; or its label, and the reason why nothing can draw it."""
     try:
-        return Plan(label, subject, seed, store)
+        return Plan(label, subject, seed, store, size)
     except ValueError as error:
         return label, str(error)
 

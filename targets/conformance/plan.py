@@ -22,7 +22,7 @@ from ..runner.routes import Route
 from ..runner.scene_state import SceneState
 from ..runner.store import Store
 from ..runner.subject import Subject
-from .cases import Series, series_of
+from .cases import Series, Size, series_of
 from .compare import Comparison, Level, compare
 from .drivers import DRIVERS, Driver, Hardware
 from .measured import ENVELOPES
@@ -49,8 +49,8 @@ class Bounds:
 class Plan:
     """The cases of one material. Several threads use it."""
 
-    def __init__(self, label: str, subject: Subject, seed: int, store: Store) -> None:
-        """``store`` keeps what the reference has drawn.
+    def __init__(self, label: str, subject: Subject, seed: int, store: Store, size: Size) -> None:
+        """``store`` keeps what the reference has drawn; ``size`` is that of all pictures.
 
         Raises what ``Instance`` and ``set_up`` raise, although a case should lack no value.
         """
@@ -58,7 +58,7 @@ class Plan:
         self.subject = subject
         self.work = [
             (series, tuple(case.state.draw() for case in series.cases))
-            for series in series_of(subject.reflection, seed)
+            for series in series_of(subject.reflection, seed, size)
         ]
         """Each series with its draws."""
         self._expected: dict[object, Expected] = {}

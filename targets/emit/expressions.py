@@ -25,7 +25,7 @@ from .context import Context
 from .leaves import LeafPrinter
 from .literals import literal
 from .natives import EmittedFunction, Natives
-from .precedence import NAME, POSTFIX, Binding, Field, Printed, choice, within
+from .precedence import NAME, POSTFIX, Binding, Field, Printed, choice, separable, within
 
 DEEPEST = 200
 """How deeply expressions may nest in a text, as printers call each other for operands. The
@@ -90,7 +90,7 @@ class Expressions:
         return self._forms.assign.format(name=name, value=combined)
 
     def _arguments(self, nodes: tuple[Node, ...]) -> str:
-        return ", ".join([text for text, _binding in self.operands(nodes)])
+        return ", ".join(separable(self.operands(nodes)))
 
     def _parameter(self, node: Node) -> Printed:
         return self._leaves.parameter(node)
@@ -201,7 +201,8 @@ class Expressions:
         form = self._forms.select
         if not form:
             return choice(condition, then, otherwise)
-        text = form.format(condition=condition[0], then=then[0], otherwise=otherwise[0])
+        sides = separable((otherwise, then, condition))
+        text = form.format(otherwise=sides[0], then=sides[1], condition=sides[2])
         return text, POSTFIX
 
     def _chosen(self, literal_: Printed, type_: Type) -> Printed:

@@ -25,7 +25,7 @@ from ...stdlib.builtins import BUILTINS
 from ..description.spellings import Read, Spelling, Spellings
 from .context import Context
 from .leaves import LeafPrinter
-from .precedence import POSTFIX, Field, Printed, call, writer
+from .precedence import POSTFIX, Field, Printed, call, separable, writer
 
 
 def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
@@ -63,7 +63,7 @@ class EmittedFunction:
 
     def call(self, arguments: Sequence[Printed]) -> Printed:
         """The function called with arguments of its own."""
-        return call(self.name, [*self.passed, *(text for text, _binding in arguments)])
+        return call(self.name, [*self.passed, *separable(arguments)])
 
 
 class Natives:

@@ -80,7 +80,7 @@ Writer: TypeAlias = Callable[[Sequence[Printed]], Printed]
 
 # Enums look their members up by a slow descriptor, so those that are used all the time stand here.
 CHOICE, OR, POSTFIX, NAME = Binding.CHOICE, Binding.OR, Binding.POSTFIX, Binding.NAME
-PREFIXED = Binding.PREFIX
+COMPARE, PREFIXED = Binding.COMPARE, Binding.PREFIX
 
 
 class Field(NamedTuple):
@@ -137,7 +137,22 @@ def writer(spelled: str, count: int) -> Writer:
         return _infix(spelled, INFIX[spelled])
     if count == 1 and spelled in PREFIX:
         return lambda operands: prefix(spelled, *operands)
-    return lambda operands: call(spelled, [text for text, _binding in operands])
+    return lambda operands: call(spelled, separable(operands))
+
+
+def separable(arguments: Sequence[Printed]) -> list[str]:
+    """The texts of arguments, between which commas can stand.
+
+    In WGSL ``a < b, c > d`` is a name with a list of a template's arguments. So where a comparison
+    with ``>`` follows one with ``<``, that one gets parentheses; in all languages, as they do no
+    harm.
+    """
+    texts = [text for text, _binding in arguments]
+    loose = [index for index, (_text, binding) in enumerate(arguments) if binding <= COMPARE]
+    for index in loose[:-1]:
+        if " < " in texts[index] and any(" >" in texts[later] for later in loose if later > index):
+            texts[index] = f"({texts[index]})"
+    return texts
 
 
 def call(function: str, arguments: Iterable[str]) -> Printed:

@@ -51,15 +51,21 @@ def _sources(folder: Path) -> Iterator[str | bytes]:
             yield path.read_bytes()
 
 
+_UNCHECKED: dict[Path, int] = {}
+"""The bytes that this process has written into a folder since it last examined the folder, which
+takes long. The first write examines it."""
+
+
 class Store:
     """A folder of results, which several processes may use at the same time."""
 
     def __init__(self, name: str, limit: int = LIMIT) -> None:
-        """The store called ``name`` in Burnish's cache folder; ``limit`` is in bytes."""
+        """The store called ``name`` in Burnish's cache folder; ``limit`` is in bytes.
+
+        A store with the limit 0 keeps nothing, and what is in its folder stays as it is.
+        """
         self.folder = Path(private_folder()) / name
         self._limit = limit
-        self._unchecked: int | None = None
-        """The bytes written since the folder was last examined; ``None`` before the first time."""
 
     def read(self, name: str) -> bytes | None:
         """The data with this name, if it exists and is not damaged."""
@@ -76,13 +82,16 @@ class Store:
 
     def write(self, name: str, data: bytes) -> None:
         """Keep data under a name; no reader ever sees half of it."""
+        if not self._limit:
+            return
         path = self._path(name)
         with suppress(OSError):
             write_private(str(path), _checksum(data) + data)
-        if self._unchecked is None or self._unchecked > min(CHECK_EVERY, self._limit):
+        unchecked = _UNCHECKED.get(self.folder)
+        if unchecked is None or unchecked > min(CHECK_EVERY, self._limit):
             self.prune()
-            self._unchecked = 0
-        self._unchecked += len(data)
+            unchecked = 0
+        _UNCHECKED[self.folder] = unchecked + len(data)
 
     def prune(self) -> None:
         """If there is more than the limit, delete what has not been used for longest."""

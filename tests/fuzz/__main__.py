@@ -10,7 +10,7 @@ from __future__ import annotations
 import time
 from argparse import ArgumentParser, Namespace
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from itertools import count
 from pathlib import Path
 from random import Random
@@ -45,7 +45,8 @@ class Run:
         self._spent: defaultdict[str, float] = defaultdict(float)
         self._asked_of: Counter[str] = Counter()
         self._refused = 0
-        self.findings: list[Finding] = []
+        self.findings: dict[Finding, str] = {}
+        """What was found, with the command that shows it again."""
 
     def programs(self) -> None:
         """Try programs until the time is over."""
@@ -53,18 +54,21 @@ class Run:
             self._one(name)
             if time.monotonic() - self._told > TELL_EVERY:
                 self.tell()
-        self.tell()
 
     def tell(self) -> None:
         """Print how far the run is."""
         self._told = time.monotonic()
         asked = ", ".join(f"{name} {number}" for name, number in self._asked_of.items())
-        drawn = ", ".join(f"{name} {number}" for name, number in self._tools.statuses.items())
-        print(
-            f"{self._elapsed():.0f} s: {asked}; {self._refused} refused for an allowed reason; "
-            f"{len(self.findings)} findings{'; drawn rows: ' * bool(drawn)}{drawn}",
-            flush=True,
-        )
+        print(f"{self._elapsed():.0f} s: {asked}; {_counted(self.findings)}", flush=True)
+
+    def sum_up(self) -> None:
+        """Print what was asked and found, and what to do about it."""
+        self.tell()
+        print(f"{self._refused} programs were refused for a reason that is allowed.")
+        for (route, status), number in sorted(self._tools.statuses.items()):
+            print(f"  {route:24} {status:16} {number:6}")
+        for finding, again in self.findings.items():
+            print(f"{finding.oracle} {finding.place} {finding.sort}\n    again: {again}")
 
     def _names(self) -> Iterator[str]:
         if self._asked.program:
@@ -108,23 +112,35 @@ class Run:
     def _found(self, name: str, tree: Node, finding: Finding) -> None:
         if any(finding.is_like(other) for other in self.findings):
             return
-        self.findings.append(finding)
+        again = f"python -m burnish.tests.fuzz --program {name} --oracles {finding.oracle}"
+        if finding.oracle == "drawn":
+            again += f" --routes {finding.place or self._asked.routes}"
+        self.findings[finding] = again
         print(f"\nfound in {name}: {finding.oracle} {finding.place} {finding.sort}", flush=True)
         small = shrunk(
             tree, lambda each: shows(each, name, finding, self._tools), self._asked.shrink
         )
-        again = f"python -m burnish.tests.fuzz --program {name} --oracles {finding.oracle}"
-        if finding.oracle == "drawn":
-            again += f" --routes {finding.place or self._asked.routes}"
         case = Case(str(small), seed_of(name), self._tools, small, finding.place)
         told = [each for each in ask(case, finding.oracle).findings if finding.is_like(each)]
         print(f"{(told or [finding])[0].detail}\n\n{small}\nagain: {again}", flush=True)
-        self._asked.output.mkdir(parents=True, exist_ok=True)
         file = f"{finding.oracle}-{name.replace(':', '-')}.burnish"
-        (self._asked.output / file).write_text(
-            f"// Found by: {again}\n// {finding.place} {finding.sort}\n{small}", encoding="utf-8"
-        )
-        print(f"stored as {self._asked.output / file}\n", flush=True)
+        head = f"// Found by: {again}\n// {finding.place} {finding.sort}\n"
+        _store(self._asked.output / file, f"{head}{small}")
+
+
+def _counted(found: Collection[object]) -> str:
+    return "1 finding" if len(found) == 1 else f"{len(found)} findings"
+
+
+def _store(path: Path, text: str) -> None:
+    """Write a program that shows something into a file, and say where it is."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        print(f"not stored, but printed above: {error}\n", flush=True)
+    else:
+        print(f"stored as {path}\n", flush=True)
 
 
 def seed_of(name: str) -> int:
@@ -163,7 +179,7 @@ def _parser() -> ArgumentParser:
 
 
 def main() -> int:
-    """Run, and return the exit code: 1 if anything was found."""
+    """Run, and return the exit code: 1 if anything was found, 130 if somebody stopped it before."""
     asked = _parser().parse_args()
     if asked.show:
         for name in asked.program or [f"{asked.seed}:0"]:
@@ -171,10 +187,15 @@ def main() -> int:
         return 0
     print(f"seed {asked.seed}: the programs are {asked.seed}:0, {asked.seed}:1 …", flush=True)
     with Tools(select([asked.routes])) as tools:
-        run = Run(asked, tools)
-        run.programs()
-    troubles = 0 if asked.program else _mutated(asked)
-    return 1 if run.findings or troubles else 0
+        run, stopped, troubles = Run(asked, tools), False, 0
+        try:
+            run.programs()
+            troubles = 0 if asked.program else _mutated(asked)
+        except KeyboardInterrupt:
+            stopped = True
+            print("\nstopped", flush=True)
+        run.sum_up()
+    return 1 if run.findings or troubles else 130 if stopped else 0
 
 
 def _mutated(asked: Namespace) -> int:
@@ -184,9 +205,8 @@ def _mutated(asked: Namespace) -> int:
     troubles = 0
     for number, text, trouble in found(first, MUTATED_SHARE * asked.seconds):
         troubles += 1
-        print(f"\nfound with mistakes {number}:\n{trouble}", flush=True)
-        asked.output.mkdir(parents=True, exist_ok=True)
-        (asked.output / f"mistakes-{number}.burnish").write_text(text, encoding="utf-8")
+        print(f"\nfound with mistakes {number}:\n{text}\n{trouble}", flush=True)
+        _store(asked.output / f"mistakes-{number}.burnish", text)
     return troubles
 
 

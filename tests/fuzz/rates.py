@@ -62,12 +62,18 @@ def _value(text: str) -> float | int | bool:
 
 
 def parameter_as_literal(tree: Node, chance: Random, shader: Shader, world: World) -> Rated | None:
-    """A parameter of the material becomes a slot with the value that it would have had."""
+    """A parameter of the material becomes a slot with the value that it would have had.
+
+    A point or a direction stays what it is: the value of a graph's parameter has no space any more.
+    """
     values = dict(_parameters(shader, world))
     found = [
         (path, node)
         for path, node in walk(tree)
-        if node.role == "parameter" and node.name in values and _in_member(tree, path)
+        if node.role == "parameter"
+        and node.name in values
+        and f"{node.name} : {values[node.name][0]} " in f"{node} "
+        and _in_member(tree, path)
     ]
     if not found:
         return None

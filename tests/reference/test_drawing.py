@@ -10,6 +10,7 @@ import pytest
 
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
+from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.picture import Geometry, RasterRules
 from burnish.frozen import changed
 
@@ -104,6 +105,34 @@ def test_inputs_of_the_pipeline() -> None:
     assert picture(given, triangles(clip), at(2)).targets[0][0, 0, 3] == -1
 
 
+def test_a_depth_may_be_clamped_before_a_shader_reads_it() -> None:
+    given = passing("value = frag_coord.zzzz")
+    # Clipped at 1.7 pixels, which snaps to the middle of a pixel that is in front of the plane.
+    mesh = triangles([(-1, -1, -0.17, 1), (3, -1, 0.63, 1), (-1, 3, -0.17, 1)])
+    found = picture(given, mesh, at(4, subpixel_bits=1), errors=few_ulps)
+    place = 3, 1, 0
+    assert found.targets[0][place] == 0
+    assert found.low[0][place] == pytest.approx(-0.02, abs=1e-5)
+    assert found.high[0][place] == pytest.approx(0, abs=1e-5)
+
+
+def test_a_power_of_zero_may_be_that_of_a_tiny_number() -> None:
+    """SwiftShader computes it as ``exp2(y * -127)``."""
+    given = passing("attribute s : float\nvalue = vec4(pow(s, 0.001), pow(s, 2), pow(0.0, s), 1)")
+    mesh = triangles(FULL, s=[0, 0, 0])
+    found = picture(given, mesh, at(1), errors=Errors(("vulkan",)))
+    assert found.targets[0][0, 0].tolist() == [0, 0, 1, 1]
+    assert found.low[0][0, 0].tolist() == [0, 0, 1, 1]
+    assert found.high[0][0, 0] == pytest.approx([2**-0.126, 0, 1, 1], rel=1e-3)
+
+
+def test_a_value_that_is_the_same_at_all_vertices_is_interpolated() -> None:
+    given = passing("param p : float\nvalue = vec4(@vertex (if place.x > 9 then place.y else p))")
+    mesh = triangles(FULL)
+    found = picture(given, mesh, at(1, varying_bits=20), errors=few_ulps, p=(0.7,))
+    assert found.low[0].max() < 0.7 < found.high[0].min()
+
+
 def test_values_may_be_interpolated_between_snapped_places() -> None:
     given = passing("attribute s : float\nvalue = vec4(s)")
     mesh = triangles([(-1, -1, 0, 1), (3.1, -1, 0, 1), (-1, 3.1, 0, 1)], s=[0, 4.1, 0])
@@ -130,6 +159,14 @@ def test_a_derivative_may_be_that_of_the_quads_other_row() -> None:
     assert found.targets[0][:, 0, 0] == pytest.approx([0.5, 1.5, 2.5, 3.5])
     assert found.low[0][:, 0, 0] == pytest.approx([0.5, 0.5, 2.5, 2.5], abs=1e-4)
     assert found.high[0][:, 0, 0] == pytest.approx([1.5, 1.5, 3.5, 3.5], abs=1e-4)
+
+
+def test_opengl_pairs_the_rows_of_a_picture_from_below() -> None:
+    given = passing("value = vec4(ddy(frag_coord.y * frag_coord.y))")
+    found = picture(given, triangles(FULL), at(3)).targets[0][:, 0, 0]
+    from_below = picture(given, triangles(FULL), at(3, bottom_up=True)).targets[0][:, 0, 0]
+    assert found.tolist() == [2, 2, 6]
+    assert from_below.tolist() == [0, 4, 4]
 
 
 # --- depth, discarding, blending -----------------------------------------------------------------

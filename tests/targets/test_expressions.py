@@ -45,6 +45,14 @@ def test_parentheses() -> None:
     assert infix("*", choice(A, B, C), A)[0] == "(a ? b : c) * a"
 
 
+def test_arguments_are_no_list_of_a_template() -> None:
+    """WGSL reads ``f(a < b, c > (d))`` as a call of the template ``a<b, c>``."""
+    less, more = infix("<", A, B), infix(">=", B, C)
+    assert writer("f", 2)((less, more))[0] == "f((a < b), b >= c)"
+    assert writer("f", 2)((more, less))[0] == "f(b >= c, a < b)"
+    assert writer("f", 3)((A, less, C))[0] == "f(a, a < b, c)"
+
+
 @st.composite
 def trees(draw: st.DrawFn, depth: int = 5) -> tuple[Printed, str]:
     """A printed expression, and the same in full parentheses."""

@@ -72,7 +72,7 @@ class LocalErrors:
 
 def _at_corners(operands: list[Lanes]) -> Lanes:
     """The lanes at the three corners in the first way."""
-    return tuple(lane[0] if np.ndim(lane) else lane for lane in operands[0])
+    return tuple(lane[0] if np.ndim(lane) else np.full(3, lane) for lane in operands[0])
 
 
 def _exact(lanes: Any) -> Any:

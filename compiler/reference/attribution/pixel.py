@@ -23,7 +23,7 @@ from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes
 from ..picture.coverage import Fragments, fragments_of
 from ..picture.faces import Faces, assemble
-from ..picture.quads import Barycentric, Quads, depth_of
+from ..picture.quads import Barycentric, Quads, depth_of, rows_above
 from ..picture.sampler import TextureReader
 from ..picture.scene import Floats, Geometry, RasterRules, Texels
 from ..picture.stage_evaluation import StageEvaluator
@@ -81,7 +81,7 @@ class PixelShader:
         """Raises ``UncoveredError`` if nothing is drawn at (x, y)."""
         self._values = values
         self._geometry = geometry
-        self._row, self._column = y % SIDE, x % SIDE
+        self._row, self._column = (y + rows_above(rules, SIDE)) % SIDE, x % SIDE
         self._targets = tuple(result.value for result in shader.results_of(TARGET))
         self._discard = next((result.value for result in shader.results_of(DISCARD)), None)
         read = (node.data for node in reachable(shader.roots) if isinstance(node.data, Resource))
@@ -154,7 +154,8 @@ class PixelShader:
         self._corners = faces.corners[face][None, :]
         alone = faces.only(np.arange(len(faces.corners)) == face)
         alone = replace(alone, corners=np.arange(3)[None, :])
-        quad = Quads(np.array([0]), np.array([x - x % SIDE]), np.array([y - y % SIDE]), SIDE)
+        left, top = x - self._column, y - self._row
+        quad = Quads(np.array([0]), np.array([left]), np.array([top]), SIDE)
         self.place = Barycentric(alone, quad, rules)
         """Where the quad is in the face, whose corners are the vertices 0 to 2."""
         ends = self.place.perspective(tuple(np.eye(3)))

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from .affine import Derivative, Form, chosen, curved
 from .bounded import (
     Bounded,
@@ -215,10 +216,18 @@ class Bounds:
         return self._with_error("inversesqrt", x, root)
 
     def power(self, x: Any, y: Any, /) -> Bounded:
-        """``x`` to the power of ``y``, for positive ``x``, computed as ``exp2(y * log2(x))``."""
+        """``x`` to the power of ``y``, computed as ``exp2(y * log2(x))``; ``x`` is not negative.
+
+        No specification says what the logarithm of zero is. SwiftShader's is -127, and so its power
+        of zero is not zero: the power of the smallest normal number is more.
+        """
         x, y = as_bounded(x), as_bounded(y)
-        found = self.exp2(y * self.log2(x))
-        return Bounded(np.power(x.value, y.value), found.low, found.high, found.form)
+        found = self.exp2(y * self.log2(self.maximum(x, SMALLEST_NORMAL)))
+        may_vanish = x.low < SMALLEST_NORMAL
+        low = np.where(may_vanish, np.minimum(found.low, 0.0), found.low)
+        of_tiny = np.power(SMALLEST_NORMAL, np.maximum(y.low, 0.0))
+        form = found.form and found.form.widened(np.where(may_vanish, of_tiny, 0.0))
+        return Bounded(np.power(x.value, y.value), low, found.high, form)
 
     def exp(self, x: Any, /) -> Bounded:
         return _not_negative(self._rising("exp", np.exp, x, np.exp))

@@ -91,7 +91,7 @@ class _Drawing:
 
     def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:
         """The fragments' colours, computed for a limited number of quads at a time."""
-        quads, lane = quads_of(fragments, self._rules.width, self._stages.side)
+        quads, lane = quads_of(fragments, self._rules, self._stages.side)
         count = len(lane)
         colours = [np.empty((3, count, 4)) for _ in self._lanes]
         shades = Shades(colours, np.empty(count, dtype=np.bool_), np.empty(count, dtype=np.bool_))

@@ -38,16 +38,22 @@ class Quads:
         return Quads(self.face[begin:end], self.x[begin:end], self.y[begin:end], self.side)
 
 
-def quads_of(fragments: Fragments, width: int, side: int) -> tuple[Quads, Ints]:
+def rows_above(rules: RasterRules, side: int) -> int:
+    """How many rows of the first quads are above the picture, as OpenGL pairs rows from below."""
+    return rules.height % side if rules.bottom_up else 0
+
+
+def quads_of(fragments: Fragments, rules: RasterRules, side: int) -> tuple[Quads, Ints]:
     """The quads that contain the fragments, and for each fragment the number of its lane in
     them."""
-    x, y = fragments.pixel % width, fragments.pixel // width
+    width, above = rules.width, rows_above(rules, side)
+    x, y = fragments.pixel % width, fragments.pixel // width + above
     across = -(-width // side)
     column, row = x // side, y // side
     span = (int(row.max(initial=0)) + 1) * across
     keys, quad = np.unique(fragments.face * span + row * across + column, return_inverse=True)
     place = keys % span
-    quads = Quads(keys // span, place % across * side, place // across * side, side)
+    quads = Quads(keys // span, place % across * side, place // across * side - above, side)
     return quads, (quad * side + y % side) * side + x % side
 
 
@@ -65,11 +71,11 @@ class Barycentric:
         self._extent = faces.extent[quads.face][:, None, None]
         self._linear = _linear(faces, quads.face, self.x, self.y)
         self._steps = self._steps_of_weights()
-        depth = self._clamped(self._mixed(faces.z[quads.face].T, self._linear))
+        depth = self._mixed(faces.z[quads.face].T, self._linear)
         self._moved = faces.moved[quads.face][:, None, None]
         off = self._off_plane(faces.z[quads.face], rules)
         off = off + faces.z_off[quads.face][:, None, None]
-        self.depth = Bounded(depth, self._clamped(depth - off), self._clamped(depth + off))
+        self.depth = _depth(depth, off)
         near = faces.per_w[quads.face][:, :, None, None]
         per_w = self._mixed(faces.per_w[quads.face].T, self._linear)
         off = self._off_plane(faces.per_w[quads.face], rules)
@@ -88,11 +94,12 @@ class Barycentric:
         self._weights = faces.weights[quads.face]
 
     def perspective(self, values: Lanes) -> Lanes:
-        """Interpolate values at the vertices (lanes; arrays or single numbers) with perspective.
+        """Interpolate values at the vertices with perspective.
 
-        Lanes of arrays become ``Bounded``, whether those at the vertices are or not.
+        Lanes become ``Bounded``, whether those at the vertices are or not. A device rounds here
+        even what is the same at all vertices.
         """
-        return tuple(self._crossed(lane) if np.ndim(lane) else lane for lane in values)
+        return tuple(map(self._crossed, values))
 
     def flat(self, values: Lanes) -> Lanes:
         """The values of each triangle's first vertex."""
@@ -102,11 +109,7 @@ class Barycentric:
             return array[first][:, None, None]
 
         return tuple(
-            lane
-            if not np.ndim(lane)
-            else lane.mapped(at_first)
-            if isinstance(lane, Bounded)
-            else at_first(lane)
+            lane.mapped(at_first) if isinstance(lane, Bounded) else at_first(lane)
             for lane in values
         )
 
@@ -197,9 +200,16 @@ class Barycentric:
         mixed: Floats = a + shares[0] * (b - a) + shares[1] * (c - a)
         return mixed
 
-    @staticmethod
-    def _clamped(depth: Floats) -> Floats:
-        return np.clip(depth, 0.0, 1.0)
+
+def _depth(depth: Floats, off: Floats) -> Bounded:
+    """A depth between the planes of clipping, and its bounds.
+
+    Snapping may put the middle of a pixel into a triangle that is cut a little before it. A device
+    may clamp the depth there, or not: no API says so of what shaders read.
+    """
+    return Bounded(
+        np.clip(depth, 0.0, 1.0), np.minimum(depth - off, 1.0), np.maximum(depth + off, 0.0)
+    )
 
 
 def _error(bits: int | None) -> float:

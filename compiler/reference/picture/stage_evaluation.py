@@ -122,7 +122,10 @@ class StageEvaluator:
 
         watch = _Watch(self, (count,))
         evaluator = Evaluator(leaves, self._xp, watch)
-        crossings = {node.id: evaluator.value(node.operands[0]) for node in self._crossings}
+        crossings = {
+            node.id: tuple(_at_each(lane, count) for lane in evaluator.value(node.operands[0]))
+            for node in self._crossings
+        }
         lanes = [_whole(lane, (count,)) for lane in evaluator.value(self._position)]
         positions = np.stack([lane.value for lane in lanes], axis=-1)
         off = np.stack([_radius(lane) for lane in lanes], axis=-1)
@@ -253,6 +256,13 @@ def _any_difference(lane: Lane, axis: int) -> Lane:
 
 def _whole(lane: Any, shape: tuple[int, ...]) -> Bounded:
     return (lane if isinstance(lane, Bounded) else exact(lane)).spread(shape)
+
+
+def _at_each(lane: Any, count: int) -> Any:
+    """A lane at each vertex, whether it was known to be the same at all of them or not."""
+    if isinstance(lane, Bounded):
+        return lane.spread((count,))
+    return np.broadcast_to(lane, (count,))
 
 
 def _radius(lane: Bounded) -> Floats:

@@ -108,10 +108,10 @@ _SEMANTICS = re.compile(r"SV_\w+|(?:TEXCOORD|COLOR|POSITION|NORMAL|TANGENT|BINOR
 """What HLSL writes behind the members of a structure, and behind functions."""
 
 
-def described(name: ast.TypeName, count: int | None = None) -> str:
+def described(name: ast.TypeName) -> str:
     """The written type as one line of text."""
     text = _written(name.name.text, [argument.text for argument in name.arguments])
-    return f"{text}[{count}]" if count is not None else text
+    return f"{text}[{name.count.span.text}]" if name.count is not None else text
 
 
 def _written(word: str, arguments: Sequence[str]) -> str:
