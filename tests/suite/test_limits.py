@@ -11,7 +11,7 @@ from .account import Account
 from .processes import run
 
 CONFIGURATION = Path(__file__).parents[2] / "pyproject.toml"
-LIMITS = ("-o", "timeout=1", "-o", "faulthandler_timeout=4")
+LIMITS = ("-o", "timeout=2", "-o", "faulthandler_timeout=4")
 
 HANGING = """
 import os, subprocess, sys, threading
@@ -48,7 +48,7 @@ def outcome(folder: Path, text: str, *options: str) -> tuple[int, str]:
 
 
 def test_what_hangs_fails(tmp_path: Path) -> None:
-    code, said = outcome(tmp_path, HANGING, "-n", "0")
+    code, said = outcome(tmp_path, HANGING, "-n", "0", "-o", "timeout=1")
     assert code == 1
     for what in ("a_lock", "a_pipe", "a_program", "a_program_of_ours"):
         assert f"test_it.py::test_{what} - Failed: Timeout" in said
