@@ -23,9 +23,11 @@ from .options import (
 from .terminal import FAILED, wants_color
 
 if TYPE_CHECKING:
-    from ..api import CompiledMaterial
+    from ..api import CompiledMaterial, CompileResult
+    from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
+    from ..targets.runner.runner import Runner
 
 COLORS = {
     "agrees": "green", "differs": "red", "proves little": "yellow", "overflows": "red",
@@ -163,12 +165,21 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
         Toolchain() as toolchain,
         Progress("comparing") as progress,
     ):
+        if request.device:
+            _check_named_device(runner, routes)
         subjects = _subjects(request, routes)
         rows = run(
             subjects, routes, runner, toolchain,
             seed=request.seed, done=lambda done, total: progress.tell(done / total),
         )  # fmt: skip
     return subjects, rows
+
+
+def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
+    """Raise ``DriverError`` if there is no such device, instead of once for each material."""
+    for route in routes:
+        if runner.problem(route) is None:
+            runner.device(route)
 
 
 def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
@@ -200,24 +211,67 @@ def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Ro
 
 
 def _subjects(request: Request, routes: Sequence[Route]) -> Subjects:
-    """Every material with every rig and pass, each with the label that the table shows."""
-    from .. import api
+    """Every material with every rig and pass, each with the label that the table shows.
+
+    Raises ``CompileError`` with the errors of all files.
+    """
+    from ..compiler.diagnostics.diagnostic import CompileError
 
     profiles = sorted({route.profile for route in routes})
-    results = [
-        (path, variant, api.compile(
-            path, profiles, rig=variant[0], pass_=variant[1],
+    found: Subjects = []
+    warnings: list[Diagnostic] = []
+    errors: list[Diagnostic] = []
+    for path in request.files:
+        try:
+            for variant in _variants(path, request):
+                for result in _compiled(path, variant, request, profiles):
+                    warnings += result.diagnostics
+                    for material in result.materials:
+                        label = _label(path, request.files, material.name, variant)
+                        found.append((label, material))
+        except CompileError as error:
+            errors += error.diagnostics
+    if errors:
+        raise CompileError(errors)
+    show(warnings)
+    return found
+
+
+def _compiled(
+    path: Path, variant: Variant, request: Request, profiles: Sequence[str]
+) -> list[CompileResult]:
+    """The materials of a file with a rig and a pass, without those that lack a slot for the pass.
+
+    Such materials are told. Raises ``CompileError``, also if no material has the slot.
+    """
+    from .. import api
+    from ..compiler.diagnostics import rules
+    from ..compiler.diagnostics.diagnostic import CompileError
+
+    def compiled(material: str | None, pass_: str | None) -> CompileResult:
+        return api.compile(
+            path, profiles, material=material, rig=variant[0], pass_=pass_,
             search_path=request.search_path, hoist=request.hoist, partial=True,
-        ))
-        for path in request.files
-        for variant in _variants(path, request)
-    ]  # fmt: skip
-    show(found for _, _, result in results for found in result.diagnostics)
-    return [
-        (_label(path, request.files, material, variant), material)
-        for path, variant, result in results
-        for material in result.materials
-    ]
+        )  # fmt: skip
+
+    try:
+        return [compiled(None, variant[1])]
+    except CompileError as error:
+        if variant[1] is None or {one.rule for one in error.diagnostics} != {rules.UNKNOWN_NAME}:
+            raise
+        fitting: list[CompileResult] = []
+        lacking: dict[str, str] = {}
+        for name in [material.name for material in compiled(None, None)]:
+            try:
+                fitting.append(compiled(name, variant[1]))
+            except CompileError as reason:
+                lacking[name] = reason.diagnostics[0].message
+        if not fitting:
+            raise
+        for name, message in lacking.items():
+            label = _label(path, request.files, name, variant)
+            remark("warning", f"{label}: not drawn, as it does not fit this pass: {message}")
+        return fitting
 
 
 Variant = tuple[str | None, str | None]
@@ -233,13 +287,13 @@ def _variants(path: Path, request: Request) -> list[Variant]:
     return list(dict.fromkeys(chosen))
 
 
-def _label(path: Path, paths: Sequence[Path], material: CompiledMaterial, variant: Variant) -> str:
+def _label(path: Path, paths: Sequence[Path], material: str, variant: Variant) -> str:
     """The label of a material: its file's name, or the whole path if two names are equal."""
     from ..compiler.diagnostics.file_names import readable
 
     alike = sum(other.name == path.name for other in paths) > 1
     file = readable(str(path) if alike else path.name)
-    return " × ".join([f"{file}: {material.name}", *filter(None, variant)])
+    return " × ".join([f"{file}: {material}", *filter(None, variant)])
 
 
 def _tell(rows: Sequence[Row], *, strict: bool) -> None:

@@ -25,7 +25,7 @@ SAYS_NOTHING = 1 / 8
 USUAL = (0.02, 0.98)
 """The quantiles between which the picture's range is measured, so that a few pixels, such as a
 highlight, cannot make it larger."""
-CONSTANT = 2.0**-4
+CONSTANT = 0.25
 """The least range, relative to the largest value: that of a picture of one colour is 0. Of a black
 picture it is 1."""
 

@@ -9,6 +9,7 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
+from threading import Event
 
 from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
@@ -46,9 +47,10 @@ def conform(
     store = Store(STORE) if keep else Store(STORE, limit=0)
     plans = [_plan(label, subject, seed, store, size) for label, subject in subjects]
     rows: dict[tuple[int, int], Row] = {}
+    interrupted = Event()
     with ThreadPoolExecutor(os.cpu_count() or 1) as threads:
         pending = {
-            threads.submit(_row, plan, route, runner, toolchain): (i, j)
+            threads.submit(_row, plan, route, runner, toolchain, interrupted): (i, j)
             for i, plan in enumerate(plans)
             for j, route in enumerate(routes)
         }
@@ -58,6 +60,7 @@ def conform(
                 if done is not None:
                     done(number, len(pending))
         except BaseException:
+            interrupted.set()
             threads.shutdown(cancel_futures=True)
             raise
     return [rows[place] for place in sorted(rows)]
@@ -73,7 +76,14 @@ def _plan(
         return label, str(error)
 
 
-def _row(plan: Plan | tuple[str, str], route: Route, runner: Runner, toolchain: Toolchain) -> Row:
+def _row(
+    plan: Plan | tuple[str, str],
+    route: Route,
+    runner: Runner,
+    toolchain: Toolchain,
+    interrupted: Event,
+) -> Row:
+    """The row of a material and a route; it ends early, and is of no use, once ``interrupted``."""
     if isinstance(plan, tuple):
         label, reason = plan
         return Row(label, route, "failed", reason)
@@ -88,7 +98,10 @@ def _row(plan: Plan | tuple[str, str], route: Route, runner: Runner, toolchain: 
         for series, draws in plan.work:
             shader = pipeline(plan.subject.reflection, route, codes, exact=series.exact)
             pictures = runner.draw(route, Job(shader, draws))
-            results += plan.compared(series, route, device, pictures)
+            for result in plan.compared(series, route, device, pictures):
+                results.append(result)
+                if interrupted.is_set():
+                    break
     except (CodeError, DriverError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))

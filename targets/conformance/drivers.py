@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from ...compiler.reference.picture.scene import Derivatives
 from ...stdlib.builtins.accuracy import INTERPOLATED_BITS
 
 
@@ -28,8 +29,7 @@ class Hardware:
     """Of the level of detail."""
     mixing_bits: int | None = None
     """Of the weights of two levels whose texels are not filtered; ``None``: they are floats."""
-    own_derivatives: bool = False
-    """Whether differences are those of each pixel's own row and column, and not any of its quad."""
+    derivatives: Derivatives = "any"
     euclidean_steps: bool = False
     """Whether levels follow from a quad's first row and column, by Euclidean lengths."""
     corner_bits: int | None = None
@@ -55,7 +55,8 @@ class Driver:
     level_power: int | None = None
     """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters only for levels."""
+    """Whether a quad's first pixel is the lower left one, which matters for levels and
+    derivatives."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies."""
 
@@ -64,7 +65,7 @@ _LLVM = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
-        own_derivatives=True, euclidean_steps=True, corner_bits=20,
+        derivatives="own", euclidean_steps=True, corner_bits=20,
     ),
     clips_sides=True,
     edge_slack=2.0**-11,
@@ -75,7 +76,7 @@ _SWIFTSHADER = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
-        own_derivatives=True, euclidean_steps=True, corner_bits=8,
+        derivatives="first", euclidean_steps=True, corner_bits=8,
     ),
     interpolates_snapped=True,
     clips_sides=True,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.reference.attribution.explanation import (
@@ -16,6 +16,8 @@ from ...compiler.reference.attribution.explanation import (
 
 MOST = 8
 """How many expressions are listed under each heading."""
+MOST_WITHOUT_EFFECT = 2
+"""How many jumps without an effect of their own are told, if there is no better cause."""
 _LANES = "rgba"
 _INACCURATE = 1024.0
 """An operation whose own error is this many roundings of its value is called inaccurate."""
@@ -34,20 +36,45 @@ _NEARLY_ALL = 0.8
 """The part of the error from which on one operation is to blame."""
 
 
+def lanes_text(values: Iterable[float]) -> str:
+    """The lanes of a pixel."""
+    return f"({', '.join(f'{value:.7g}' for value in values)})"
+
+
 def causes(explanation: Explanation) -> Iterator[str]:
     """Why the pixel is inexact, each cause with its place, the worst one first.
 
     Nothing, if it is the sum of many small errors.
     """
+    found = [*_causes_of_errors(explanation)]
+    yield from found or (
+        _with_place(_tipping(tipping), tipping.expression.span)
+        for tipping in explanation.tippings[:MOST_WITHOUT_EFFECT]
+    )
+
+
+def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
+    """Those that change the pixel by themselves."""
+    for large in explanation.overflows[:1]:
+        yield _with_place(_overflow(large), large.span)
     for loss in explanation.losses[:1]:
         yield _with_place(_lossy(loss), loss.expression.span)
-    for tipping in _other_tippings(explanation)[:1]:
+    for tipping in [one for one in _other_tippings(explanation) if one.effect > 0][:1]:
         yield _with_place(_tipping(tipping), tipping.expression.span)
     for worst in explanation.contributions[:1]:
         size = max((abs(lane) for lane in worst.value), default=0.0)
         if worst.own > _INACCURATE * _ROUNDING * max(size, 1.0):
             text = f"`{worst.text}` {_OWN[worst.kind]} {_short(worst.own)}"
             yield _with_place(text, worst.span)
+
+
+def small(explanation: Explanation, width: float) -> str:
+    """What is said of a pixel whose bounds are wide although nothing in it loses precision."""
+    return (
+        f"no expression magnifies rounding much: at ({explanation.x}, {explanation.y}) it amounts "
+        f"to {_short(explanation.error)}, to first order, but the bounds are {_short(width)} wide, "
+        "as they do not see how errors cancel out"
+    )
 
 
 def blamed(explanation: Explanation) -> Iterator[str]:
@@ -64,6 +91,10 @@ def lines(explanation: Explanation) -> Iterator[str]:
     lane = _LANES[explanation.lane]
     value = explanation.value[explanation.lane]
     yield f"rounding may change {lane} = {value:.7g} by {_short(explanation.error)}, to first order"
+    if explanation.overflows:
+        yield from ("", "what overflows:")
+        for large in explanation.overflows:
+            yield f"  {_with_place(_overflow(large), large.span)}"
     if explanation.losses:
         yield from ("", "where precision is lost:")
         for loss in explanation.losses[:MOST]:
@@ -124,6 +155,10 @@ def _table(rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
         yield f"  {'  '.join(cells)}".rstrip()
 
 
+def _overflow(large: Expression) -> str:
+    return f"`{large.text}` is too large for float32: anything may follow"
+
+
 def _lossy(loss: Loss) -> str:
     return f"`{loss.expression.text}` magnifies rounding {_times(loss.times)}"
 
@@ -138,6 +173,8 @@ def _tipping(tipping: Tipping) -> str:
     text += f", and may be off by {_short(tipping.error)}: "
     if math.isinf(tipping.effect):
         return text + "the pixel would be discarded"
+    if tipping.effect == 0:
+        return text + "the bounds are those of both sides, though this alone changes nothing"
     return text + f"the pixel would change by {_short(tipping.effect)}"
 
 

@@ -22,7 +22,7 @@ from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE, Case, series_of
 from .compare import Bools, ends_of, says_nothing, shares
-from .error_words import blamed, causes, lines
+from .error_words import blamed, causes, lanes_text, lines, small
 from .plan import bounds_of
 from .rows import CaseResult, Row
 
@@ -33,6 +33,9 @@ Pixel = tuple[int, int]
 
 _BLAMED = 100.0
 """How many times its bound a difference may be for an operation's error to be told as its cause."""
+_TRIED = (0.5, 0.75, 0.25, 0.9)
+"""Which pixels are explained until one shows where precision is lost, in the order of how wide
+their bounds are, from 0 to 1."""
 _ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
 """Has the bits that nearly all devices have."""
 
@@ -124,13 +127,20 @@ def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> 
         raise PixelError(f"nothing is drawn at {x},{y} of `{name}`") from None
 
 
-def _of_little(subject: Subject, row: Row, seed: int) -> Iterator[str]:
-    """Where precision is lost, in the case that proves the least, at a usual pixel of it."""
+def _of_little(subject: Subject, row: Row, seed: int) -> list[str]:
+    """Where precision is lost, in the case that proves the least: at a usual pixel of it, or if
+    nothing is lost there, at others."""
     cases = _seen(subject, [row], seed)
     least = max(cases, key=lambda seen: _unproven(seen.result).sum(), default=None)
-    if least is not None and (pixel := _usual(least.result)) is not None:
-        for found in _explained_if_covered(subject, least, pixel):
-            yield from causes(found)
+    if least is None:
+        return []
+    otherwise = []
+    for x, y in _usual(least.result):
+        for found in _explained_if_covered(subject, least, (x, y)):
+            if told := list(causes(found)):
+                return told
+            otherwise.append(small(found, float(_width(least.result.expected)[y, x])))
+    return otherwise[:1]
 
 
 def _of_difference(subject: Subject, row: Row, seed: int) -> Iterator[str]:
@@ -208,11 +218,11 @@ def _values(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
         if expected.undecided[y, x]:
             note = "undecided: what is drawn here hangs on rounding"
         rows += [
-            (route, _lanes(got), note),
-            ("  from", _lanes(low), ""),
-            ("  to", _lanes(high), ""),
+            (route, lanes_text(got), note),
+            ("  from", lanes_text(low), ""),
+            ("  to", lanes_text(high), ""),
         ]
-    rows.insert(0, ("value", _lanes(seen.result.expected.targets[target][y, x]), ""))
+    rows.insert(0, ("value", lanes_text(seen.result.expected.targets[target][y, x]), ""))
     width = max(len(name) for name, _, _ in rows)
     for name, lanes, note in rows:
         yield f"{name:<{width}}  {lanes}{'  ' + note if note else ''}"
@@ -237,14 +247,14 @@ def _unproven(result: CaseResult) -> Bools:
     return says_nothing(*ends_of(expected), seen) & seen
 
 
-def _usual(result: CaseResult) -> Pixel | None:
-    """Of the pixels whose bounds say nothing, the one with the median width."""
+def _usual(result: CaseResult) -> list[Pixel]:
+    """Of the pixels whose bounds say nothing, some of usual widths, the median first."""
     rows, columns = np.nonzero(_unproven(result))
     if not len(rows):
-        return None
+        return []
     order = _width(result.expected)[rows, columns].argsort(kind="stable")
-    middle = order[len(order) // 2]
-    return int(columns[middle]), int(rows[middle])
+    chosen = [order[int(share * (len(order) - 1))] for share in _TRIED]
+    return list(dict.fromkeys((int(columns[i]), int(rows[i])) for i in chosen))
 
 
 def _width(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
@@ -257,7 +267,3 @@ def _width(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.float6
 
 def _quoted(name: str) -> str:
     return f"`{name}`"
-
-
-def _lanes(values: Iterable[float]) -> str:
-    return f"({', '.join(f'{value:.7g}' for value in values)})"

@@ -178,7 +178,7 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
         frag_coord_bits=hardware.frag_coord_bits,
         mip_bits=hardware.mip_bits,
         mixing_bits=hardware.mixing_bits,
-        own_derivatives=hardware.own_derivatives,
+        derivatives=hardware.derivatives,
         euclidean_steps=hardware.euclidean_steps,
         corner_bits=hardware.corner_bits,
         level_power=driver.level_power,

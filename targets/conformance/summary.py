@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from .compare import Sample
+from .error_words import lanes_text
 from .rows import STATUSES, CaseResult, Row, Status
 
 FAILURES: frozenset[Status] = frozenset({"differs", "overflows", "failed"})
@@ -130,19 +131,19 @@ def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
     if (change := comparison.change) is not None:
         yield (
             f"the compiler has changed the meaning of {comparison.changed} of {covered} pixels: "
-            f"{_place(change, result)} the material means {_lanes(change.got)}, but what was "
+            f"{_place(change, result)} the material means {lanes_text(change.got)}, but what was "
             f"emitted gives a value {_range(change)}"
         )
     if comparison.wrong and (worst := comparison.worst) is not None:
         yield (
             f"{comparison.wrong} of {covered} pixels are out of bounds; the worst, "
-            f"{_place(worst, result)}, is {_lanes(worst.got)} and must be {_range(worst)}"
+            f"{_place(worst, result)}, is {lanes_text(worst.got)} and must be {_range(worst)}"
         )
     elif (overflow := comparison.overflow) is not None:
         yield (
             f"in {comparison.overflowing} of {covered} pixels the value leaves what float32 holds, "
             f"where nothing is promised; at ({overflow.x}, {overflow.y}) it is "
-            f"{_lanes(overflow.expected)}"
+            f"{lanes_text(overflow.expected)}"
         )
     elif weak and (comparison.wide or comparison.undecided):
         yield (
@@ -151,7 +152,7 @@ def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
         )
     if (beyond := comparison.beyond) is not None:
         yield (
-            f"{_place(beyond, result)} it is {_lanes(beyond.got)}, which is within what is "
+            f"{_place(beyond, result)} it is {lanes_text(beyond.got)}, which is within what is "
             f"guaranteed, but not {_range(beyond)}, as was measured of this driver before"
         )
 
@@ -164,9 +165,5 @@ def _place(sample: Sample, result: CaseResult) -> str:
 def _range(sample: Sample) -> str:
     """Between which values a pixel has to be."""
     if sample.low == sample.high:
-        return f"exactly {_lanes(sample.low)}"
-    return f"from {_lanes(sample.low)} to {_lanes(sample.high)}"
-
-
-def _lanes(values: Sequence[float]) -> str:
-    return f"({', '.join(f'{value:.7g}' for value in values)})"
+        return f"exactly {lanes_text(sample.low)}"
+    return f"from {lanes_text(sample.low)} to {lanes_text(sample.high)}"

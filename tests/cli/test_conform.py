@@ -98,6 +98,36 @@ def test_rigs_and_passes() -> None:
     assert result.stdout.endswith("\n1 agrees\n")
 
 
+GLOW = """\
+material Plain { color = vec3(0.5) }
+material Lit { glow = 0.25  color = vec3(0.5) }
+pass Glow { target shine : rgba32f = vec4(material.glow) }
+"""
+
+
+def test_a_pass_that_fits_some_materials() -> None:
+    """The others are told, and are not drawn with it."""
+    Path("m.burnish").write_text(GLOW)
+    result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--pass", "Glow")
+    assert result.exit_code == 0
+    assert "\nm.burnish: Lit × Glow\n" in result.stdout
+    assert result.stdout.endswith("\n1 agrees\n")
+    assert result.stderr == (
+        "warning: m.burnish: Plain × Glow: not drawn, as it does not fit this pass: "
+        "unknown slot of `Plain` `glow`\n"
+    )
+
+
+def test_the_errors_of_all_files_are_told() -> None:
+    """So is a slot of which no material knows."""
+    Path("a.burnish").write_text(GLOW.replace("material.glow", "material.gleam"))
+    Path("b.burnish").write_text(UP.replace("normal", "norml"))
+    result = invoke("conform", "a.burnish", "m.burnish", "b.burnish", "--routes", "llvmpipe")
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert "unknown slot of `Plain` `gleam`" in result.stderr
+    assert "unknown name `norml`" in result.stderr
+
+
 def test_routes_whose_profile_lacks_something() -> None:
     """They are not run; the others are."""
     Path("m.burnish").write_text(

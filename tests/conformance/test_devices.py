@@ -58,7 +58,7 @@ def test_a_device_that_does_not_exist(name: str) -> None:
     route = DEVICE_ROUTES[name]
     with Runner([route], device="no such GPU") as runner, pytest.raises(DriverError) as error:
         runner.device(route)
-    assert "no device is called `no such GPU`; there are " in str(error.value)
+    assert "no device is called `no such GPU`; the devices are number 0, " in str(error.value)
     assert SOFTWARE in str(error.value)
 
 
@@ -68,3 +68,10 @@ def test_fixed_drivers_take_no_device() -> None:
         result = invoke(*command, "lavapipe:glsl", "--device", "RTX")
         assert result.exit_code == 2
         assert "--device is for the routes vulkan:glsl, " in result.stderr
+
+
+def test_a_name_that_no_device_has_is_told_once() -> None:
+    """Before anything is drawn, as each material would fail for the same reason."""
+    result = invoke("conform", ROOT / FILES[0], "--routes", "vulkan", "--device", "no such GPU")
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert result.stderr.startswith("error: no device is called `no such GPU`; the devices are ")

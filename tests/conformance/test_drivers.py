@@ -11,12 +11,23 @@ from dataclasses import replace
 
 import pytest
 
+import burnish
 from burnish.targets.conformance import plan
+from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.runner.routes import ROUTES
 
 from .kit import Studio
 from .subjects import row
+
+NEIGHBOURS = """\
+burnish 1
+material Product : Surface {
+    product = frag_coord.x * frag_coord.y
+    color = rgb(ddx(product), ddy(product), 0)
+}
+"""
+"""Its derivatives differ between the rows and the columns of a quad."""
 
 
 @pytest.mark.parametrize(
@@ -38,3 +49,11 @@ def test_it_differs_without(
     changed = {**DRIVERS, driver: replace(DRIVERS[driver], **without)}  # type: ignore[arg-type]
     monkeypatch.setattr(plan, "DRIVERS", changed)
     assert row(studio, material, route).status == "differs", "it does as specified: say so"
+
+
+@pytest.mark.parametrize("route", ["lavapipe:glsl", "swiftshader:glsl", "chromium:webgl2"])
+def test_derivatives_are_those_of_the_row_that_is_said(studio: Studio, route: str) -> None:
+    (material,) = burnish.compile(NEIGHBOURS, [ROUTES[route].profile])
+    (found,) = conform([("Product", material)], [ROUTES[route]], studio.runner, studio.toolchain)
+    assert found.status == "agrees"
+    assert all(result.comparison.beyond is None for result in found.results)

@@ -13,7 +13,7 @@ from burnish.compiler.reference.attribution.explanation import (
     Loss,
     Tipping,
 )
-from burnish.targets.conformance.error_words import blamed, causes, lines
+from burnish.targets.conformance.error_words import blamed, causes, lines, small
 
 TEXT = "material M {\n    wave  = sin(uv.x)\n    color = vec3(fract(wave * 9000))\n}\n"
 SOURCE = Source("m.burnish", TEXT)
@@ -86,6 +86,21 @@ def test_causes() -> None:
     ]
 
 
+def test_what_overflows_comes_first() -> None:
+    """All that follows may be anything, and what else is said of the pixel matters less."""
+    found = replace(FOUND, overflows=(PRODUCT,))
+    told = "`wave * 9000` is too large for float32: anything may follow (m.burnish:3)"
+    assert next(causes(found)) == told
+    assert list(lines(found))[2:4] == ["what overflows:", f"  {told}"]
+
+
+def test_wide_bounds_without_a_cause() -> None:
+    assert small(replace(FOUND, error=1.1e-4), 0.25) == (
+        "no expression magnifies rounding much: at (36, 28) it amounts to 1.1e-04, to first order, "
+        "but the bounds are 0.25 wide, as they do not see how errors cancel out"
+    )
+
+
 def test_jumps() -> None:
     """How far away they are, and what would become of the pixel."""
     close = Tipping(FRACTION, "a whole number", True, 2e-7, 5e-7, 0.75)
@@ -96,6 +111,17 @@ def test_jumps() -> None:
         f"{start}the pixel would change by 0.75 (m.burnish:3)",
         f"{start}the pixel would be discarded (m.burnish:3)",
     ]
+
+
+def test_jumps_that_change_nothing_by_themselves() -> None:
+    """They are told if there is no better cause, as the bounds allow for several at once."""
+    tie = Tipping(FRACTION, "equality", False, 0.0, 5e-7, 0.0)
+    found = replace(FOUND, losses=(), contributions=(), tippings=(tie,))
+    assert list(causes(found)) == [
+        "`fract(wave * 9000)` is 0 from equality, and may be off by 5.0e-07: the bounds are those "
+        "of both sides, though this alone changes nothing (m.burnish:3)"
+    ]
+    assert tie.words not in "".join(causes(replace(FOUND, tippings=(tie,))))
 
 
 def test_blame() -> None:

@@ -42,9 +42,9 @@ def _materials(path: Path) -> Iterator[str]:
 
 ROUGH_SINES = {"swiftshader", "webgpu", "webgl2"}
 """Drivers on SwiftShader, whose sines are off by up to 2e-4; 2^-11 is allowed."""
-HANGS_ON_SINES = {"foliage", "halftone", "mixins"}
-"""Examples whose vertices, or the cells of whose pattern, are where a sine is: there it hangs on
-the sine's error which side of an edge many pixels are on."""
+HANGS_ON_SINES = {"mixins"}
+"""Examples whose vertices are where a sine is: it hangs on the sine's error which side of an edge
+many pixels are on."""
 
 CASES = [
     pytest.param(

@@ -195,6 +195,12 @@ def test_values_beyond_float32() -> None:
     assert math.isfinite(found.error)
 
 
+def test_the_first_of_the_operations_that_overflow() -> None:
+    found = explained("value = vec4(1 / (1 + exp(200 * s.x + 30) * exp(100 * s.x)))")
+    assert [one.text for one in found.overflows] == ["exp(200 * s.x + 30)"]
+    assert explained("value = vec4(exp(s.x))").overflows == ()
+
+
 def test_pixels_that_nothing_covers() -> None:
     with pytest.raises(UncoveredError):
         explained("value = vec4(s, 0, 1)", discard="discard when material.value.x < 0.9")

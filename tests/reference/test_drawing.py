@@ -70,6 +70,16 @@ def test_interpolation_is_correct_in_perspective() -> None:
     assert np.allclose(found.targets[0][y, x, :2], expected, rtol=1e-12)
 
 
+def test_what_is_zero_at_all_corners_is_exactly_zero() -> None:
+    """So that the floor of a plane's coordinate, or its sign, does not hang on what is flushed."""
+    given = passing("attribute s : vec2\nvalue = vec4(s, 0, 1)")
+    mesh = triangles(*FULL, s=[(0, 0.5), (0, 0.25), (0, 0.125)])
+    found = picture(given, mesh, at(4, varying_bits=20), errors=few_ulps)
+    widths = (found.high[0] - found.low[0])[found.covered]
+    assert (widths[:, 0] == 0).all()
+    assert (widths[:, 1] > 0).all()
+
+
 def test_a_clipped_triangle_keeps_its_values() -> None:
     given = passing("attribute s : vec2\nvalue = vec4(s, frag_coord.w, frag_coord.z)")
     world = [(-40.0, 30.0), (40.0, 30.0), (0.0, -30.0)]

@@ -213,6 +213,22 @@ def test_a_coordinate_that_is_anything_reads_anything() -> None:
                                          image.hull(np.zeros(1, int))[1][0, 0]))  # fmt: skip
 
 
+@pytest.mark.parametrize("implicit", [False, True])
+def test_a_cube_reads_anything_in_the_direction_zero(implicit: bool) -> None:
+    """No API says what a device reads there, nor in which level its neighbours read."""
+    device, _ = textures("cube")
+    direction = np.array([[[1.0, 0.0], [0.3, 0.5]], [[1.0, 0.4], [0.3, 0.5]]])
+    lanes = tuple(exact(scale * direction) for scale in (1.0, 0.5, -0.2))
+    operands = (lanes,) if implicit else (lanes, (exact(0.0),))
+    found = device.reader.read("sample" if implicit else "sample_level", operands)
+    level = np.zeros(1, dtype=int)
+    least, greatest = (end[0, 0] for end in device.reader._image.hull(level, every_level=True))
+    widths = found[0].high - found[0].low
+    assert (found[0].low[0, 0, 1], found[0].high[0, 0, 1]) == (least, greatest)
+    assert (widths[0] == greatest - least).all()
+    assert (widths[1] < 0.9 * (greatest - least)).all()
+
+
 def test_a_texture_of_one_colour() -> None:
     """The weights of a filter add up to 1, but for rounding; black and single texels are exact."""
     texel = np.array([1.0, 1.0, 0.5, 0.0])

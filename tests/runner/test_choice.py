@@ -31,7 +31,8 @@ def test_an_unknown_device_is_an_error_that_lists_them(wanted: str) -> None:
     with pytest.raises(DriverError) as error:
         chosen(NAMES[:2], HARDWARE[:2], wanted)
     assert str(error.value) == (
-        f"no device is called `{wanted}`; there are 0: llvmpipe; 1: NVIDIA RTX 4070"
+        f"no device is called `{wanted}`; "
+        "the devices are number 0, llvmpipe; number 1, NVIDIA RTX 4070"
     )
 
 

@@ -12,6 +12,7 @@ from typing import Literal
 
 import numpy as np
 
+from ....stdlib.builtins.facts import LARGEST_FLOAT
 from ...diagnostics.source import Span
 from ...formula import Formulas
 from ...ir.node import Node, Op, reachable
@@ -82,7 +83,7 @@ class Tipping:
     error: float
     """How close it is to the jump, and by how much it may be off."""
     effect: float
-    """By how much the picture changes if it jumps; infinite if the pixel is discarded."""
+    """By how much the picture changes if nothing else jumps; infinite if the pixel is discarded."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -106,6 +107,8 @@ class Explanation:
     """Jumps that rounding may tip, the one that matters most first."""
     way: tuple[Expression, ...]
     """From the picture down to the operation that contributes most."""
+    overflows: tuple[Expression, ...] = ()
+    """Operations whose results are too large for float32, although their operands are not."""
 
 
 def explain(
@@ -156,6 +159,7 @@ class _Explaining:
             losses=tuple(self._losses()),
             tippings=tuple(self._tippings()),
             way=tuple(self._way(sites[0][0].node)) if sites else (),
+            overflows=tuple(self._expression([site]) for site in self._overflowing()),
         )  # fmt: skip
 
     def _place(self) -> tuple[int, int, tuple[float, ...]]:
@@ -266,6 +270,14 @@ class _Explaining:
             gains.append(min(max(cancelled, steep), seen))
         return max(gains)
 
+    def _overflowing(self) -> Iterator[Site]:
+        """The first of the operations that overflow, in the order of evaluation."""
+        for site in self._found.sites:
+            is_whole = all(abs(value) <= LARGEST_FLOAT for value, _ in site.operands)
+            if is_whole and not all(abs(value) <= LARGEST_FLOAT for value in site.value):
+                yield site
+                return
+
     # --- jumps ------------------------------------------------------------------------------------
 
     def _tippings(self) -> Iterator[Tipping]:
@@ -276,7 +288,7 @@ class _Explaining:
             )
             for site in self._found.sites
             for jump in site.jumps
-            if jump.effect is not None and jump.effect[self._worst] > 0
+            if jump.effect is not None
         ]  # fmt: skip
         seen = set()
         for tipping in sorted(found, key=lambda tipping: -tipping.effect):

@@ -97,6 +97,13 @@ class Bounded:
         return self._radius
 
     @property
+    def rounding(self) -> Array:
+        """By how much a device may round a sum or a product, in any order that it may take."""
+        if self._sum is not None:
+            return self._sum.roundings * (ULP * self._sum.magnitude + SMALLEST_NORMAL)
+        return self._factors * (ULP * self.magnitude + SMALLEST_NORMAL)
+
+    @property
     def any_form(self) -> Form:
         """Its form, or one that shares no error."""
         return alone(self.radius) if self.form is None else self.form

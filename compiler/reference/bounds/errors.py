@@ -79,11 +79,13 @@ class _OfPlatform:
 
     def error(self, name: str, operand: Floats, result: Floats) -> Floats:
         """The largest error for magnitudes up to these."""
+        promise = self._promise(name)
         if name not in self._measured:
-            return self._by(self._promise(name), name, operand, result)
-        # What is allowed besides what was measured must not be more than what is promised.
-        bounds = self._measured[name], self._promise(name)
-        return np.minimum(*(self._by(bound, name, operand, result) for bound in bounds))
+            return self._by(promise, name, operand, result)
+        # What is allowed besides what was measured must not be more than what is promised. That is
+        # inherited from other promises, and not from what was measured of other functions.
+        promised = _OfPlatform(self._platform, {})._by(promise, name, operand, result)
+        return np.minimum(self._by(self._measured[name], name, operand, result), promised)
 
     def _promise(self, name: str) -> Bound:
         return BUILTINS[name].accuracy.on(self._platform).bound

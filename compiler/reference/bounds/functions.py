@@ -14,10 +14,10 @@ import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from .affine import Derivative, Form, chosen, curved
+from .blend import blend
 from .bounded import (
     Bounded,
     as_bounded,
-    either,
     exact,
     hull,
     limited,
@@ -88,13 +88,8 @@ class Bounds:
         return _of_ends(np.maximum, np.greater_equal, x, y)
 
     def mix(self, x: Any, y: Any, a: Any, /) -> Bounded:
-        """A blend, computed as ``x * (1 - a) + y * a`` or as ``x + (y - x) * a``.
-
-        WGSL and Vulkan name the first formula, Direct3D's ``lerp`` the second, and drivers of both
-        use either.
-        """
-        x, y, a = as_bounded(x), as_bounded(y), as_bounded(a)
-        return either(x * (1.0 - a) + y * a, x + (y - x) * a)
+        """A blend of ``x`` and ``y`` with the weight ``a``."""
+        return blend(as_bounded(x), as_bounded(y), as_bounded(a))
 
     def fract(self, x: Any, /) -> Bounded:
         """The part above the floor. Just below a whole number it is 1, or the float before 1.

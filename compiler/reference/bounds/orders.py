@@ -18,6 +18,8 @@ _FINEST = 2.0**-12
 _LARGEST = 2.0**6
 """Sums of multiples of the one are exact in any order, for a long time, if no term is larger than
 the other."""
+_COUNTED = 2.0**24
+"""Float32 has all whole numbers up to this one."""
 
 
 @dataclass(slots=True, eq=False)
@@ -32,6 +34,7 @@ class Sum:
     error: Array = 0.0
     """By how much its bounds are wider because of the order of its terms."""
     _magnitude: Array | None = None
+    _whole: Array | None = None
 
     @property
     def magnitude(self) -> Array:
@@ -40,6 +43,14 @@ class Sum:
             left, right = self.operands
             self._magnitude = left.magnitude + right.magnitude
         return self._magnitude
+
+    @property
+    def whole(self) -> Array:
+        """Where every device has exactly each of the terms, and they are whole numbers."""
+        if self._whole is None:
+            left, right = self.operands
+            self._whole = left.whole & right.whole
+        return self._whole
 
 
 @dataclass(slots=True, eq=False)
@@ -54,6 +65,12 @@ class Single:
         """The largest magnitude that it may have."""
         return np.maximum(np.abs(self.low), np.abs(self.high))
 
+    @property
+    def whole(self) -> Array:
+        """Where every device has exactly this number, and it is whole."""
+        same = np.equal(self.low, self.high)
+        return same & (np.rint(self.low) == self.low) if same.any() else same
+
 
 Term = Sum | Single
 
@@ -62,9 +79,12 @@ def in_any_order(sum_: Sum) -> Array:
     """By how much further the bounds of a sum have to be widened for any order of its terms.
 
     Each of n operations rounds a partial sum, which no order makes larger than the sum of all
-    magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero.
+    magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero. Whole
+    numbers that float32 counts one by one are not rounded in any order.
     """
     step = ULP * sum_.magnitude + np.minimum(sum_.magnitude, SMALLEST_NORMAL)
+    if (whole := sum_.whole).any():
+        step = np.where(whole & (sum_.magnitude <= _COUNTED), 0.0, step)
     sum_.error = sum_.roundings * step
     before = [term.error for term in sum_.operands if isinstance(term, Sum)]
     return sum_.error - sum(before)

@@ -78,6 +78,11 @@ def met(direction: Sequence[Bounded], exactly: bool = False) -> Iterator[tuple[P
             yield pixels, _met(np.full(len(pixels), number), chosen, lane_at(pixels, out), off)
 
 
+def may_be_nowhere(direction: Sequence[Bounded]) -> Bools:
+    """Which directions may be zero, so that no API says where they meet the cube."""
+    return np.asarray(largest([abs(lane) for lane in direction]).low < SMALLEST_NORMAL)
+
+
 def face_of(direction: Sequence[Floats]) -> Ints:
     """The face that directions meet."""
     x, y, z = direction

@@ -90,6 +90,12 @@ class Filter:
         found = hull_of_choices([place.layer, self._number(level)], compute, anything)
         return found if place.reference is not None else self._weighed(found)
 
+    def of_any(self, place: Place) -> Bounded:
+        """The lanes of reads of any texels, in any level; only the number of places counts."""
+        level = np.zeros(place.axes[0].value.shape, dtype=np.int64)
+        low, high = self._anything(place, level, every_level=True)
+        return self._weighed(Bounded(low, low, high))
+
     def of_equal(self, texel: Bounded) -> Bounded:
         """A read of a texture all of whose texels are the same, lane by lane."""
         blends = self._image.axes if self._kind == "linear" else 0

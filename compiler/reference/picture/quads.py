@@ -17,7 +17,8 @@ from .faces import Faces
 from .scene import Floats, Ints, RasterRules
 
 _FLUSHED = 2.0**-120
-"""The error of a mean where a device may take small numbers of the computation for zero."""
+"""The error of a mean where a device may take small numbers of the computation for zero. Means of
+nothing but zeros are exact."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +131,8 @@ class Barycentric:
         near = self._faces.per_w[self._face]
         largest = np.abs(corners).max(axis=1) * np.abs(near).max(axis=1)
         planes = self._nudge * self._largest(parts * near, largest) / np.abs(self.per_w.value)
-        off = planes + self._far * np.abs(value) + self._flushed
+        flushed = self._flushed * (largest > 0)[:, None, None]
+        off = planes + self._far * np.abs(value) + flushed
         a, b, c = parts.T[:, :, None, None]
         second, third = np.abs(b - a), np.abs(c - a)
         off = off + self._moved * (self._slopes[0] * second + self._slopes[1] * third)

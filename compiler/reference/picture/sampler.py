@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from ..bounds import Bounded, as_bounded, exact
+from ..bounds import Bounded, as_bounded, exact, remembered
 from ..namespace import Lane, Lanes
 from . import levels
 from .choices import Choice, Part, hull_of_choices, sure, with_hull
-from .cube import met
+from .cube import may_be_nowhere, met
 from .filtering import Filter, Place
 from .intervals import finite, increasing
 from .levels import Steps
@@ -123,7 +123,7 @@ class TextureReader:
         image = self._image
         filter_ = Filter(image, image.state["filter"])
         if image.only is not None:
-            return tuple(map(filter_.of_equal, image.only))
+            return tuple(remembered(filter_.of_equal(texel)) for texel in image.only)
         if image.has_one_level:
             return self._read(filter_, where)
         if isinstance(level, Steps) and self._moves_on_surface:
@@ -163,7 +163,21 @@ class TextureReader:
         found = filter_.of(nominal)
         for pixels, in_face in further:
             found = with_hull(found, pixels, filter_.of(in_face))
+        lost = self._without_place(place, shape)
+        if len(lost):
+            found = with_hull(found, lost, filter_.of_any(place.at(lost)))
         return _lanes(found, shape)
+
+    def _without_place(self, place: Place, shape: tuple[int, ...]) -> Ints:
+        """The pixels that may read a cube in the direction zero, or whose neighbours in their quad
+        do so: the differences between their places are not defined, either."""
+        if self._image.is_exact:
+            return np.zeros(0, dtype=np.int64)
+        lost = may_be_nowhere(place.axes)
+        if len(shape) == 3:
+            quads = lost.reshape(shape).any(axis=(1, 2), keepdims=True)
+            lost = np.broadcast_to(quads, shape).ravel()
+        return np.flatnonzero(lost)
 
     def _in_faces(self, place: Place, steps: Steps | None) -> Iterator[tuple[Part, Place]]:
         """The places in a cube's faces where directions may meet it, for the pixels that may.
@@ -193,9 +207,10 @@ def _flat(lane: Bounded, shape: tuple[int, ...]) -> Bounded:
 
 
 def _lanes(found: Bounded, shape: tuple[int, ...]) -> Lanes:
-    """The lanes of a read (lanes, pixels) in the shape of its operands."""
+    """The lanes of a read (lanes, pixels) in the shape of its operands, with errors that all share
+    that is computed from them."""
     return tuple(
-        Bounded(*ends) if not found.is_exact else exact(ends[0])
+        remembered(Bounded(*ends)) if not found.is_exact else exact(ends[0])
         for ends in zip(*(
             np.reshape(end, (len(end), *shape)) for end in (found.value, found.low, found.high)
         ), strict=True)

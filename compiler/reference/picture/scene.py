@@ -14,6 +14,9 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
 Cull = Literal["none", "back", "front"]
+Derivatives = Literal["own", "first", "any"]
+"""The differences that a device takes: those of each pixel's own row and column, those of the
+first row and column for the whole quad, or, if nothing is known, any of its quad."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +105,7 @@ class RasterRules:
     level_power: int | None = None
     """A device reads the logarithm of this power of a footprint roughly, from a float's bits;
     ``None``: it is exact."""
-    own_derivatives: bool = False
-    """Whether the device is known to take the difference in each pixel's own row or column, and not
-    any of its quad."""
+    derivatives: Derivatives = "any"
     euclidean_steps: bool = False
     """Whether the device is known to take differences between pixels in a quad's first row and
     column, and their Euclidean lengths, except for cubes. Vulkan allows others, too."""
@@ -112,7 +113,8 @@ class RasterRules:
     """The binary places of the texel beyond a cube's corner, where the device is known to read the
     mean of the three around it, as Vulkan recommends; ``None``: it may read one of them."""
     bottom_up: bool = False
-    """Whether a quad's first pixel is the lower left one, which matters only for levels."""
+    """Whether a quad's first pixel is the lower left one, which matters for levels and
+    derivatives."""
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
     Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""

@@ -34,7 +34,9 @@ _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.u
 _GRADS = frozenset({"sample_grad"})
 """Builtins that use neighbours' values, too, if cubes are not projected."""
 _PROMISES = frozenset(name for name, row in BUILTINS.items() if row.is_promise)
-_DERIVATIVE_AXES = {"ddx": -2, "ddy": -1}
+_ROWS, _COLUMNS = -2, -1
+"""The axes of a quad."""
+_DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 """The axis of a quad along which a device may choose between two differences."""
 
 BROKEN = 1e-5
@@ -86,8 +88,7 @@ class StageEvaluator:
         self._values = values
         self.has_bounds = errors is not None
         """Whether lanes are ``Bounded``."""
-        self.knows_no_row = self.has_bounds and not rules.own_derivatives
-        """Whether a derivative may be that of any row or column of a quad."""
+        self.rules = rules
         self._bounds = Bounds(errors or _no_error)
         self._xp: Namespace = self._bounds if self.has_bounds else np
         ((self._position,), self._targets, discards) = (
@@ -201,8 +202,8 @@ class _Watch:
         builtin = builtin_of(node)
         if builtin in _COMPARES_NEIGHBOURS and self.undecided.any():
             self.undecided |= self.undecided.any(axis=(-2, -1), keepdims=True)
-        if builtin in _DERIVATIVE_AXES and self._stages.knows_no_row:
-            return tuple(_any_difference(lane, _DERIVATIVE_AXES[builtin]) for lane in value)
+        if builtin in _DERIVATIVE_AXES:
+            return tuple(_difference(lane, builtin, self._stages.rules) for lane in value)
         return value
 
     def _check(self, node: Node, vector: Lanes) -> None:
@@ -247,11 +248,17 @@ def _remembered(value: Lanes) -> Lanes:
     )
 
 
-def _any_difference(lane: Lane, axis: int) -> Lane:
-    """A derivative: that of a pixel's own row or column, or on a device of another in the quad."""
-    if not isinstance(lane, Bounded) or not lane.ndim or lane.shape[axis] != 2:
+def _difference(lane: Lane, builtin: str, rules: RasterRules) -> Lane:
+    """A derivative as a device takes it: ``lane`` has that of each pixel's own row or column."""
+    axis = _DERIVATIVE_AXES[builtin]
+    if not np.ndim(lane) or lane.shape[axis] != 2:
         return lane
-    return hull(lane, lane.take([1, 0], axis))
+    if rules.derivatives == "first":
+        first = int(rules.bottom_up and axis == _ROWS)
+        return lane.take([first, first], axis)
+    if rules.derivatives == "any" and isinstance(lane, Bounded):
+        return hull(lane, lane.take([1, 0], axis))
+    return lane
 
 
 def _whole(lane: Any, shape: tuple[int, ...]) -> Bounded:

@@ -23,11 +23,19 @@ def is_cycle(ctx: Context, key: Hashable, name: str, span: Span) -> bool:
     steps = [step for step in list(active.values())[start:] if step[0]]
     labels = [Label(place, f"`{step}` is needed here") for step, place in steps[1:]]
     hint = ""
-    if isinstance(key, tuple) and isinstance(key[0], Instance):
-        above = len(key[0].record.definitions.get(name, ())) > 1
-        hint = f"what it is otherwise is `inherited.{name}`" if above else ""
+    if isinstance(key, tuple) and isinstance(key[0], Instance) and _is_overridden(key[0], name):
+        hint = f"what it is otherwise is `inherited.{name}`"
     ctx.report.add(
         rules.CYCLIC_DEFINITION, span, name=name,
         cycle=" → ".join([*(step for step, _ in steps), name]), labels=labels[:8], hint=hint,
     )  # fmt: skip
     return True
+
+
+def _is_overridden(instance: Instance, name: str) -> bool:
+    """Whether there is another definition behind that of a slot: of a base, or, if a pass or the
+    entry of a rig has overridden it, of the record itself."""
+    replacement = instance.replaced.get(name)
+    if replacement is not None and replacement.definition is not None:
+        return True
+    return len(instance.record.definitions.get(name, ())) > 1

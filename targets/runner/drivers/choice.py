@@ -23,5 +23,5 @@ def chosen(names: Sequence[str], hardware: Sequence[bool], wanted: str) -> int:
         fitting = [int(wanted)]
     if fitting:
         return fitting[0]
-    listed = "; ".join(f"{number}: {name}" for number, name in enumerate(names))
-    raise DriverError(f"no device is called `{wanted}`; there are {listed}")
+    listed = "; ".join(f"number {number}, {name}" for number, name in enumerate(names))
+    raise DriverError(f"no device is called `{wanted}`; the devices are {listed}")

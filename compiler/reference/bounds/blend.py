@@ -1,0 +1,55 @@
+"""The bounds of ``mix``, whose two weights depend on one number.
+
+Interval arithmetic forgets that ``1 - a`` is small where ``a`` is large. Where a decision that may
+tip chooses by ``mix(x, y, step(…))``, it would say that the result lies between 0 and ``x + y``.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .bounded import Bounded, either, limited
+from .rounding import Array
+
+_OPEN = 2.0**-12
+"""A weight whose ends are farther apart than this makes the bounds of both formulas too wide."""
+
+
+def blend(x: Bounded, y: Bounded, a: Bounded) -> Bounded:
+    """A blend, computed as ``x * (1 - a) + y * a`` or as ``x + (y - x) * a``.
+
+    WGSL and Vulkan name the first formula, Direct3D's ``lerp`` the second, and drivers of both
+    use either.
+    """
+    rest, change = 1.0 - a, y - x
+    part, other, moved = x * rest, y * a, change * a
+    mean, shifted = part + other, x + moved
+    found = either(mean, shifted)
+    if a.is_exact or not (a.high - a.low > _OPEN).any():
+        return found
+    error = np.maximum(
+        x.magnitude * rest.rounding + part.rounding + other.rounding + mean.rounding,
+        a.magnitude * change.rounding + moved.rounding + shifted.rounding,
+    )
+    low, high = _ends(x, y, a)
+    return limited(
+        found,
+        np.where(np.isfinite(low + error), low - error, found.low),
+        np.where(np.isfinite(high + error), high + error, found.high),
+    )
+
+
+def _ends(x: Bounded, y: Bounded, a: Bounded) -> tuple[Array, Array]:
+    """Between which numbers the unrounded blend lies.
+
+    It is linear in each of the three operands, so its extremes are at their ends.
+    """
+    with np.errstate(invalid="ignore"):
+        corners = [
+            one * (1.0 - weight) + other * weight
+            for weight in (a.low, a.high)
+            for one in (x.low, x.high)
+            for other in (y.low, y.high)
+        ]
+    stacked = np.stack(np.broadcast_arrays(*corners))
+    return stacked.min(axis=0), stacked.max(axis=0)
