@@ -48,7 +48,7 @@ def outcome(folder: Path, text: str, *options: str) -> tuple[int, str]:
 
 
 def test_what_hangs_fails(tmp_path: Path) -> None:
-    code, said = outcome(tmp_path, HANGING, "-n", "0")
+    code, said = outcome(tmp_path, HANGING, "-n", "0", "-o", "timeout=1")
     assert code == 1
     for what in ("a_lock", "a_pipe", "a_program", "a_program_of_ours"):
         assert f"test_it.py::test_{what} - Failed: Timeout" in said

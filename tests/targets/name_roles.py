@@ -163,7 +163,8 @@ ROLES: Mapping[str, Role] = {
     "parameter": Role(_parameters, NAMES_OF_VALUES),
     "group": Role(_groups),
     "slot": Role(_slots, NAMES_OF_VALUES),
-    "function, argument and part": Role(_functions, IN_RECORDS),
+    # glslang's time for HLSL grows with the square of the number of functions.
+    "function, argument and part": Role(_functions, IN_RECORDS, in_hlsl=200),
     "structure": Role(_structures, IN_RECORDS | TYPES),
     "member": Role(_members),
     "texture": Role(_textures, NAMES_OF_VALUES | {"vec2", "vec3", "vec4"}),

@@ -21,7 +21,8 @@ from .programs import Maker, block, tiny
 
 NAMES: list[Printed] = [(name, Binding.NAME) for name in "abc"]
 A, B, C = NAMES
-FAR_TOO_DEEP = 3000
+FAR_TOO_DEEP = 1500
+"""More than Python's own stack takes. The text grows with its square, as each level is indented."""
 
 
 def infix(symbol: str, left: Printed, right: Printed) -> Printed:
