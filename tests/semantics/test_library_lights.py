@@ -109,7 +109,12 @@ def test_ambient_light() -> None:
     assert found == close(np.multiply(SURFACE, (0.2, 0.3, 0.4)))
 
 
-@pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8)])
+ACROSS = unit(np.cross(NORMAL_IN_WORLD, np.cross(TO_EYE, NORMAL_IN_WORLD)))
+GRAZING = POSITION_IN_WORLD - ACROSS - 0.1 * NORMAL_IN_WORLD
+"""Behind the surface, but its mirrored direction goes to the eye."""
+
+
+@pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8), GRAZING])
 def test_a_highlight_after_phong(place: Any) -> None:
     to_lamp = unit(place - POSITION_IN_WORLD)
     cosine = float(NORMAL_IN_WORLD @ to_lamp)
