@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from burnish.compiler.reference.bounds import Errors
+from burnish.compiler.reference.namespace import OwnFunctions
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
 
 Array = Any
@@ -180,7 +181,7 @@ class Chosen:
         return self._from(operator.mod, other)
 
 
-class Device:
+class Device(OwnFunctions):
     """An array library whose lanes are ``Chosen``."""
 
     def __init__(self, errors: Errors, habits: Habits, seed: int) -> None:
@@ -367,6 +368,16 @@ class Device:
     def sqrt(self, x: Any, /) -> Chosen:
         root = self._function("sqrt", np.sqrt, self.maximum(x, 0.0))
         return Chosen(self, np.maximum(root.value, 0.0))
+
+    def rising(self, function: Callable[[Any, Any], Any], x: Any, /) -> Any:
+        return function(self, x)
+
+    def fract(self, x: Any, /) -> Any:
+        return x - self.floor(x)
+
+    def mix(self, x: Any, y: Any, a: Any, /) -> Any:
+        """By the formula of WGSL and Vulkan, or by Direct3D's."""
+        return x + (y - x) * a if self._does(self._habits.reorders) else x * (1.0 - a) + y * a
 
     def inversesqrt(self, x: Any, /) -> Chosen:
         return self._function("inversesqrt", lambda value: 1.0 / np.sqrt(value), x)
