@@ -37,7 +37,7 @@ SEEN_SHARE = 0.01
 """The part of its picture that must be proven pixels of the object, in at least one case."""
 
 ROUNDING = 2.0**-40
-"""By how much rounding to float64 may change a value, relative to the larger ones of a picture."""
+"""By how much rounding to float64 may change a value, relative to the larger ones of a lane."""
 
 Level = Literal["measured", "guaranteed"]
 """Which bounds hold: those of what was measured of the driver, or of what specifications
@@ -192,9 +192,11 @@ def shares(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
 
 
 def _larger_of(values: Floats, seen: Bools) -> Floats:
-    """The magnitude of each lane, or if that is larger, what is usual in its target."""
-    usual = [np.quantile(np.abs(value[seen]), USUAL[1]) if seen.any() else 0.0 for value in values]
-    larger: Floats = np.maximum(np.abs(values), np.reshape(usual, (-1, 1, 1, 1)))
+    """The magnitude of each number, or if that is larger, what is usual in its lane."""
+    if not seen.any():
+        return np.abs(values)
+    usual = [np.quantile(np.abs(value[seen]), USUAL[1], axis=0) for value in values]
+    larger: Floats = np.maximum(np.abs(values), np.stack(usual)[:, None, None])
     return larger
 
 

@@ -19,6 +19,7 @@ from burnish.compiler.reference import (
     operations,
     vectors,
 )
+from burnish.compiler.reference.bounds import Bounded
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.picture import (
     Expected,
@@ -98,7 +99,7 @@ def _reflected(_xp: Any, incident: Any, normal: Any) -> Any:
 
 def _refracted(xp: Any, incident: Any, normal: Any, ratio: Any) -> Any:
     (eta,) = ratio
-    return vectors.refract(xp, incident, normal, (1.0 / eta,))
+    return vectors.refract(xp, incident, normal, (xp.divide(1.0, eta),))
 
 
 def _lit_behind(xp: Any, diffuse: Any, specular: Any, power: Any) -> Any:
@@ -195,7 +196,12 @@ def _linear(place: Any, *about: Any, **named: Any) -> Any:
 def _last(place: Any, values: Any) -> Any:
     """Take flat values from the last vertex."""
     corner = place._faces.corners[place._face, 2]
-    return tuple(lane[corner][:, None, None] if np.ndim(lane) else lane for lane in values)
+    return tuple(
+        lane.mapped(lambda array: array[corner][:, None, None])
+        if isinstance(lane, Bounded)
+        else lane[corner][:, None, None]
+        for lane in values
+    )
 
 
 def _farthest(fragments: Any, depth: Any, off: Any) -> Any:
