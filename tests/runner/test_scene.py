@@ -183,3 +183,44 @@ def test_an_input_that_is_called_like_a_channel_leaves_the_channel_alone(name: s
     for channel in ("position", "normal", "uv"):
         expected = mesh("sphere").channels[channel]
         assert (values[f"vertex_{channel}"] == expected).all()
+
+
+def test_what_the_camera_sees() -> None:
+    """What it looks at is in the middle. Depths are 0 at ``near`` and 1 at ``far``."""
+    scene = Scene(look_at=(0.5, 0.25, 0.0))
+    x, y, _depth, w = scene.world_to_clip(1.5) @ [*scene.look_at, 1]
+    assert np.allclose([x, y, w], [0, 0, np.linalg.norm(np.subtract(scene.eye, scene.look_at))])
+    ahead = Scene(eye=(0.0, 0.0, 5.0)).world_to_clip(1.5)
+    half = np.tan(np.radians(19))
+    for distance, depth in ((0.1, 0.0), (20.0, 1.0)):
+        corner = [1.5 * half * distance, half * distance, 5 - distance, 1]
+        assert np.allclose(ahead @ corner, distance * np.array([1, 1, depth, 1]))
+
+
+LIGHTS = [
+    ((-1.465, 1.95, 1.746), (0.8, 0.76, 0.68)),
+    ((2.459, 1.688, -0.324), (0.22, 0.3, 0.4)),
+    ((-2.163, 1.425, -1.514), (0.4, 0.24, 0.18)),
+    ((0.6, 1.163, 2.7), (0.24, 0.4, 0.28)),
+    ((1.139, 1.95, -1.975), (0.4, 0.38, 0.34)),
+]
+"""Where each is, and its colour. The first is at the upper left, and each stands a golden angle
+further than the one before; of three, the others together are as bright as the first."""
+
+
+def test_where_lights_are_and_how_they_shine() -> None:
+    text = LAMPS.replace("sun : Directional", "").replace("pair : Point[2]", "")
+    (material,) = burnish.compile(text).materials
+    instance = material.instance()
+    Scene().apply(instance, 1.0)
+    assert instance.get("lamps.count") == 3
+    lamps = [(lamp["place"], lamp["diffuse_color"]) for lamp in instance.get("lamps")]
+    assert np.allclose(np.array(lamps), np.array(LIGHTS), rtol=0, atol=6e-4)
+
+
+def test_inputs_that_a_mesh_does_not_have_get_waves() -> None:
+    text = "material M {attribute shade : float attribute code : uint alpha = shade + float(code)}"
+    (material,) = burnish.compile(text).materials
+    values = vertex_data(material.reflection, with_inputs(material.reflection, mesh("cube")))
+    assert np.allclose(values["shade"][:3, 0], [0.40757, 0.89995, 0.12531], atol=1e-5)
+    assert values["code"][:8, 0].tolist() == [0, 5, 1, 2, 1, 6, 4, 6]

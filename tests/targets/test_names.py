@@ -91,6 +91,21 @@ def program_of_words(words: list[str]) -> Program:
     return tiny(color, make, (material,), region=Region(tuple(lets)))
 
 
+@pytest.mark.parametrize("target", ["glsl", "hlsl", "wgsl"])
+def test_no_local_hides_a_function(target: str) -> None:
+    """A compiler would refuse the calls behind it."""
+    text = """
+        material M {
+            safe_pow = sin(uv.x) + uv.y
+            color = vec3(safe_pow, pow(uv.x - 0.3, safe_pow), pow(uv.y - 0.2, safe_pow))
+        }
+    """
+    (made,) = burnish.compile(text, target).materials
+    written = made.text(target, "fragment")
+    assert re.search(r"\bsafe_pow_ = sin\(", written)
+    assert len(re.findall(r"\bsafe_pow\(", written)) == 3
+
+
 def test_no_two_attributes_have_one_semantic() -> None:
     """Direct3D takes ``tint`` and ``Tint`` for one, and ``a``, ``a0`` and ``a00``, too."""
     names = ("tint", "Tint", "a", "a0", "a00", "a1", "A01", "b" * 70, "b" * 71, "B")

@@ -65,6 +65,7 @@ def test_what_a_profile_promises_is_looked_at(selected: Selected) -> None:
         assert row.definition or row.by_profile is not nowhere
         if not row.definition:
             assert all(domain(facts) for facts in known(2) if row.domain(facts))
+            assert any(domain(facts) for facts in known(2) if not row.domain(facts))
 
 
 def test_what_is_defined_stands_before_its_users_and_once() -> None:

@@ -49,6 +49,20 @@ def test_a_comment_behind_a_declaration_moves_above_it() -> None:
     ]
 
 
+def test_a_line_of_110_characters_is_not_too_long() -> None:
+    line = "    float wide = " + " + ".join(["first", "x" * 84]) + ";"
+    assert len(line) == 110
+    assert wrapped(line) == (line, {})
+    assert len(broken(line.replace("x;", "xx;"))) == 2
+
+
+def test_both_lines_around_a_bracket_may_be_as_long() -> None:
+    head = f"    vec3 tint = {'a' * 87} * mix("
+    lines = broken(f"{head}{'b' * 60}, {'c' * 60}) * shade;")
+    assert len(head) == 110
+    assert lines[0] == head
+
+
 @pytest.mark.parametrize("line", ["#extension " + "x " * 80, "    " + "x" * 120 + ";"])
 def test_what_cannot_be_broken_stays(line: str) -> None:
     assert broken(line) == [line]
