@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
+import burnish
 from burnish.compiler.ir.node import Node
 from burnish.targets.emit.origins import Marks
 
@@ -38,6 +39,21 @@ def test_every_statement_has_a_place(variant: Variant) -> None:
             assert found
             assert found == sorted(file.spans), file.name
             assert all(span.start < span.end for span in file.spans.values())
+
+
+def test_a_branch_begins_with_its_condition() -> None:
+    text = """
+        material M {
+            map m : texture2d = white
+            color = if uv.x > 0.5 then sin(m.level(uv, 2).rgb) else cos(m.level(uv.yx, 1).rgb)
+        }
+    """
+    (material,) = burnish.compile(text, "glsl").materials
+    file = next(file for file in material.files if file.stage == "fragment")
+    lines = file.text.split("\n")
+    places = {lines[number - 1].strip(): span for number, span in file.spans.items()}
+    condition = places["if (v_uv.x > 0.5) {"]
+    assert text[condition.start : condition.end] == "uv.x > 0.5"
 
 
 def test_source_maps_are_made_when_somebody_looks_into_them(

@@ -30,6 +30,19 @@ def infix(symbol: str, left: Printed, right: Printed) -> Printed:
     return writer(symbol, 2)((left, right))
 
 
+def test_the_lowest_integer_is_a_difference() -> None:
+    """``-2147483648`` is the negation of a number that does not fit."""
+    text = """
+        material M {
+            low = -2147483647 - 1
+            alpha = float(int(uv.x) - low) + float(int(uv.y) * low)
+        }
+    """
+    (material,) = burnish.compile(text, "glsl").materials
+    written = material.text("glsl", "fragment")
+    assert " - (-2147483647 - 1)" in written and " * (-2147483647 - 1)" in written
+
+
 def test_parentheses() -> None:
     assert infix("*", A, infix("+", B, C))[0] == "a * (b + c)"
     assert infix("+", infix("*", A, B), C)[0] == "a * b + c"

@@ -8,6 +8,7 @@ from itertools import product
 
 import pytest
 
+import burnish
 from burnish.compiler.ir.stages import inputs_of
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact, Kind
@@ -65,7 +66,13 @@ def test_what_a_profile_promises_is_looked_at(selected: Selected) -> None:
         assert row.definition or row.by_profile is not nowhere
         if not row.definition:
             assert all(domain(facts) for facts in known(2) if row.domain(facts))
-            assert any(domain(facts) for facts in known(2) if not row.domain(facts))
+
+
+def test_wgsl_divides_whole_numbers_by_anything() -> None:
+    text = "material M { alpha = float(int(9 * uv.x) / int(3 * uv.y)) }"
+    (material,) = burnish.compile(text, "wgsl").materials
+    written = material.text("wgsl", "fragment")
+    assert " / i32(" in written and "select(" not in written
 
 
 def test_what_is_defined_stands_before_its_users_and_once() -> None:
