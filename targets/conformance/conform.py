@@ -98,6 +98,8 @@ def _row(
         codes = compile_one(route, plan.subject.files, toolchain)
         results: list[CaseResult] = []
         for series, draws in plan.work:
+            if interrupted.is_set():
+                break
             shader = pipeline(plan.subject.reflection, route, codes, exact=series.exact)
             pictures = runner.draw(route, Job(shader, draws))
             for result in plan.compared(series, route, device, pictures):
