@@ -230,8 +230,8 @@ ARITHMETIC = (
          ("floor", "ceil", "round", "trunc", "fract"), (builtin("div", parts=(ANY, CONSTANT)),),
          _of_exact_quotient),
     Rule("quotient of whole numbers", "The quotient of a whole number, rounded down, is that of a"
-         " quarter more, but a rounded one may be less than the whole number that it is: floor(x) mod"
-         " 3.0 would be 3.",
+         " quarter more, but a rounded one may be less than the whole number that it is: floor(x)"
+         " mod 3.0 would be 3.",
          ("floor",), (builtin("div", parts=(MAY_BE_WHOLE, CONSTANT)),), _of_middle, is_float),
     Rule("zero divided", "Zero divided by anything is zero: so is 0 / 0 by definition.",
          ("div",), (lanes(0), ANY), constant(0), is_float),
