@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -28,6 +29,9 @@ if TYPE_CHECKING:
     from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
+
+SEVERAL = 4
+"""From how many materials on the reference draws in processes of its own."""
 
 COLORS = {
     "agrees": "green", "differs": "red", "proves little": "yellow", "overflows": "red",
@@ -168,6 +172,7 @@ def _routes(request: Request) -> Sequence[Route]:
 def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]]:
     """Compile and draw everything; the rows of a material follow each other."""
     from ..targets.conformance.conform import conform as run
+    from ..targets.runner.reference_process import References
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
     from .progress import Progress
@@ -180,10 +185,12 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
         if request.device:
             _check_named_device(runner, routes)
         subjects = _subjects(request, routes)
-        rows = run(
-            subjects, routes, runner, toolchain,
-            seed=request.seed, done=lambda done, total: progress.tell(done / total),
-        )  # fmt: skip
+        # Processes take a while to start, which pays off for several materials.
+        with References(os.cpu_count() or 1 if len(subjects) >= SEVERAL else 0) as references:
+            rows = run(
+                subjects, routes, runner, toolchain, seed=request.seed, draw=references.expected,
+                done=lambda done, total: progress.tell(done / total),
+            )  # fmt: skip
     return subjects, rows
 
 

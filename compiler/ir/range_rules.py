@@ -7,6 +7,7 @@ cite it. The rules of builtins stand in the builtins' own rows.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
@@ -178,7 +179,8 @@ def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
         lo = start.lo + min(0.0, body.lo * data.bound) if data.bound else start.lo
         hi = start.hi + max(0.0, body.hi * data.bound) if data.bound else start.hi
         # Each turn rounds once more, and what only grows never rounds to less than it was.
-        slack = product(max(abs(lo), abs(hi)), data.bound * ROUNDING)
+        error = math.expm1(data.bound * math.log1p(ROUNDING))
+        slack = product(max(abs(lo), abs(hi)), error)
         return Fact(lo - slack if body.lo < 0 else lo, hi + slack if body.hi > 0 else hi)
     return Fact(0.0) if start.lo >= 0 and body.lo >= 0 else UNKNOWN
 

@@ -14,7 +14,7 @@ from threading import Event
 from ..runner.binding import pipeline
 from ..runner.codes import CodeError, compile_one
 from ..runner.drivers.draw import DriverError, Job
-from ..runner.reference import STORE
+from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.store import Store
@@ -39,13 +39,15 @@ def conform(
     done: Done | None = None,
     size: Size = SIZE,
     keep: bool = True,
+    draw: Draw = expected,
 ) -> list[Row]:
     """A row for each labelled material and each route, in this order.
 
     Without ``keep``, what the reference draws is not kept: random programs are drawn only once.
+    ``draw`` draws with the reference; that of ``References`` makes use of several processors.
     """
     store = Store(STORE) if keep else Store(STORE, limit=0)
-    plans = [_plan(label, subject, seed, store, size) for label, subject in subjects]
+    plans = [_plan(label, subject, seed, store, size, draw) for label, subject in subjects]
     rows: dict[tuple[int, int], Row] = {}
     interrupted = Event()
     with ThreadPoolExecutor(os.cpu_count() or 1) as threads:
@@ -67,11 +69,11 @@ def conform(
 
 
 def _plan(
-    label: str, subject: Subject, seed: int, store: Store, size: Size
+    label: str, subject: Subject, seed: int, store: Store, size: Size, draw: Draw
 ) -> Plan | tuple[str, str]:
     """A material's plan; or its label, and the reason why nothing can draw it."""
     try:
-        return Plan(label, subject, seed, store, size)
+        return Plan(label, subject, seed, store, size, draw)
     except ValueError as error:
         return label, str(error)
 
@@ -96,6 +98,8 @@ def _row(
         codes = compile_one(route, plan.subject.files, toolchain)
         results: list[CaseResult] = []
         for series, draws in plan.work:
+            if interrupted.is_set():
+                break
             shader = pipeline(plan.subject.reflection, route, codes, exact=series.exact)
             pictures = runner.draw(route, Job(shader, draws))
             for result in plan.compared(series, route, device, pictures):

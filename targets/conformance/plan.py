@@ -18,7 +18,8 @@ from ...stdlib.builtins.accuracy import Platform
 from ..runner.binding import FORMATS
 from ..runner.drivers.draw import Device, Picture
 from ..runner.drivers.readback import arrays
-from ..runner.reference import Program, remembered
+from ..runner.reference import Draw, Program, remembered
+from ..runner.reference import expected as drawn_here
 from ..runner.routes import Route
 from ..runner.scene_state import SceneState
 from ..runner.store import Store
@@ -51,8 +52,17 @@ class Bounds:
 class Plan:
     """The cases of one material. Several threads use it."""
 
-    def __init__(self, label: str, subject: Subject, seed: int, store: Store, size: Size) -> None:
-        """``store`` keeps what the reference has drawn; ``size`` is that of all pictures.
+    def __init__(
+        self,
+        label: str,
+        subject: Subject,
+        seed: int,
+        store: Store,
+        size: Size,
+        draw: Draw = drawn_here,
+    ) -> None:
+        """``draw`` draws with the reference, and ``store`` keeps what it has drawn. ``size`` is
+        that of all pictures.
 
         Raises what ``Instance`` and ``set_up`` raise, although a case should lack no value.
         """
@@ -67,6 +77,7 @@ class Plan:
         self._programs: dict[object, _Once[Program]] = {}
         self._lock = Lock()
         self._store = store
+        self._draw = draw
 
     def compared(
         self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
@@ -125,7 +136,7 @@ class Plan:
             rules = replace(rules, bottom_up=False)
         key = program.text, id(state), rules, errors
         return self._once(self._expected, key).value(
-            lambda: remembered(program, state, rules, self._store, errors)
+            lambda: remembered(program, state, rules, self._store, errors, self._draw)
         )
 
     def _once(self, known: dict[object, _Once[T]], key: object) -> _Once[T]:

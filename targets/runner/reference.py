@@ -58,6 +58,10 @@ def expected(
     )
 
 
+Draw = Callable[[Shader, SceneState, RasterRules, Errors | None], Expected]
+"""What draws a picture: ``expected``, or that of ``reference_process.References``."""
+
+
 def values_for(shader: Shader, instance: Instance) -> dict[str, Any]:
     """The values of the parameters that a shader reads, in the reference's form.
 
@@ -127,18 +131,19 @@ def remembered(
     rules: RasterRules,
     store: Store,
     errors: Errors | None = None,
+    draw_it: Draw = expected,
 ) -> Expected:
     """The expected picture, from the store if the reference has drawn it before."""
     name = _digest(program, state, rules, errors)
     kept = store.read(name)
     if kept is not None:
-        return _loaded(kept)
-    made = expected(program.shader, state, rules, errors)
-    store.write(name, _dumped(made))
+        return loaded(kept)
+    made = draw_it(program.shader, state, rules, errors)
+    store.write(name, dumped(made))
     return made
 
 
-def _dumped(picture: Expected) -> bytes:
+def dumped(picture: Expected) -> bytes:
     """A picture as its arrays, one after the other in NumPy's format."""
     stream = BytesIO()
     ends = *picture.targets, *picture.low, *picture.high
@@ -147,7 +152,7 @@ def _dumped(picture: Expected) -> bytes:
     return stream.getvalue()
 
 
-def _loaded(data: bytes) -> Expected:
+def loaded(data: bytes) -> Expected:
     """The picture that was dumped. Unlike a pickle, this format cannot contain code."""
     stream = BytesIO(data)
     arrays = []

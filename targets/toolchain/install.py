@@ -60,7 +60,7 @@ NETWORK_SETTINGS = {
     "NPM_CONFIG_FETCH_TIMEOUT": f"{NETWORK_SECONDS * 1000}",
     "PIP_DEFAULT_TIMEOUT": f"{NETWORK_SECONDS}",
 }
-"""The same for the programs that have a variable for it."""
+"""The same for the programs that have a variable for it, unless somebody has set it."""
 
 
 class InstallError(Exception):
@@ -251,7 +251,7 @@ def _run(*command: str) -> None:
         stderr=subprocess.STDOUT,
         text=True,
         errors="replace",
-        env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"} | NETWORK_SETTINGS,
+        env={**NETWORK_SETTINGS, **os.environ, "DEBIAN_FRONTEND": "noninteractive"},
         start_new_session=True,
     )
     try:

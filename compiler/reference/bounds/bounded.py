@@ -17,6 +17,7 @@ import numpy as np
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from . import whole
 from .affine import Form, alone, chosen
+from .operators import Operators
 from .orders import Single, Sum, Term, in_any_order, is_coarse
 from .rounding import (
     ROUNDED_UP,
@@ -37,7 +38,7 @@ _STEP = 2.0**-52
 """The largest error of a float64, relative to the number."""
 
 
-class Bounded:
+class Bounded(Operators):
     """One lane: arrays of the same kind (float64, int64 or bool) that broadcast together.
 
     ``value`` is what the program means. A conforming device has a value from ``low`` to ``high``.
@@ -183,15 +184,6 @@ class Bounded:
                           self.radius)  # fmt: skip
         return Bounded(np.abs(self.value), np.where(inside, 0, low), self.magnitude, form)
 
-    def __radd__(self, other: Any) -> Bounded:
-        return as_bounded(other) + self
-
-    def __rsub__(self, other: Any) -> Bounded:
-        return as_bounded(other) + -self
-
-    def __rmul__(self, other: Any) -> Bounded:
-        return as_bounded(other) * self
-
     # --- comparisons ------------------------------------------------------------------------------
 
     def __lt__(self, other: Any) -> Bounded:
@@ -201,12 +193,6 @@ class Bounded:
     def __le__(self, other: Any) -> Bounded:
         other = as_bounded(other)
         return _condition(self, other, np.less_equal, self.high <= other.low, self.low > other.high)
-
-    def __gt__(self, other: Any) -> Bounded:
-        return as_bounded(other) < self
-
-    def __ge__(self, other: Any) -> Bounded:
-        return as_bounded(other) <= self
 
     def __eq__(self, other: Any) -> Bounded:  # type: ignore[override]
         other = as_bounded(other)
@@ -223,47 +209,16 @@ class Bounded:
         return Bounded(~self.value, ~self.high, ~self.low) if not self.is_exact else exact(
             ~self.value)  # fmt: skip
 
-    def __and__(self, other: Any) -> Bounded:
-        return _whole(whole.bit_and, self, other)
+    def _whole(self, operation: whole.Operation, other: Any) -> Bounded:
+        """An operation on whole numbers, which does not round."""
+        y = as_bounded(other)
+        value = operation.of(self.value, y.value)
+        if self.is_exact and y.is_exact:
+            return exact(value)
+        return Bounded(value, *operation.ends((self.low, self.high), (y.low, y.high)))
 
-    def __or__(self, other: Any) -> Bounded:
-        return _whole(whole.bit_or, self, other)
-
-    def __xor__(self, other: Any) -> Bounded:
-        return _whole(whole.bit_xor, self, other)
-
-    def __lshift__(self, other: Any) -> Bounded:
-        return _whole(whole.shifted_left, self, other)
-
-    def __rshift__(self, other: Any) -> Bounded:
-        return _whole(whole.shifted_right, self, other)
-
-    def __floordiv__(self, other: Any) -> Bounded:
-        return _whole(whole.quotient, self, other)
-
-    def __mod__(self, other: Any) -> Bounded:
-        return _whole(whole.remainder, self, other)
-
-    def __rand__(self, other: Any) -> Bounded:
-        return as_bounded(other) & self
-
-    def __ror__(self, other: Any) -> Bounded:
-        return as_bounded(other) | self
-
-    def __rxor__(self, other: Any) -> Bounded:
-        return as_bounded(other) ^ self
-
-    def __rlshift__(self, other: Any) -> Bounded:
-        return as_bounded(other) << self
-
-    def __rrshift__(self, other: Any) -> Bounded:
-        return as_bounded(other) >> self
-
-    def __rfloordiv__(self, other: Any) -> Bounded:
-        return as_bounded(other) // self
-
-    def __rmod__(self, other: Any) -> Bounded:
-        return as_bounded(other) % self
+    def _lane(self, other: Any) -> Bounded:
+        return as_bounded(other)
 
 
 # --- making lanes ---------------------------------------------------------------------------------
@@ -487,13 +442,3 @@ def _product_form(x: Bounded, y: Bounded) -> Form | None:
 
 def _is_coarse(lane: Bounded) -> bool:
     return is_coarse(lane.value) if lane._sum is None else lane._sum.is_exact
-
-
-def _whole(operation: whole.Operation, x: Bounded, other: Any) -> Bounded:
-    """An operation on whole numbers, which does not round."""
-    y = as_bounded(other)
-    value = operation.of(x.value, y.value)
-    if x.is_exact and y.is_exact:
-        return exact(value)
-    low, high = operation.ends((x.low, x.high), (y.low, y.high))
-    return Bounded(value, low, high)

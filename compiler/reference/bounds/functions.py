@@ -14,19 +14,19 @@ import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
 from ..namespace import OwnFunctions
-from .affine import Derivative, Form, chosen, curved
+from .affine import Derivative, Form, curved
 from .blend import blend
 from .bounded import (
     Bounded,
     as_bounded,
     exact,
-    hull,
     limited,
     negated,
     products,
     rounded,
     widened,
 )
+from .choices import certain_choice, of_conditions, of_ends, open_choice
 from .rounding import ROUNDED_UP, ULP, Array, outward
 from .whole import LARGEST, LEAST
 
@@ -62,16 +62,18 @@ class Bounds(OwnFunctions):
             return x if condition.value else y
         value = np.where(condition.value, x.value, y.value)
         if condition.is_exact:
-            return exact(value) if x.is_exact and y.is_exact else _one(value, condition.value, x, y)
-        return _either(value, condition.low, np.logical_not(condition.high), x, y)
+            if x.is_exact and y.is_exact:
+                return exact(value)
+            return certain_choice(value, condition.value, x, y)
+        return open_choice(value, condition.low, np.logical_not(condition.high), x, y)
 
     def logical_and(self, x: Any, y: Any, /) -> Bounded:
         """Whether both conditions hold."""
-        return _of_conditions(np.logical_and, x, y)
+        return of_conditions(np.logical_and, x, y)
 
     def logical_or(self, x: Any, y: Any, /) -> Bounded:
         """Whether at least one condition holds."""
-        return _of_conditions(np.logical_or, x, y)
+        return of_conditions(np.logical_or, x, y)
 
     def logical_not(self, x: Any, /) -> Bounded:
         """Whether the condition does not hold."""
@@ -79,11 +81,11 @@ class Bounds(OwnFunctions):
 
     def minimum(self, x: Any, y: Any, /) -> Bounded:
         """The lesser number."""
-        return _of_ends(np.minimum, np.less_equal, x, y)
+        return of_ends(np.minimum, np.less_equal, x, y)
 
     def maximum(self, x: Any, y: Any, /) -> Bounded:
         """The greater number."""
-        return _of_ends(np.maximum, np.greater_equal, x, y)
+        return of_ends(np.maximum, np.greater_equal, x, y)
 
     def mix(self, x: Any, y: Any, a: Any, /) -> Bounded:
         """A blend of ``x`` and ``y`` with the weight ``a``."""
@@ -364,51 +366,6 @@ def _rounded(value: Array, low: Array, high: Array) -> Bounded:
 
 def _not_negative(x: Bounded) -> Bounded:
     return Bounded(x.value, np.maximum(x.low, 0.0), x.high, x.form)
-
-
-def _of_conditions(function: Callable[[Any, Any], Array], x: Any, y: Any) -> Bounded:
-    x, y = as_bounded(x), as_bounded(y)
-    value = function(x.value, y.value)
-    if x.is_exact and y.is_exact:
-        return exact(value)
-    return Bounded(value, function(x.low, y.low), function(x.high, y.high))
-
-
-def _of_ends(
-    function: Callable[[Array, Array], Array], wins: Callable[[Array, Array], Array], x: Any, y: Any
-) -> Bounded:
-    """The lesser or the greater number."""
-    x, y = as_bounded(x), as_bounded(y)
-    value = function(x.value, y.value)
-    if x.is_exact and y.is_exact:
-        return exact(value)
-    low, high = function(x.low, y.low), function(x.high, y.high)
-    if x.form is None and y.form is None:
-        return Bounded(value, low, high)
-    first = wins(x.low, y.high) & wins(x.high, y.low)
-    second = wins(y.low, x.high) & wins(y.high, x.low)
-    farther = Bounded(value, low, high).radius
-    form = chosen(first, second, x.any_form, y.any_form, farther)
-    return Bounded(value, low, high, form)
-
-
-def _one(value: Array, is_first: Array, x: Bounded, y: Bounded) -> Bounded:
-    """``x`` or ``y``, which is certain."""
-    low, high = np.where(is_first, x.low, y.low), np.where(is_first, x.high, y.high)
-    if x.form is None and y.form is None:
-        return Bounded(value, low, high)
-    return Bounded(value, low, high, chosen(is_first, None, x.any_form, y.any_form))
-
-
-def _either(value: Array, is_first: Array, is_second: Array, x: Bounded, y: Bounded) -> Bounded:
-    """``x``, ``y``, or anything between them where it may be either."""
-    both = hull(x, y)
-    low = np.where(is_first, x.low, np.where(is_second, y.low, both.low))
-    high = np.where(is_first, x.high, np.where(is_second, y.high, both.high))
-    if x.form is None and y.form is None:
-        return Bounded(value, low, high)
-    farther = Bounded(value, low, high).radius
-    return Bounded(value, low, high, chosen(is_first, is_second, x.any_form, y.any_form, farther))
 
 
 def _stepped(function: Callable[[Array], Array], lane: Any) -> Bounded:

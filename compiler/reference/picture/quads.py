@@ -19,8 +19,6 @@ from .scene import Floats, Ints, RasterRules
 _FLUSHED = 2.0**-120
 """The error of a mean where a device may take small numbers of the computation for zero. Means of
 nothing but zeros are exact."""
-
-
 _OVERFLOWS = 2.0**124
 """A plane through larger numbers may become infinite on its way."""
 

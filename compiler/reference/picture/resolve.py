@@ -62,7 +62,8 @@ class Canvas:
         self._depth_off = np.zeros(pixels)
         """By how much a device's depth may differ."""
         self._may_hide = np.ones(pixels)
-        """The nearest depth of a fragment of which it is unsure whether it was drawn."""
+        """The nearest depth that a device may have for a fragment of which it is unsure whether it
+        was drawn."""
         self.layers = np.zeros(pixels, dtype=np.int64)
         """How many fragments were drawn."""
         self.undecided = np.zeros(pixels, dtype=np.bool_)
@@ -92,11 +93,12 @@ class Canvas:
         unsure = doubtful | (shades.undecided[members] & ~hidden)
         if self._opaque:
             # Whatever is behind a fragment that certainly wins is not undecided any more.
-            in_front = new < self._may_hide[at] - margin
+            in_front = new + off[members] < self._may_hide[at]
             wins = nearer & in_front & ~unsure & ~shades.discarded[members]
             self.shaky[pixel[members[wins]]] = False
         self.shaky[at] |= unsure
-        self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], new[unsure])
+        nearest_new = new - off[members]
+        self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], nearest_new[unsure])
         drawn = members[nearer & ~shades.discarded[members]]
         place = pixel[drawn]
         self.depth[place] = depth[drawn]
@@ -141,9 +143,11 @@ def nearest(fragments: Fragments, depth: Floats, off: Floats) -> tuple[Ints, Int
     pixel, sorted_depth = fragments.pixel[order], depth[order]
     first = np.ones(len(order), dtype=np.bool_)
     first[1:] = pixel[1:] != pixel[:-1]
-    margin = off[order][1:] + off[order][:-1]
-    close = ~first[1:] & first[:-1] & (np.diff(sorted_depth) <= margin)
-    return np.sort(order[first]), pixel[1:][close]
+    winner = np.maximum.accumulate(np.where(first, np.arange(len(order)), 0))
+    # Not only the second one may be as close: one farther behind may be off by more.
+    sorted_off = off[order]
+    close = ~first & (sorted_depth - sorted_depth[winner] <= sorted_off + sorted_off[winner])
+    return np.sort(order[first]), np.unique(pixel[close])
 
 
 def with_missing(lanes: Sequence[float], count: int) -> tuple[float, ...]:

@@ -37,7 +37,7 @@ from burnish.compiler.reference.picture import (
 from burnish.compiler.reference.picture.intervals import increasing, quotient
 from burnish.compiler.reference.picture.quads import Barycentric
 from burnish.targets.conformance import plan
-from burnish.targets.runner.reference import Program, expected
+from burnish.targets.runner.reference import Draw, Program, expected
 from burnish.targets.runner.scene_state import SceneState
 from burnish.targets.runner.store import Store
 
@@ -301,7 +301,12 @@ def _drawn_anew(plant: Plant) -> Plant:
     """Draw the reference's pictures again: the cache's keys do not depend on what is planted."""
 
     def drawn(
-        program: Program, state: SceneState, rules: RasterRules, _: Store, errors: Errors | None
+        program: Program,
+        state: SceneState,
+        rules: RasterRules,
+        _store: Store,
+        errors: Errors | None,
+        _draw: Draw,
     ) -> Expected:
         return expected(program.shader, state, rules, errors)
 

@@ -23,7 +23,8 @@ COMBINED = vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
 
 FATAL_BLOCK = 4
 """Mesa's lavapipe 22.3 may crash if a branch depends on the block with this number, counted from 1
-through all sets (docs/drivers.md). So no block has it: set 0 is filled up with unused ones."""
+through all sets (docs/drivers.md). So set 0 is filled up with unused ones, and no block has this
+number unless set 0 has four of its own."""
 
 
 @dataclass(frozen=True, slots=True)

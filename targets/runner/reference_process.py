@@ -1,0 +1,94 @@
+"""Draws with the reference in processes of their own.
+
+Python evaluates in one thread at a time. ``burnish conform`` of many materials therefore lends the
+pictures that it expects to as many processes as there are processors. A process that ends for any
+reason costs only time: its picture is drawn by whoever asked for it.
+"""
+
+from __future__ import annotations
+
+import base64
+import faulthandler
+import json
+import os
+import pickle
+import sys
+from types import TracebackType
+
+from ...compiler.ir.node import Graph
+from ...compiler.ir.shader import Notes, Shader
+from ...compiler.reference.bounds.errors import Errors
+from ...compiler.reference.picture import Expected, RasterRules
+from ...frozen import changed
+from ..toolchain.workers import Pool, Worker
+from .reference import dumped, expected, loaded
+from .scene_state import SceneState
+
+TIME_LIMIT = 600.0
+"""After how many seconds a process is given up."""
+
+
+class References:
+    """A few processes that draw; several threads may ask them at once."""
+
+    def __init__(self, size: int) -> None:
+        """With no process, everything is drawn by whoever asks."""
+        self._size = size
+        self._pool = Pool(size, lambda: Worker(lambda: [sys.executable, "-m", __name__]))
+
+    def __enter__(self) -> References:
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _error: BaseException | None,
+        _traceback: TracebackType | None,
+    ) -> None:
+        self._pool.close()
+
+    def expected(
+        self, shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None = None
+    ) -> Expected:
+        """What ``reference.expected`` returns."""
+        question = self._size and _question(shader, state, rules, errors)
+        if question:
+            with self._pool.borrow() as worker:
+                answer = worker.ask({"question": question}, TIME_LIMIT)
+            if "picture" in answer.reply:
+                return loaded(base64.b64decode(answer.reply["picture"]))
+        return expected(shader, state, rules, errors)
+
+
+def _question(
+    shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None
+) -> str | None:
+    """What a process has to know; ``None`` if the graph is too deep to be sent."""
+    # Results hold their nodes. The graph, in which passes look for equal nodes, stays here.
+    bare = changed(shader, graph=Graph(), notes=Notes())
+    try:
+        return base64.b64encode(pickle.dumps((bare, state, rules, errors))).decode("ascii")
+    except RecursionError:
+        return None
+
+
+def _answer(question: str) -> dict[str, str]:
+    shader, state, rules, errors = pickle.loads(base64.b64decode(question))
+    picture = dumped(expected(shader, state, rules, errors))
+    return {"picture": base64.b64encode(picture).decode("ascii")}
+
+
+def main() -> None:
+    """Answer questions until the input ends. What libraries print goes to standard error."""
+    with os.fdopen(os.dup(1), "w") as answers:
+        os.dup2(2, 1)
+        for line in sys.stdin:
+            # Whoever asked has given up earlier, unless he has died.
+            faulthandler.dump_traceback_later(1.5 * TIME_LIMIT, exit=True)
+            answers.write(json.dumps(_answer(json.loads(line)["question"])) + "\n")
+            answers.flush()
+            faulthandler.cancel_dump_traceback_later()
+
+
+if __name__ == "__main__":
+    main()
