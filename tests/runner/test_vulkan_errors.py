@@ -215,6 +215,12 @@ def test_a_word_of_the_validation_layer_is_fatal(vulkan: Asker, mistake: str) ->
     assert "Validation" in said or "VUID" in said
 
 
+def test_a_varying_that_nobody_reads_is_no_mistake(vulkan: Asker) -> None:
+    """A compiler may find out that the fragment shader does not need it."""
+    pipeline = shading(painted_pipeline(), glsl("frag", WHITE))
+    assert np.all(vulkan.one(pipeline, draw_of(WHOLE, [[0.5, 0.5, 0.5, 1.0]] * 6)) == 1.0)
+
+
 def test_the_layer_does_not_tire_of_saying_it(vulkan: Asker) -> None:
     """It can be set to report a message but a few times; then later jobs would pass."""
     pipeline = MISTAKES["nothing bound"]()

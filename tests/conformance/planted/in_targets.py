@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Any
+
+import pytest
 
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.operations import SWIZZLE
 from burnish.compiler.ir.program import Varying
 from burnish.frozen import changed
 from burnish.targets.description.spellings import Spelling
-from burnish.targets.emit import leaves, precedence
+from burnish.targets.emit import context, leaves, precedence
+from burnish.targets.emit.dialect import Dialect
 from burnish.targets.emit.expressions import Expressions
 from burnish.targets.emit.precedence import POSTFIX, Printed, within
 
 from .planting import (
     QUICKEST,
+    Plant,
     Planted,
     agreeing,
     form,
@@ -179,6 +184,17 @@ def _shifted(varyings: Iterable[Varying]) -> Iterator[Any]:
 LOOSE = precedence.Infix(precedence.Binding.PREFIX, precedence.Binding.SUM)
 """An operator of which the operands get no parentheses."""
 
+
+def _unbound(operator: str) -> Plant:
+    """Print an operator without parentheses. Dialects remember how they print operators."""
+
+    def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
+        patch.setattr(context, "dialect", Dialect)
+        patch.setattr(precedence, "INFIX", {**precedence.INFIX, operator: LOOSE})
+
+    return plant
+
+
 FORMS = [
     Planted("?: the wrong way round", "integers: Compared", GLSL,
             form("glsl", select="({condition} ? {otherwise} : {then})")),
@@ -199,9 +215,9 @@ FORMS = [
             target("hlsl", lambda whole: changed(
                 whole, types=changed(whole.types, stored_matrix="row_major {type}"))), "failed"),
     Planted("no parentheses in divisors", "rules: Nested", GLSL,
-            replaced(precedence, "INFIX", {**precedence.INFIX, "/": LOOSE})),
+            _unbound("/")),
     Planted("no parentheses in subtracted sums", "rules: Nested", HLSL,
-            replaced(precedence, "INFIX", {**precedence.INFIX, "-": LOOSE})),
+            _unbound("-")),
     Planted("swizzles backwards", "storage: Plain", GLSL,
             replaced(Expressions, "PRINTERS", {**Expressions.PRINTERS, "swizzle": _reversed})),
     Planted("lanes of a shared varying shifted", "pipeline: Crossing", WGSL,

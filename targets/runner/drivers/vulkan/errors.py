@@ -20,9 +20,9 @@ TYPES = (
     | vk.VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT
 )
 
-HARMLESS = frozenset({"UNASSIGNED-CoreValidation-Shader-OutputNotConsumed"})
-"""The names of messages that say nothing against a shader. A compiler may find out that a fragment
-shader does not need one of its inputs, for instance because it discards all fragments."""
+HARMLESS = ("OutputNotConsumed ]", "consumed by fragment shader")
+"""The parts of a message that says nothing against a shader. A compiler may find out that a
+fragment shader does not need one of its inputs, for instance because it discards all fragments."""
 
 VALIDATION_FAILED = -1000011001
 """``VK_ERROR_VALIDATION_FAILED_EXT``, which the Python binding does not know as a result code."""
@@ -69,9 +69,10 @@ class Messages:
 
     def _receive(self, _severity: int, _type: int, data: Any, _user: Any) -> int:
         """The result stops the call: the driver might crash if it got it."""
-        if vk.ffi.string(data.pMessageIdName).decode(errors="replace") in HARMLESS:
+        text = vk.ffi.string(data.pMessage).decode(errors="replace")
+        if all(part in text for part in HARMLESS):
             return int(vk.VK_FALSE)
-        self._texts.append(vk.ffi.string(data.pMessage).decode(errors="replace"))
+        self._texts.append(text)
         return int(vk.VK_TRUE)
 
 
