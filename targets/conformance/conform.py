@@ -50,11 +50,13 @@ def conform(
     plans = [_plan(label, subject, seed, store, size, draw) for label, subject in subjects]
     rows: dict[tuple[int, int], Row] = {}
     interrupted = Event()
-    with ThreadPoolExecutor(os.cpu_count() or 1) as threads:
+    # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
+    # one material share its pictures, so those of another are what a thread can go on with.
+    with ThreadPoolExecutor(2 * (os.cpu_count() or 1)) as threads:
         pending = {
             threads.submit(_row, plan, route, runner, toolchain, interrupted): (i, j)
-            for i, plan in enumerate(plans)
             for j, route in enumerate(routes)
+            for i, plan in enumerate(plans)
         }
         try:
             for number, future in enumerate(as_completed(pending), 1):
