@@ -13,13 +13,13 @@ import json
 import os
 import pickle
 import sys
-from types import TracebackType
 
 from ...compiler.ir.node import Graph
 from ...compiler.ir.shader import Notes, Shader
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, RasterRules
 from ...frozen import changed
+from ..closing import Closing
 from ..toolchain.workers import Pool, Worker
 from .reference import dumped, expected, loaded
 from .scene_state import SceneState
@@ -28,7 +28,7 @@ TIME_LIMIT = 600.0
 """After how many seconds a process is given up."""
 
 
-class References:
+class References(Closing):
     """A few processes that draw; several threads may ask them at once."""
 
     def __init__(self, size: int) -> None:
@@ -36,15 +36,7 @@ class References:
         self._size = size
         self._pool = Pool(size, lambda: Worker(lambda: [sys.executable, "-m", __name__]))
 
-    def __enter__(self) -> References:
-        return self
-
-    def __exit__(
-        self,
-        _kind: type[BaseException] | None,
-        _error: BaseException | None,
-        _traceback: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         self._pool.close()
 
     def expected(
