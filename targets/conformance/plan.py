@@ -104,7 +104,8 @@ class Plan:
         for bounds in questions:
             expected = self._wanted(program, state, bounds.rules, bounds.errors)
             meant = self._wanted(source, state, _precise(bounds.rules), None)
-            # The text has no promises any more: the material knows where one is broken.
+            # The text has no promises any more, nor what was written as `unguarded`: the material
+            # knows where nothing is defined.
             expected = replace(expected, undecided=expected.undecided | meant.undecided)
             targets = [result.state.format for result in source.shader.results if result.state]
             pairs = list(zip(targets, meant.targets, strict=True))
@@ -224,7 +225,8 @@ def rules_of(state: SceneState, device: Device, driver: Driver, hardware: Hardwa
 
 
 def _precise(rules: RasterRules) -> RasterRules:
-    """The rules of a device that covers the same pixels, but rounds nothing."""
+    """The rules of a device that covers the same pixels, but rounds nothing, and of which nothing
+    is known where an operation without a guard leaves its domain."""
     return replace(
         rules,
         subtexel_bits=None,
@@ -232,6 +234,7 @@ def _precise(rules: RasterRules) -> RasterRules:
         frag_coord_bits=None,
         mip_bits=None,
         mixing_bits=None,
+        unguarded_is_nan=True,
     )
 
 

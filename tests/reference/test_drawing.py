@@ -431,3 +431,35 @@ def test_missing_values_are_named() -> None:
     odd = geometry([(0, 1, 2)], vertex_position=np.eye(3), vertex_uv=np.ones((3, 5)))
     with pytest.raises(ValueError, match=r"`vertex_uv` has the shape \(3, 5\)"):
         picture(given, odd, at(), p=(1.0,))
+
+
+# --- operations without a guard -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("value", "undecided"),
+    [
+        ("vec4(unguarded(sqrt(s.x)), 0, 0, 1)", [0, 1]),
+        ("vec4(vec3(unguarded(1 / floor(s.x))), 1)", [2]),
+        ("vec4(vec3(unguarded(sqrt(abs(s.x)))), 1)", []),
+        # What the choice leaves out is of no account, wherever the operation is.
+        ("vec4(vec3(if s.x < 0 then 0 else unguarded(sqrt(s.x))), 1)", []),
+        ("vec4(vec3(if s.x < -1 then 0 else unguarded(sqrt(s.x))), 1)", [1]),
+        # A condition is neither true nor false, and a whole number cannot be NaN.
+        ("vec4(vec3(if unguarded(sqrt(s.x)) < 1 then 0 else 1), 1)", [0, 1]),
+        ("vec4(vec3(float(unguarded(int(s.x * 2e9)))), 1)", [0, 3]),
+        ("vec4(vec3(float(unguarded(8 / int(floor(s.x))))), 1)", [2]),
+        ("vec4(vec3(sum i in 0..3 : unguarded(sqrt(s.x + float(i)))), 1)", [0, 1]),
+        ("vec4(vec3(@vertex unguarded(sqrt(s.y))), 1)", [0, 1, 2, 3]),
+    ],
+)
+def test_nothing_is_defined_where_an_unguarded_operation_leaves_its_domain(
+    value: str, undecided: list[int]
+) -> None:
+    given = passing(f"attribute s : vec2\nvalue = {value}")
+    # s.x is -1.5, -0.5, 0.5 and 1.5 in the four columns.
+    mesh = triangles(*FULL, s=[(-2, -1), (6, 1), (-2, 1)])
+    found = picture(given, mesh, at(4, unguarded_is_nan=True))
+    assert found.undecided.all(axis=0).tolist() == [x in undecided for x in range(4)]
+    assert (found.undecided.all(axis=0) == found.undecided.any(axis=0)).all()
+    assert not picture(given, mesh, at(4)).undecided.any()

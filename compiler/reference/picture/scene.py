@@ -118,6 +118,9 @@ class RasterRules:
     projects_cubes: bool = True
     """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies ("Cube
     Map Derivative Transformation"), or else from the movement on the cube's surface, in space."""
+    unguarded_is_nan: bool = False
+    """Whether an ``unguarded`` operation outside of its domain makes pixels undecided, as a device
+    may give anything there; or else it means what it does with its guard."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +134,8 @@ class Expected:
     """(height, width): where at least one fragment was written."""
     undecided: Bools
     """(height, width): where it hangs on rounding which fragments are drawn, and in which order; or
-    where a promise is broken, so that nothing is defined."""
+    where a promise is broken or an ``unguarded`` operation leaves its domain, so that nothing is
+    defined."""
     low: tuple[Floats, ...]
     high: tuple[Floats, ...]
     """For each target (height, width, 4): between which numbers a conforming device's value is.

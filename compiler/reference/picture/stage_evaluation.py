@@ -29,6 +29,7 @@ from .quads import Barycentric
 from .sampler import TextureReader
 from .scene import Bools, Floats, Geometry, RasterRules, Texels
 from .texels import Image
+from .unguarded import outside
 
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
@@ -106,6 +107,8 @@ class StageEvaluator:
         self._parameters: dict[tuple[Parameter, Type], Lanes] = {}
         self.broken: set[int] = set()
         """The ids of promises that were broken at some vertex or pixel so far."""
+        self.left_a_domain = False
+        """Whether any operation without a guard did so far: there may be values that are NaN."""
 
     def vertices(self, geometry: Geometry) -> Vertices:
         """Evaluate the vertex stage."""
@@ -127,6 +130,7 @@ class StageEvaluator:
             for node in self._crossings
         }
         lanes = [_whole(lane, (count,)) for lane in evaluator.value(self._position)]
+        watch.end(tuple(lane.value for lane in lanes))
         positions = np.stack([lane.value for lane in lanes], axis=-1)
         off = np.stack([_radius(lane) for lane in lanes], axis=-1)
         return Vertices(positions.astype(np.float64), off, crossings, watch.undecided)
@@ -153,6 +157,7 @@ class StageEvaluator:
         evaluator = Evaluator(leaves, self._xp, watch, stored=_remembered)
         discarded: Any = evaluator.value(self._discard)[0] if self._discard else False
         targets = tuple(evaluator.value(target) for target in self._targets)
+        watch.end((*(lane for target in targets for lane in target), discarded))
         return Shaded(targets, discarded, watch.undecided)
 
     # --- for the watch ----------------------------------------------------------------------------
@@ -186,16 +191,19 @@ class StageEvaluator:
 
 
 class _Watch:
-    """Observes the evaluation of one stage: the constants of texts, derivatives and promises."""
+    """Observes the evaluation of one stage: the constants of texts, derivatives, promises, and
+    operations without a guard."""
 
     def __init__(self, stages: StageEvaluator, shape: tuple[int, ...]) -> None:
         self._stages = stages
         self.undecided: Bools = np.zeros(shape, dtype=np.bool_)
 
-    def __call__(self, node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
+    def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         """The value with which the evaluation continues."""
         if self._stages.promises(node):
             self._check(node, value)
+        if self._stages.rules.unguarded_is_nan:
+            value = self._contained(node, operands, value)
         if node.op == "constant":
             return as_rounded(value) if self._stages.has_bounds else value
         builtin = builtin_of(node)
@@ -204,6 +212,34 @@ class _Watch:
         if builtin in _DERIVATIVE_AXES:
             return tuple(_difference(lane, builtin, self._stages.rules) for lane in value)
         return value
+
+    def end(self, lanes: Lanes) -> None:
+        """Record where results of the stage hang on an operation outside of its domain."""
+        if self._stages.left_a_domain:
+            self._record_nan(lanes)
+
+    def _contained(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+        """The value, NaN where the operation leaves its domain.
+
+        NaN goes through everything that is computed from it, and is dropped where a choice takes
+        the other side. Conditions and whole numbers cannot hold it: they are recorded at once.
+        """
+        is_float = scalar_kind(node.type) == "float"
+        if node.op == "native":
+            left = outside(node, operands, self.undecided.shape)
+            if left.any():
+                self._stages.left_a_domain = True
+                if is_float:
+                    return tuple(np.where(left, np.nan, lane) for lane in value)
+                self.undecided |= left
+        if self._stages.left_a_domain and node.op in BUILTIN_OPS and not is_float:
+            self._record_nan(tuple(lane for lanes in operands for lane in lanes))
+        return value
+
+    def _record_nan(self, lanes: Lanes) -> None:
+        for lane in lanes:
+            if np.asarray(lane).dtype.kind == "f":
+                self.undecided |= np.isnan(lane)
 
     def _check(self, node: Node, vector: Lanes) -> None:
         """Record where a promise is broken: nothing is defined there."""
