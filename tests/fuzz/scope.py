@@ -65,7 +65,11 @@ class Scope:
 
     def arrays(self, element: str) -> list[Node]:
         """The variables that are arrays of a type."""
-        return [leaf for leaf in self.leaves if element_of(leaf.type) == element]
+        allowed = self._allowed
+        return [
+            leaf for leaf in self.leaves
+            if element_of(leaf.type) == element and leaf.needs <= allowed
+        ]  # fmt: skip
 
     @property
     def _allowed(self) -> frozenset[str]:
