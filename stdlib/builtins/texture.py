@@ -23,8 +23,18 @@ def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
     return facts[-1].within(0.0, 1.0)
 
 
+FILTER_SLACK = 2.0**-20
+"""By how much a blend of zeros and ones may leave 0..1, since a device rounds its weights and sums.
+``compiler/reference/picture/blending.py`` allows 5 * 2^-24 for each of two axes."""
+
+
 def _share(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    """The result of a comparison, or a mean of several."""
+    """A mean of the results of several comparisons."""
+    return Fact(-FILTER_SLACK, 1.0 + FILTER_SLACK)
+
+
+def _results(_facts: tuple[Fact, ...], _same: bool) -> Fact:
+    """The results of four comparisons."""
     return Fact(0.0, 1.0)
 
 
@@ -115,7 +125,7 @@ ROWS = (
         needs="the reference lies in 0..1",
         outside="References are clamped to 0..1, the range of depths.",
         expansion="gather_compare",
-        range=_share,
+        range=_results,
         accuracy=EXACT,
         cost=16,
         sampler="comparison",

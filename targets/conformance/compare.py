@@ -38,6 +38,9 @@ SEEN_SHARE = 0.01
 
 ROUNDING = 2.0**-40
 """By how much rounding to float64 may change a value, relative to the larger ones of a lane."""
+CANCELLED = 2.0**-8
+"""A value that is smaller than this may be what numbers of about 1 leave when they cancel, so that
+their rounding counts instead of its own."""
 
 Level = Literal["measured", "guaranteed"]
 """Which bounds hold: those of what was measured of the driver, or of what specifications
@@ -130,7 +133,7 @@ def compare(
     excess = shares(drawn, values, low, high)
     per_pixel = excess.max(axis=(0, 3))
     source = np.stack(meant)
-    rounding = ROUNDING * _larger_of(values, decided & expected.covered)
+    rounding = ROUNDING * np.maximum(_larger_of(values, decided & expected.covered), CANCELLED)
     with np.errstate(invalid="ignore"):
         change = shares(source, values, low - rounding, high + rounding)
     changed = decided & (change.max(axis=(0, 3)) > 1)

@@ -198,6 +198,14 @@ def test_rounding_to_float64_is_no_change_of_meaning() -> None:
     assert not compared(picture(), wanted, changed(1.0 + 1e-9)).agrees
 
 
+def test_what_numbers_of_about_one_leave_when_they_cancel_is_no_change_of_meaning() -> None:
+    """`mix(x, x, x) - x` is not exactly 0 in float64, but may be simplified to 0."""
+    black = expected(picture(0.0), below=0.0, above=0.0)
+    meant = np.full_like(picture(0.0), 2.0**-53)
+    assert compared(picture(0.0), black, meant).agrees
+    assert compared(picture(0.0), black, 1e6 * meant).blames_compiler
+
+
 # --- what is proven ------------------------------------------------------------------------------
 
 

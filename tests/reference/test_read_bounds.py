@@ -205,6 +205,24 @@ def test_comparisons(dimension: Any, filter_: str, off: float) -> None:
         seen.see(ideal.reader.read("compare", (lanes, (given,))))
 
 
+@pytest.mark.parametrize(
+    ("depths", "low", "high"),
+    [((0.2, 0.2, 0.2), 0, 0), ((0.8, 0.8, 0.8), 1, 1), ((0.2, 0.8, 0.8), 0.5, 0.75)],
+)
+def test_a_depth_beyond_a_cubes_corner_may_be_any_unless_all_three_are_the_same(
+    depths: tuple[float, float, float], low: float, high: float
+) -> None:
+    """Devices take the mean of the three results, or that of the depths, or something else."""
+    texels = np.zeros((6, 1, 1, 1))
+    texels[[0, 2, 4], 0, 0, 0] = depths
+    state = {"filter": "linear", "mip": "none", "wrap": "clamp", "compare": "less"}
+    device = Read("cube", "depth", texels, rules=DEVICE, **state)
+    corner = tuple(exact(np.array([1.0])) for _ in range(3))
+    (read,) = device.reader.read("compare", (corner, (exact(np.array([0.5])),)))
+    assert read.low[0] == pytest.approx(low, abs=0.02)
+    assert read.high[0] == pytest.approx(high, abs=0.02)
+
+
 def test_a_coordinate_that_is_anything_reads_anything() -> None:
     device, _ = textures("2d", mip="none")
     low, high = device.hull("sample", (Bounded(np.nan, np.nan, np.nan), 0.5))

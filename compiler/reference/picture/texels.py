@@ -151,7 +151,9 @@ class Image:
         """Texels of a face or, beyond one of its edges, of its neighbours.
 
         Beyond a corner there is none. Vulkan recommends the mean of the three texels around it; a
-        device may use one of them.
+        device may use one of them. Other methods are allowed as well, as long as they keep a value
+        that all three have: devices take the mean of comparisons instead of depths, or something
+        else, so that nothing more is known of a depth that is compared.
         """
         size = self.sizes(level)[0]
         there, other = across_edges(place, face, size)
@@ -170,7 +172,10 @@ class Image:
         if self.is_exact:
             return exact(value)
         bits = self.rules.corner_bits
-        found = reduce(hull, three, mean) if bits is None else widened(mean, 2.0**-bits)
+        if self.type.sample == "depth":
+            found = _any_depth(mean, three)
+        else:
+            found = reduce(hull, three, mean) if bits is None else widened(mean, 2.0**-bits)
         low, high = np.where(beyond, found.low, texel.low), np.where(beyond, found.high, texel.high)
         return Bounded(value, low, high)
 
@@ -191,6 +196,13 @@ class Image:
             return exact(found)
         off = self._errors[lanes].take(index, axis=1)
         return Bounded(found, np.maximum(found - off, np.minimum(found, 0.0)), found + off)
+
+
+def _any_depth(mean: Bounded, three: Sequence[Bounded]) -> Bounded:
+    """The depth of three texels if all have the same one, and else any."""
+    x, y, z = (texel.value for texel in three)
+    same = (x == y) & (y == z)
+    return Bounded(mean.value, np.where(same, mean.low, 0.0), np.where(same, mean.high, 1.0))
 
 
 def _errors_of(table: NDArray[Any], is_srgb: bool) -> Floats | None:
