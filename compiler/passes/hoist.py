@@ -17,9 +17,10 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 from ...frozen import frozen
+from ...stdlib.builtins import BUILTINS
 from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, Roots
-from ..ir.operations import BINDING, PARAMETER
+from ..ir.operations import BINDING, PARAMETER, builtin_of
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -110,6 +111,12 @@ def _saves(root: Node, least: int) -> bool:
                 seen.add(operand.id)
                 pending.append(operand)
     return saved >= least
+
+
+def _compares_pixels(node: Node) -> bool:
+    """Whether an operation depends on neighbours, which may be at other positions of an array."""
+    builtin = builtin_of(node)
+    return builtin is not None and BUILTINS[builtin].uniform_control_flow
 
 
 def hoist(
@@ -204,6 +211,8 @@ class _Hoisting:
             array, position = node.operands
             whole = self._reads[array.id]
             return None if whole is None else _Reads(whole.groups, position, array)
+        if found is not None and found.position is not None and _compares_pixels(node):
+            return None
         return found
 
     def _joined(self, operands: Iterable[Node]) -> _Reads | None:

@@ -141,6 +141,15 @@ def test_a_table_has_to_pay(text: str, count: int) -> None:
     assert len(tables(text)) == count
 
 
+@pytest.mark.parametrize("derivative", ["ddx", "fwidth"])
+def test_a_difference_between_pixels_is_that_of_two_elements(derivative: str) -> None:
+    """The neighbour may be at another position, so no element has a derivative of its own."""
+    text = "param a : float[4]  color = vec3({}(exp(a[int(4 * uv.x)])))"
+    past = history(shader(f"material M {{ {text.format(derivative)} }}"))
+    assert calls(past.roots["hoist"], "ddx")
+    assert list(tables(text.format(derivative)).values()) == [("color_exp",)]
+
+
 def test_two_arrays_at_one_position_have_the_table_of_the_shorter() -> None:
     text = "param a : float[6]  param b : float[4]  color = vec3(uv.x * (sum i in 0..4 : {}))"
     assert list(tables(text.format("cos(a[i]) + sin(b[i])"))) == ["b_derived"]
