@@ -35,13 +35,17 @@ class Faces:
     unsure: Floats
     """(faces, 3): by how many pixels rounding to float32 may move a corner."""
     moved: Floats
-    """(faces,): by how many pixels the corners may be elsewhere between which a device
-    interpolates."""
+    """(faces, 3): by how many pixels each of the corners may be elsewhere between which a device
+    interpolates; ``shares`` says which they are."""
     extent: Floats
     """(faces,): the largest coordinate of a place in the picture, or of a corner, in pixels."""
     plane_x: Floats
     plane_y: Floats
     """(faces, 3): the positions between which values are interpolated."""
+    shares: Floats
+    """(faces, 3, 3): each of these as a weighted sum of the positions that a device has computed:
+    those of the whole triangle's corners, or of the clipped part's own. Some weights are negative
+    where a corner is behind the eye."""
     z: Floats
     """(faces, 3): depth."""
     per_w: Floats
@@ -73,25 +77,24 @@ def assemble(
     across, down = _window(places, rules)
     snapped_x, snapped_y = _snapped(across, rules), _snapped(down, rules)
     area = _twice_area(snapped_x, snapped_y)
-    planes = across, down
+    planes, shares = (across, down), np.broadcast_to(np.eye(3), clipped.weights.shape)
     if rules.interpolates_snapped:
-        planes = _on_snapped(positions[corners], clipped.weights, rules)
+        shares = _shares(positions[corners], clipped.weights)
+        planes = _on_snapped(positions[corners], shares, rules)
     # Snapping may reverse a sliver; then only the snapped positions are consistent.
     turned = (_twice_area(*planes) * area <= 0)[:, None]
-    moved = _moved(
-        places,
-        np.zeros_like(places) if off is None else np.abs(clipped.weights) @ off[corners],
-        rules,
-    )
-    z_off, per_w_off = _depths_off(
-        places, np.zeros_like(places) if off is None else np.abs(clipped.weights) @ off[corners]
-    )
-    unsure = _unsure(across, down, moved[:, None], rules)
+    of_vertices = np.zeros_like(positions) if off is None else off
+    of_places = np.abs(clipped.weights) @ of_vertices[corners]
+    moved = _moved(places, of_places, rules).max(axis=1, keepdims=True)
+    z_off, per_w_off = _depths_off(places, of_places)
+    unsure = _unsure(across, down, moved, rules)
+    moved = np.broadcast_to(moved, across.shape)
     if rules.interpolates_snapped:
         whole = _window(positions[corners], rules)
         # Corners that were clipped may be far outside of the picture, where steps are larger.
         far = _FLOAT32_STEPS * np.maximum(*np.abs(whole))
-        moved = moved + _unsure(*whole, moved[:, None] + far, rules).max(axis=1)
+        own = _moved(positions[corners], of_vertices[corners], rules)
+        moved = moved + _unsure(*whole, own + far, rules)
     faces = Faces(
         corners=corners,
         weights=clipped.weights,
@@ -104,6 +107,7 @@ def assemble(
         extent=_extent(planes, rules),
         plane_x=np.where(turned, snapped_x, planes[0]),
         plane_y=np.where(turned, snapped_y, planes[1]),
+        shares=shares,
         z=places[..., 2] / places[..., 3],
         per_w=1.0 / places[..., 3],
         z_off=z_off,
@@ -118,13 +122,18 @@ def _window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
     return (x / w * 0.5 + 0.5) * rules.width, (0.5 - y / w * 0.5) * rules.height
 
 
-def _on_snapped(corners: Floats, weights: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
+def _shares(corners: Floats, weights: Floats) -> Floats:
+    """The positions of parts' corners as weighted sums of those of whole triangles, (faces, 3, 3)."""
+    shares = weights * corners[:, None, :, 3]
+    shares /= shares.sum(axis=2, keepdims=True)
+    return shares
+
+
+def _on_snapped(corners: Floats, shares: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
     """The positions of parts' corners after the corners of whole triangles have been snapped.
 
     A part has no planes of its own: values are interpolated over the triangle that it was cut from.
     """
-    shares = weights * corners[:, None, :, 3]
-    shares /= shares.sum(axis=2, keepdims=True)
     x, y = (_snapped(places, rules) for places in _window(corners, rules))
     return (shares @ x[..., None])[..., 0], (shares @ y[..., None])[..., 0]
 
@@ -151,7 +160,7 @@ def _snapped(places: Floats, rules: RasterRules) -> Floats:
 
 
 def _moved(places: Floats, off: Floats, rules: RasterRules) -> Floats:
-    """By how many pixels the corners (faces, 3, 4) of faces may be elsewhere, (faces,).
+    """By how many pixels the corners (faces, 3, 4) of faces may be elsewhere, (faces, 3).
 
     The viewport's transform and the planes through the corners are computed with float32, in
     numbers as large as the picture.
@@ -162,7 +171,7 @@ def _moved(places: Floats, off: Floats, rules: RasterRules) -> Floats:
         (off[..., axis] + np.abs(places[..., axis]) / w * off[..., 3]) / least * size / 2
         for axis, size in enumerate((rules.width, rules.height))
     ]
-    largest = np.nan_to_num(np.maximum(*pixels).max(axis=1), nan=np.inf, posinf=np.inf)
+    largest = np.nan_to_num(np.maximum(*pixels), nan=np.inf, posinf=np.inf)
     moved: Floats = largest + _FLOAT32_STEPS * max(rules.width, rules.height)
     return moved
 

@@ -75,7 +75,7 @@ class Barycentric:
         self._linear = _linear(faces, quads.face, self.x, self.y)
         self._steps = self._steps_of_weights()
         depth = self._mixed(faces.z[quads.face].T, self._linear)
-        self._moved = faces.moved[quads.face][:, None, None]
+        self._moved = self._moved_by()
         off = self._off_plane(faces.z[quads.face], rules)
         off = off + faces.z_off[quads.face][:, None, None]
         self.depth = _depth(depth, off)
@@ -178,6 +178,22 @@ class Barycentric:
         right, down = (np.abs(x * (b - a) + y * (c - a)) for x, y in self._steps)
         steepness: Floats = right + down
         return steepness
+
+    def _moved_by(self) -> Floats:
+        """By how many pixels the triangle may be elsewhere at each place of a quad.
+
+        A place is a weighted mean of the corners, and moves with each of them by its weight. Where
+        a corner is behind the eye, a clipped part lies outside of the triangle between them, and
+        some weights are negative.
+        """
+        second, third = self._linear
+        shares = self._faces.shares[self._face]
+        parts = np.stack([1.0 - second - third, second, third], axis=1)
+        weights = np.abs(np.einsum("qijk,qic->qcjk", parts, shares))
+        # A corner without weight is of no account, even if nothing is known of it.
+        by_corner = self._faces.moved[self._face][:, :, None, None]
+        moved: Floats = np.where(weights > 0, weights * by_corner, 0.0).sum(axis=1)
+        return moved
 
     def _steps_of_weights(self) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
         """The changes of the weights of the second and third corner to the right, and downwards."""
