@@ -13,6 +13,7 @@ from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.picture import Geometry, RasterRules
 from burnish.frozen import changed
+from burnish.stdlib.builtins.accuracy import INTERPOLATED_BITS
 
 from ..passes.kit import history
 from .kit import columns, few_ulps, geometry, moved, perspective, picture, shader, sphere
@@ -141,6 +142,17 @@ def test_a_value_that_is_the_same_at_all_vertices_is_interpolated() -> None:
     mesh = triangles(FULL)
     found = picture(given, mesh, at(1, varying_bits=20), errors=few_ulps, p=(0.7,))
     assert found.low[0].max() < 0.7 < found.high[0].min()
+
+
+def test_far_behind_the_nearest_corner_a_mean_may_leave_the_corners() -> None:
+    """So range analysis knows nothing of what is interpolated, whatever it is at the vertices."""
+    given = passing("attribute s : float\nvalue = vec4(@vertex (0.5 + saturate(s)))")
+    for nearest, inside in ((0.5, True), (1e-5, False)):
+        corners = [(-3, 0.75, 0, 1), (3, 0.75, 0, 1), (0, -3 * nearest, 0, nearest)]
+        mesh = triangles(corners, s=[1, 0, 0])
+        found = picture(given, mesh, at(varying_bits=INTERPOLATED_BITS), errors=few_ulps)
+        assert found.covered.all()
+        assert (found.low[0] > 0).all() == inside
 
 
 def test_nothing_is_known_of_values_whose_plane_may_overflow() -> None:
