@@ -11,7 +11,7 @@ import pytest
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.bounds.errors import Errors
-from burnish.compiler.reference.picture import Geometry, RasterRules
+from burnish.compiler.reference.picture import Geometry, RasterRules, instanced
 from burnish.frozen import changed
 from burnish.stdlib.builtins.accuracy import INTERPOLATED_BITS
 
@@ -237,6 +237,27 @@ def test_the_nearest_wins_and_of_equals_the_first(discard: str) -> None:
     equals = picture(given, layers((0.4, RED), (0.4, GREEN)), at())
     assert (equals.targets[0] == RED).all()
     assert equals.undecided.all()
+
+
+@pytest.mark.parametrize("blend", ["none", "alpha"])
+@pytest.mark.parametrize("moved", [False, True])
+def test_of_instances_at_the_same_place_the_first_is_drawn(moved: bool, blend: str) -> None:
+    """Their depths are equal on every device, unless their places are computed from the instance,
+    each with errors of its own."""
+    members = (
+        "attribute shade : float per instance\nvalue = vec4(shade, float(instance_index), 0, 1)"
+    )
+    if moved:
+        members += "\nclip_position = place + vec4(0, 0, shade - shade * 1.0000001, 0)"
+    place = np.array(FULL, dtype=np.float64)
+    shades = np.array([[0.25], [0.5], [0.75]])
+    mesh = instanced({"place": place}, {"shade": shades}, np.array([[0, 1, 2]]), 3)
+    found = picture(passing(members, blend), mesh, at(2, varying_bits=20, frag_coord_bits=20),
+                    errors=few_ulps)  # fmt: skip
+    assert found.covered.all()
+    assert found.undecided.all() == moved
+    if not moved:
+        assert found.targets[0][..., :2].reshape(-1, 2).tolist() == [[0.25, 0.0]] * 4
 
 
 def test_depths_that_rounding_may_exchange_are_undecided() -> None:
