@@ -13,9 +13,8 @@ from typing import Protocol
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
-from ...stdlib.builtins.accuracy import INTERPOLATED_BITS
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, UNKNOWN, Fact
-from ...stdlib.builtins.intervals import around, product
+from ...stdlib.builtins.intervals import product
 from ...stdlib.builtins.weakest import ROUNDING
 from . import rulebook
 from .leaves import Parameter
@@ -154,15 +153,14 @@ def _select(ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
 
 
 def _cross(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """A mean of three vertices' values stays between them, but is no longer of unit length.
+    """What is not interpolated is the value of a vertex; of a mean of three, nothing is known.
 
-    A device computes it as a plane through these values. The error is a part of the largest of
-    them, and may take the mean past either end: below zero, too, where no vertex is.
+    A device divides a plane through the values over w by a plane through 1 / w, and each has an
+    error that is a part of its largest number. Where the pixel is much farther away than the
+    nearest corner, or the triangle is thin, this is more than the values themselves, so the result
+    may lie anywhere: also below zero where no vertex is (``_crossed`` in ``picture/quads.py``).
     """
-    (at_vertex,) = known
-    if CROSS.data(node).mode == "flat":
-        return at_vertex
-    return around(at_vertex, at_vertex.most * 2.0**-INTERPOLATED_BITS)
+    return known[0] if CROSS.data(node).mode == "flat" else UNKNOWN
 
 
 def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
@@ -232,7 +230,7 @@ RULES: Mapping[str, RangeRule] = {
     "index": _named(rulebook.ELEMENT, _index),
     "member": RangeRule(_member_name, _member),
     "select": _named(rulebook.EITHER, _select),
-    "cross": _named(rulebook.INTERPOLATED, _cross),
+    "cross": _named(rulebook.FLAT, _cross),
     "fold": RangeRule(_fold_name, _fold),
     "iterate": _named(rulebook.STATE, _iterate),
     "array": _named(rulebook.ELEMENTS, _elements),

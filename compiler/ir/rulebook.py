@@ -19,7 +19,7 @@ PICKED = "picked lanes"
 ELEMENT = "element"
 EITHER = "either side"
 OWN_CONDITION = "own condition"
-INTERPOLATED = "interpolated"
+FLAT = "not interpolated"
 SUM = "sum"
 PRODUCT = "product"
 EXTREME = "least or greatest"
@@ -49,7 +49,7 @@ RULES: Mapping[str, str] = {
     ELEMENT: "an element of an array or vector within these bounds",
     EITHER: "one of the two sides",
     OWN_CONDITION: "its own condition bounds the side",
-    INTERPOLATED: "a mean of three vertices' values",
+    FLAT: "the value of one vertex, or of the whole instance",
     SUM: "so many terms at most, each within these bounds",
     PRODUCT: "no factor is negative",
     EXTREME: "the least or the greatest of some values, the start among them",

@@ -65,10 +65,13 @@ def _remainder(facts: tuple[Fact, ...], _same: bool) -> Fact:
     if x.kind != "float":
         return Fact(min(y.lo + 1, 0.0), max(y.hi - 1, 0.0)).as_kind(x.kind)
     exact = Fact(min(y.lo, 0.0), max(y.hi, 0.0))
-    # Where the quotient is off, it may be rounded down to another whole number. Its product with y,
-    # and the difference between x and that, are rounded.
+    # Where the quotient is off, it may be rounded down to another whole number. Its product with y
+    # is rounded, and so is the difference between x and that.
     quotient = _QUOTIENT_ERROR if y.most <= _USUAL_DIVISOR else _LARGEST_QUOTIENT_ERROR
-    return around(exact, x.most * quotient + (x.most + y.most) * 2.0 * ROUNDING)
+    another = x.most * quotient
+    of_product = (x.most + another + y.most) * ROUNDING
+    of_difference = (y.most + another + of_product) * ROUNDING
+    return around(exact, another + of_product + of_difference + (1.0 + y.most) * SMALLEST_NORMAL)
 
 
 def _negated(facts: tuple[Fact, ...], _same: bool) -> Fact:
@@ -165,7 +168,13 @@ ROWS = (
         name="mod",
         signatures=_LANEWISE,
         meaning="remainder",
-        doc="Remainder of the quotient rounded down; it has the sign of the divisor.",
+        doc=(
+            "Remainder of the quotient rounded down; it has the sign of the divisor. Of floats, a "
+            "quotient that a device computes roughly may be rounded down to another whole number: "
+            "then the result is the divisor itself, like 41 for `x mod 41.0`, or up to some ulps "
+            "beyond it or beyond 0. Quotients of whole floats up to 800 000 by whole constants up "
+            "to 512 are exact, and quotients by constant powers of two."
+        ),
         operator="%",
         domain=_counts,
         needs="integers, the first not negative, the divisor 1 or more",

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from .accuracy import COMMON, Inherited, Rounded, in_table, inherited, promised, silent
+from .accuracy import COMMON, CORRECT, Inherited, Rounded, in_table, inherited, promised, silent
 from .arithmetic import SIGNED
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import around, inexact, monotone, product, products, rounded
 from .row import Builtin, RangeRule
-from .weakest import ROUNDING
+from .weakest import ROUNDING, relative
 
 _FLOATS = ("T -> T",)
+_THREE_ROUNDINGS = relative(CORRECT, CORRECT, CORRECT)
 _PAIRS = ("N, N -> N", "N, L -> N")
 
 
@@ -71,9 +72,9 @@ def _blended(facts: tuple[Fact, ...], _same: bool) -> Fact:
         exact = rounded(x_lo + y_lo, x_hi + y_hi)
     else:
         exact = x.union(y)
-    # Backends write this in two ways, whose rounding errors grow with the larger operand;
-    # neither turns a blend of non-negative values negative.
-    slack = around(exact, (x.most + y.most) * (1.0 + a.most) * 4.0 * ROUNDING)
+    # Backends write this in two ways, whose rounding errors grow with the larger operand: each of
+    # both is rounded three times at most. Neither turns a blend of non-negative values negative.
+    slack = around(exact, (x.most + y.most) * (1.0 + a.most) * _THREE_ROUNDINGS)
     if a.within(0.0, 1.0) and min(x.lo, y.lo) >= 0:
         return Fact(max(slack.lo, 0.0), slack.hi)
     return Fact(slack.lo, slack.hi)
@@ -93,7 +94,8 @@ def _stepped(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _ramped(_facts: tuple[Fact, ...], _same: bool) -> Fact:
-    return inexact(0.0, 1.0, 4.0 * ROUNDING)
+    # t * t * (3 - 2 * t), of which 2 * t is exact.
+    return inexact(0.0, 1.0, _THREE_ROUNDINGS)
 
 
 def _ordered(facts: tuple[Fact, ...]) -> bool:

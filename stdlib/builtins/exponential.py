@@ -10,7 +10,7 @@ from .arithmetic import QUOTIENT
 from .facts import SMALLEST_NORMAL, Fact
 from .intervals import around, inexact, products, rounded
 from .row import Builtin, nowhere
-from .weakest import ROUNDING, absolute, relative
+from .weakest import absolute, relative
 
 _FLOATS = ("T -> T",)
 _EXP = Within(Error(ulp=3.0, ulp_by_operand=2.0))
@@ -39,9 +39,9 @@ INVERSE_ROOT = promised(
     in_section(Within(Error(relative=2.0**-21)), "22.10.19 rsq"),
 )
 
-ROOT_ERROR = relative(INVERSE_ROOT, QUOTIENT)
-"""The largest error of a root, as a part of it: it is ``1 / inversesqrt(x)`` on most platforms."""
 _INVERSE_ROOT_ERROR = relative(INVERSE_ROOT)
+ROOT_ERROR = (1.0 + relative(QUOTIENT)) / (1.0 - _INVERSE_ROOT_ERROR) - 1.0
+"""The largest error of a root, as a part of it: it is ``1 / inversesqrt(x)`` on most platforms."""
 _LOG_ERROR = max(relative(LOG), relative(LOG2, CORRECT, CORRECT))
 """The factor of ``log2(x) * ln(2)`` is rounded, and so is the product."""
 _LOG2_ERROR = relative(LOG2)
@@ -75,7 +75,7 @@ def exponential_error(operand: float) -> float:
     Direct3D computes ``exp2(x * log2(e))``, of which the factor and the product are rounded.
     """
     exponent = operand * math.log2(math.e)
-    moved = math.expm1(operand * 2.0 * ROUNDING)
+    moved = math.expm1(operand * relative(CORRECT, CORRECT))
     of_power = (1.0 + relative(EXP2, operand=exponent)) * (1.0 + moved) - 1.0
     return max(relative(EXP, operand=operand), of_power)
 

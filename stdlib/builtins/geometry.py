@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from ...frozen import changed
-from .accuracy import EXACT, Inherited, in_table, inherited, promised, silent
+from .accuracy import CORRECT, EXACT, Inherited, in_table, inherited, promised, silent
 from .exponential import ROOT_ERROR
-from .facts import UNIT, UNIT_SLACK, UNKNOWN, Fact
+from .facts import SMALLEST_NORMAL, UNIT, UNIT_SLACK, UNKNOWN, Fact
 from .intervals import around, product, products, rounded, squares
 from .row import Builtin, nowhere
-from .weakest import ROUNDING
+from .weakest import relative
 
 _PAIR = ("V, V -> S",)
 _WHOLE_PAIR = tuple(
@@ -17,8 +17,11 @@ _WHOLE_PAIR = tuple(
     for lanes in (2, 3, 4)
 )
 _NARROWEST, _WIDEST = 2, 4
-_SUM_ERROR = _WIDEST * ROUNDING
-"""Of a sum of as many products in any order, as a part of the sum of their magnitudes."""
+_SUM_ERROR = relative(*[CORRECT] * _WIDEST)
+"""Of a sum of as many products in any order, as a part of the sum of their magnitudes: each is
+rounded once, and then with every term that is added to it."""
+_FLUSHED = _WIDEST * SMALLEST_NORMAL
+"""What such a sum may lose besides, where products are flushed to zero."""
 _LENGTH_ERROR = (1.0 + _SUM_ERROR) * (1.0 + ROOT_ERROR) - 1.0
 SHORTEST = 2.0**-60
 """The least length whose square is far above what a device may flush to zero."""
@@ -34,11 +37,12 @@ def _inner(facts: tuple[Fact, ...], same: bool) -> Fact:
         return Fact().as_kind(x.kind)
     lo, hi = squares(x) if same else products(x, y)
     lo, hi = min(_NARROWEST * lo, _WIDEST * lo), max(_NARROWEST * hi, _WIDEST * hi)
-    error = product(_WIDEST * product(x.most, y.most), _SUM_ERROR)
+    error = product(_WIDEST * product(x.most, y.most), _SUM_ERROR) + _FLUSHED
     total = around(Fact(lo, hi), error)
     total = Fact(max(total.lo, 0.0), total.hi) if lo >= 0 else total
     if same and x.length:
-        total = total.meet(Fact(product(x.length, x.length) * (1.0 - _SUM_ERROR)))
+        shortest = product(x.length, x.length) * (1.0 - _SUM_ERROR) - _FLUSHED
+        total = total.meet(Fact(max(shortest, 0.0)))
     return total.meet(UNIT_PRODUCT) if x.unit and y.unit else total
 
 

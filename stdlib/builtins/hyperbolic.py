@@ -26,7 +26,13 @@ def _half_sum_error(operand: float) -> float:
     return (1.0 + exponential_error(operand)) * (1.0 + relative(CORRECT, CORRECT)) - 1.0
 
 
-_TANH_ERROR = max(absolute(TANH), 2.0 * _half_sum_error(_FLAT) + relative(QUOTIENT, CORRECT))
+_TANH_ERROR = max(
+    absolute(TANH),
+    (1.0 + _half_sum_error(_FLAT))
+    / (1.0 - _half_sum_error(_FLAT))
+    * (1.0 + relative(QUOTIENT, CORRECT))
+    - 1.0,
+)
 """Farther out the result is 1; the quotient is off by what both functions are off by."""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -18,13 +19,17 @@ from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT_SLACK, Fact
 from burnish.stdlib.builtins.row import anything
 from burnish.stdlib.builtins.weakest import ROUNDING, relative
 
+from ..reference.device import HABITS, Chosen, Device
+
 BOXES, POINTS = 160, 12
 LARGEST = {"tanh": 16.0}
 """Where expansions begin; elsewhere 300. Far beyond, sines are off by more, but not above 1."""
+OF_DOUBLES = 1 - Fraction(2.0**-50)
+"""How exactly ranges are computed."""
 VECTORS = {"dot": 4, "length": 4, "distance": 4, "cross": 3, "normalize": 4, "reflect": 4}
-LOOSE = {"smoothstep", "asin", "tan"}
+LOOSE = ("smoothstep", "asin", "tan")
 """Bounds forget that two factors depend on each other, that a root is never negative, or that only
-one end of a quotient is large."""
+one end of a quotient is large. So devices that choose at random compute these."""
 OF_FLOATS = [
     row
     for row in BUILTINS.values()
@@ -80,6 +85,33 @@ def test_no_platform_leaves_a_range(row: Builtin, platform: Platform) -> None:
             assert (-upwards(-most[known]) <= claimed.hi).all(), (facts, most.max(), claimed)
 
 
+@pytest.mark.parametrize("name", LOOSE)
+@pytest.mark.parametrize("platform", PLATFORMS)
+@pytest.mark.parametrize("number", range(len(HABITS)))
+def test_no_device_leaves_a_range(name: str, platform: Platform, number: int) -> None:
+    row = BUILTINS[name]
+    low, high, points = boxes(np.random.default_rng(7), row)
+    device = Device(Errors((platform,)), HABITS[number], seed=number)
+    with np.errstate(all="ignore"):
+        found = computed(device, name, [(device.lane(values),) for values in points])
+    for box in range(BOXES):
+        ends = zip(low, high, strict=True)
+        claimed = row.range(tuple(Fact(float(lo[box]), float(hi[box])) for lo, hi in ends), False)
+        values = found[box][np.isfinite(found[box])]
+        assert (values >= claimed.lo).all(), (values.min(), claimed)
+        assert (values <= claimed.hi).all(), (values.max(), claimed)
+
+
+def computed(device: Device, name: str, operands: list[tuple[Chosen]]) -> Floats:
+    """The results of a builtin, by its definition where its row has one."""
+    if name == "asin":
+        ((x,),) = operands
+        x = device.minimum(device.maximum(x, -1.0), 1.0)
+        return np.asarray(device.arctan2(x, device.sqrt(1.0 - x * x)).value)
+    (lane,) = evaluate(name, operands, device, "float")
+    return np.asarray(device.lane(lane).value)
+
+
 def upwards(ends: Floats) -> Floats:
     """The least numbers that a device can return which are not below these."""
     nearest = np.float32(ends)
@@ -92,3 +124,30 @@ def test_a_normalised_vector_is_of_length_one_on_all_platforms() -> None:
     by_product = relative(INVERSE_ROOT) + ROUNDING
     by_quotient = ROOT_ERROR + relative(BUILTINS["div"].accuracy)
     assert root_of_squares + max(by_product, by_quotient) < UNIT_SLACK / 4
+
+
+def test_errors_of_operations_in_turn_multiply() -> None:
+    """What a device may return at most if each operation is off as far as it may be."""
+    one, step = Fact(1.0, 1.0), Fraction(ROUNDING)
+    assert highest("dot", one, one) >= 4 * (1 + step) ** 4 * OF_DOUBLES
+    quotient = Fraction(relative(BUILTINS["div"].accuracy))
+    inverse = Fraction(relative(INVERSE_ROOT))
+    assert highest("sqrt", one) >= (1 + quotient) / (1 - inverse) * OF_DOUBLES
+    # Where a quotient is off, all of the divisor may be left, and more: 41 of 123 mod 41, say.
+    for x, y in ((123.0, 41.0), (1e6, 3.0), (-7.0, 7.0)):
+        another = quotient * abs(Fraction(x))
+        product = abs(Fraction(x)) + another + Fraction(y)
+        left = (Fraction(y) + another + product * step) * (1 + step)
+        assert highest("mod", Fact(x, x), Fact(y, y)) >= left * OF_DOUBLES
+        assert highest("mod", Fact(x, x), Fact(y, y)) >= y
+
+
+def highest(name: str, *facts: Fact) -> Fraction:
+    return Fraction(BUILTINS[name].range(facts, False).hi)
+
+
+def test_a_sum_of_products_that_are_flushed_may_be_zero() -> None:
+    tiny = Fact(2.0**-63 * 0.9, 2.0**-63)
+    assert BUILTINS["dot"].range((tiny, tiny), False).lo <= 0
+    short = Fact(0.0, 1.0, length=2.0**-62)
+    assert BUILTINS["dot"].range((short, short), True).lo <= 2.0**-124 - 4 * 2.0**-126

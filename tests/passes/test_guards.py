@@ -61,6 +61,8 @@ NEEDED_SOMEWHERE = [
     ("param big : float in 1..3e38  color = vec3(log(1e20 / big))", "log"),
     # A plane through 0, 0 and 1 is below zero somewhere: SwiftShader drew NaN.
     ("heat = @vertex saturate(position.x)  color = vec3(sqrt(heat))", "sqrt"),
+    # Far behind its nearest corner, a plane through values over w is off by more than these.
+    ("heat = @vertex (0.5 + saturate(position.x))  color = vec3(sqrt(heat))", "sqrt"),
 ]
 """Operands that some platform computes so roughly that they leave the domain there."""
 

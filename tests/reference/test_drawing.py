@@ -11,8 +11,9 @@ import pytest
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.bounds.errors import Errors
-from burnish.compiler.reference.picture import Geometry, RasterRules
+from burnish.compiler.reference.picture import Geometry, RasterRules, instanced
 from burnish.frozen import changed
+from burnish.stdlib.builtins.accuracy import INTERPOLATED_BITS
 
 from ..passes.kit import history
 from .kit import columns, few_ulps, geometry, moved, perspective, picture, shader, sphere
@@ -143,6 +144,17 @@ def test_a_value_that_is_the_same_at_all_vertices_is_interpolated() -> None:
     assert found.low[0].max() < 0.7 < found.high[0].min()
 
 
+def test_far_behind_the_nearest_corner_a_mean_may_leave_the_corners() -> None:
+    """So range analysis knows nothing of what is interpolated, whatever it is at the vertices."""
+    given = passing("attribute s : float\nvalue = vec4(@vertex (0.5 + saturate(s)))")
+    for nearest, inside in ((0.5, True), (1e-5, False)):
+        corners = [(-3, 0.75, 0, 1), (3, 0.75, 0, 1), (0, -3 * nearest, 0, nearest)]
+        mesh = triangles(corners, s=[1, 0, 0])
+        found = picture(given, mesh, at(varying_bits=INTERPOLATED_BITS), errors=few_ulps)
+        assert found.covered.all()
+        assert (found.low[0] > 0).all() == inside
+
+
 def test_nothing_is_known_of_values_whose_plane_may_overflow() -> None:
     given = passing("attribute s : float\nvalue = vec4(s)")
     for large, known in ((1e38, False), (1e35, True)):
@@ -226,6 +238,27 @@ def test_the_nearest_wins_and_of_equals_the_first(discard: str) -> None:
     equals = picture(given, layers((0.4, RED), (0.4, GREEN)), at())
     assert (equals.targets[0] == RED).all()
     assert equals.undecided.all()
+
+
+@pytest.mark.parametrize("blend", ["none", "alpha"])
+@pytest.mark.parametrize("moved", [False, True])
+def test_of_instances_at_the_same_place_the_first_is_drawn(moved: bool, blend: str) -> None:
+    """Their depths are equal on every device, unless their places are computed from the instance,
+    each with errors of its own."""
+    members = (
+        "attribute shade : float per instance\nvalue = vec4(shade, float(instance_index), 0, 1)"
+    )
+    if moved:
+        members += "\nclip_position = place + vec4(0, 0, shade - shade * 1.0000001, 0)"
+    place = np.array(FULL, dtype=np.float64)
+    shades = np.array([[0.25], [0.5], [0.75]])
+    mesh = instanced({"place": place}, {"shade": shades}, np.array([[0, 1, 2]]), 3)
+    found = picture(passing(members, blend), mesh, at(2, varying_bits=20, frag_coord_bits=20),
+                    errors=few_ulps)  # fmt: skip
+    assert found.covered.all()
+    assert found.undecided.all() == moved
+    if not moved:
+        assert found.targets[0][..., :2].reshape(-1, 2).tolist() == [[0.25, 0.0]] * 4
 
 
 def test_depths_that_rounding_may_exchange_are_undecided() -> None:

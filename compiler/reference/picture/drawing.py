@@ -12,6 +12,7 @@ from ...ir.stages import DISCARD
 from ...ir.types import width
 from ..bounds import Errors, as_bounded
 from ..namespace import Lanes
+from .copies import place_numbers
 from .coverage import Fragments, fragments_of
 from .faces import Faces, assemble
 from .quads import Barycentric, Quads, depths_of, quads_of
@@ -69,6 +70,7 @@ class _Drawing:
         self._faces: Faces = assemble(
             self._vertices.positions, geometry.triangles, rules, self._vertices.off
         )
+        self._places = place_numbers(shader, geometry, self._faces)
         written = [(r.state, r.value.type) for r in shader.results if r.state is not None]
         self._lanes = [width(type_) for _, type_ in written]
         blends = [target.blend != "none" for target, _ in written]
@@ -81,11 +83,12 @@ class _Drawing:
         fragments, canvas.undecided[:] = fragments_of(self._faces, self._rules)
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._opaque:
-            winners, close = nearest(fragments, depth, off)
+            winners, close = nearest(fragments, depth, off, self._places[fragments.face])
             canvas.undecided[close] = True
             fragments = Fragments(fragments.face[winners], fragments.pixel[winners])
             depth, off = depth[winners], off[winners]
-        canvas.draw(fragments.pixel, depth, off, self._shaded(fragments, progress))
+        place = self._places[fragments.face]
+        canvas.draw(fragments.pixel, depth, off, place, self._shaded(fragments, progress))
         return self._expected()
 
     def _shaded(self, fragments: Fragments, progress: Callable[[float], None] | None) -> Shades:

@@ -123,7 +123,7 @@ def _window(positions: Floats, rules: RasterRules) -> tuple[Floats, Floats]:
 
 
 def _shares(corners: Floats, weights: Floats) -> Floats:
-    """The positions of parts' corners as weighted sums of those of whole triangles, (faces, 3, 3)."""
+    """Parts' corners in the window as weighted sums of those of whole triangles, (faces, 3, 3)."""
     shares = weights * corners[:, None, :, 3]
     shares /= shares.sum(axis=2, keepdims=True)
     return shares

@@ -61,6 +61,8 @@ class Canvas:
         self.depth = np.ones(pixels)
         self._depth_off = np.zeros(pixels)
         """By how much a device's depth may differ."""
+        self._place = np.full(pixels, -1)
+        """The number of the place of the face that was drawn last (``copies.py``)."""
         self._may_hide = np.ones(pixels)
         """The nearest depth that a device may have for a fragment of which it is unsure whether it
         was drawn."""
@@ -72,23 +74,25 @@ class Canvas:
         """Pixels that are undecided because of what has been drawn there so far."""
         self._opaque = all(state.blend == "none" for state in self._states)
 
-    def draw(self, pixel: Ints, depth: Floats, off: Floats, shades: Shades) -> None:
+    def draw(self, pixel: Ints, depth: Floats, off: Floats, place: Ints, shades: Shades) -> None:
         """Draw fragments in their order; several may be of the same pixel.
 
-        ``off`` says by how much a device's depths may differ.
+        ``off`` says by how much a device's depths may differ, except between fragments of the same
+        ``place``.
         """
         rank = _ranks(pixel)
         for layer in range(int(rank.max(initial=-1)) + 1):
-            self._draw_layer(pixel, depth, off, shades, np.flatnonzero(rank == layer))
+            self._draw_layer(pixel, depth, off, place, shades, np.flatnonzero(rank == layer))
 
     def _draw_layer(
-        self, pixel: Ints, depth: Floats, off: Floats, shades: Shades, members: Ints
+        self, pixel: Ints, depth: Floats, off: Floats, place: Ints, shades: Shades, members: Ints
     ) -> None:
         """Draw at most one fragment of each pixel."""
         at = pixel[members]
         before, new = self.depth[at], depth[members]
         margin = off[members] + self._depth_off[at]
-        nearer, doubtful = new < before, np.abs(new - before) <= margin
+        nearer, close = new < before, np.abs(new - before) <= margin
+        doubtful = close & (place[members] != self._place[at])
         hidden = ~nearer & ~doubtful
         unsure = doubtful | (shades.undecided[members] & ~hidden)
         if self._opaque:
@@ -100,18 +104,19 @@ class Canvas:
         nearest_new = new - off[members]
         self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], nearest_new[unsure])
         drawn = members[nearer & ~shades.discarded[members]]
-        place = pixel[drawn]
-        self.depth[place] = depth[drawn]
-        self._depth_off[place] = off[drawn]
-        self.layers[place] += 1
+        at = pixel[drawn]
+        self.depth[at] = depth[drawn]
+        self._depth_off[at] = off[drawn]
+        self._place[at] = place[drawn]
+        self.layers[at] += 1
         rows = zip(self.targets, shades.colours, self._states, self._lanes, strict=True)
         for target, colours, state, lanes in rows:
             # A device may blend as precisely as the target's format is, so that it rounds the
             # colour before. If the target is in fixed point, the colour is clamped, too.
             colour = self._stored(state, colours[:, drawn])
             if state.blend != "none":
-                colour = self._stored(state, _blended(state.blend, colour, target[:, place]))
-            target[:, place, :lanes] = colour[..., :lanes]
+                colour = self._stored(state, _blended(state.blend, colour, target[:, at]))
+            target[:, at, :lanes] = colour[..., :lanes]
 
     def _stored(self, state: RenderTarget, colours: Ends) -> Ends:
         """Colours in the range of a target's format, with ends that this format has."""
@@ -134,10 +139,11 @@ def _lanes(colours: Ends) -> Lanes:
     return tuple(Bounded(*np.moveaxis(colours, -1, 0)[i]) for i in range(4))
 
 
-def nearest(fragments: Fragments, depth: Floats, off: Floats) -> tuple[Ints, Ints]:
+def nearest(fragments: Fragments, depth: Floats, off: Floats, place: Ints) -> tuple[Ints, Ints]:
     """The fragments that win their pixel, and the pixels where another one is nearly as close.
 
-    ``off`` says by how much a device's depths may differ.
+    ``off`` says by how much a device's depths may differ, except between fragments of the same
+    ``place``, of which the first one wins.
     """
     order = np.lexsort((depth, fragments.pixel))
     pixel, sorted_depth = fragments.pixel[order], depth[order]
@@ -146,7 +152,8 @@ def nearest(fragments: Fragments, depth: Floats, off: Floats) -> tuple[Ints, Int
     winner = np.maximum.accumulate(np.where(first, np.arange(len(order)), 0))
     # Not only the second one may be as close: one farther behind may be off by more.
     sorted_off = off[order]
-    close = ~first & (sorted_depth - sorted_depth[winner] <= sorted_off + sorted_off[winner])
+    apart = place[order] != place[order][winner]
+    close = apart & (sorted_depth - sorted_depth[winner] <= sorted_off + sorted_off[winner])
     return np.sort(order[first]), np.unique(pixel[close])
 
 

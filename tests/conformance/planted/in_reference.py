@@ -204,8 +204,8 @@ def _last(place: Any, values: Any) -> Any:
     )
 
 
-def _farthest(fragments: Any, depth: Any, off: Any) -> Any:
-    return resolve.nearest(fragments, -depth, off)
+def _farthest(fragments: Any, depth: Any, off: Any, place: Any) -> Any:
+    return resolve.nearest(fragments, -depth, off, place)
 
 
 def _coarser(by: float) -> Callable[..., Any]:
