@@ -125,14 +125,13 @@ def compare(
     are the distances between neighbouring numbers of each target's format.
     """
     values, low, high = ends_of(expected)
-    drawn = np.stack(got)
-    overflows = ~(np.abs(values) <= LARGEST)
+    drawn, source = np.stack(got), np.stack(meant)
+    overflows = ~((np.abs(values) <= LARGEST) & (np.abs(source) <= LARGEST))
     overflowing = overflows.any(axis=(0, 3)) & ~expected.undecided
     decided = ~(expected.undecided | overflowing)
     wide = decided & expected.covered & says_nothing(values, low, high, decided & expected.covered)
     excess = shares(drawn, values, low, high)
     per_pixel = excess.max(axis=(0, 3))
-    source = np.stack(meant)
     rounding = ROUNDING * np.maximum(_larger_of(values, decided & expected.covered), CANCELLED)
     with np.errstate(invalid="ignore"):
         change = shares(source, values, low - rounding, high + rounding)

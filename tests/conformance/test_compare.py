@@ -150,6 +150,16 @@ def test_nothing_is_promised_where_the_value_leaves_float32(got: float, value: f
     assert (found.overflow.x, found.overflow.y, found.overflow.target) == (7, 2, 0)
 
 
+def test_nothing_is_promised_where_what_the_material_means_leaves_float32() -> None:
+    """The compiler folds what overflows to the largest float."""
+    largest = picture(float(np.finfo(np.float32).max))
+    meant = largest.copy()
+    meant[2, 7, 3] = 1e76
+    found = compared(largest, expected(largest, below=0.0, above=0.0), meant)
+    assert (found.changed, found.overflowing, found.agrees) == (0, 1, False)
+    assert found.overflow is not None and (found.overflow.x, found.overflow.y) == (7, 2)
+
+
 def test_the_largest_float_is_one() -> None:
     largest = float(np.finfo(np.float32).max)
     assert compared(changed(largest), expected(changed(largest))).agrees
