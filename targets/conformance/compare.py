@@ -117,10 +117,13 @@ def compare(
     meant: Sequence[Floats],
     steps: Sequence[Floats],
     level: Level,
+    possible: Expected | None = None,
 ) -> Comparison:
     """Compare the targets of pictures, each of shape (height, width, 4).
 
     ``expected`` has the bounds of the emitted program, and ``meant`` is what the material means.
+    ``possible`` has the bounds of the material itself, if these are known: what a device may make
+    of it without any compiler is no change of the meaning.
     Uncovered pixels have the clear colour, and ``got`` must have exactly the same there. ``steps``
     are the distances between neighbouring numbers of each target's format.
     """
@@ -136,6 +139,8 @@ def compare(
     with np.errstate(invalid="ignore"):
         change = shares(source, values, low - rounding, high + rounding)
     changed = decided & (change.max(axis=(0, 3)) > 1)
+    if possible is not None:
+        changed &= (shares(values, *ends_of(possible)) > 1).any(axis=(0, 3))
     distance = np.where(decided[None, :, :, None], _distance(drawn, values), 0)
     pictures = (values, low, high)
     return Comparison(
