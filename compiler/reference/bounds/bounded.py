@@ -31,6 +31,7 @@ from .rounding import (
     lost,
     of_device,
     outward,
+    relative_error,
     rounding_error,
 )
 
@@ -110,9 +111,11 @@ class Bounded(Operators):
     @property
     def rounding(self) -> Array:
         """By how much a device may round a sum or a product, in any order that it may take."""
-        if self._sum is not None:
-            return self._sum.roundings * (ULP * self._sum.magnitude + SMALLEST_NORMAL)
-        return self._factors * (ULP * self.magnitude + SMALLEST_NORMAL)
+        made = self._sum
+        times, magnitude = (
+            (self._factors, self.magnitude) if made is None else (made.roundings, made.magnitude)
+        )
+        return relative_error(times) * magnitude + times * SMALLEST_NORMAL
 
     @property
     def any_form(self) -> Form:

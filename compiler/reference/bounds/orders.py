@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
-from .rounding import ULP, Array
+from .rounding import Array, relative_error
 
 _FINEST = 2.0**-12
 _LARGEST = 2.0**6
@@ -90,10 +90,12 @@ def in_any_order(sum_: Sum) -> Array:
     magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero. Whole
     numbers that float32 counts one by one are not rounded in any order.
     """
-    step = ULP * sum_.magnitude + np.minimum(sum_.magnitude, SMALLEST_NORMAL)
+    times = sum_.roundings
+    flushed = times * np.minimum(sum_.magnitude, SMALLEST_NORMAL)
+    error = relative_error(times) * sum_.magnitude + flushed
     if (whole := sum_.whole).any():
-        step = np.where(whole & (sum_.magnitude <= _COUNTED), 0.0, step)
-    sum_.error = sum_.roundings * step
+        error = np.where(whole & (sum_.magnitude <= _COUNTED), 0.0, error)
+    sum_.error = error
     before = [term.error for term in sum_.operands if isinstance(term, Sum)]
     return sum_.error - sum(before)
 

@@ -47,7 +47,13 @@ def rounding_error(magnitude: Array, times: int = 1, step: Array = SUBNORMAL_STE
 
     ``step`` is the distance of the smallest numbers.
     """
-    return (times * ULP) * magnitude + np.minimum(magnitude * 2.0**1000, times * step)
+    return relative_error(times) * magnitude + np.minimum(magnitude * 2.0**1000, times * step)
+
+
+def relative_error(times: int) -> float:
+    """The largest error of so many roundings one after the other, relative to the result: it is
+    ``(1 + ULP) ** times - 1``, and not more than this if these are fewer than millions."""
+    return times * ULP * (1.0 + times * ULP)
 
 
 def lost(magnitude: Array, smallest: Array = SMALLEST_NORMAL) -> Array:
