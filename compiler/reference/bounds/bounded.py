@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins.facts import SMALLEST_NORMAL
+from ....stdlib.builtins.facts import SMALLEST_NORMAL, ULP
 from . import whole
 from .affine import Form, alone, chosen
 from .operators import Operators
@@ -24,7 +24,6 @@ from .products import growth, in_any_order, product_form, products, square
 from .rounding import (
     ROUNDED_UP,
     SUBNORMAL_STEP,
-    ULP,
     Array,
     constant_ends,
     is_float32,

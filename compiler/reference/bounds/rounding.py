@@ -6,14 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
+from ....stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL, ULP
 
 Array = Any
 """A NumPy array, or one of NumPy's numbers."""
-
-ULP = 2.0**-23
-"""The largest unit in the last place of a float32, relative to the number; so far the two float32
-numbers around a result may be from it."""
 
 ROUNDED_UP = 1.0 + 2.0**-50
 """A factor for magnitudes that float64 may have rounded down."""
@@ -27,7 +23,8 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
 
     A correctly rounded operation returns one of the two float32 numbers around its exact result, so
     this is where it may lie. A number that float32 has stays as it is. A device may flush a
-    subnormal result to zero (Vulkan, "Denormalized values"; WGSL, "floating point evaluation").
+    subnormal result to zero (Vulkan, "Precision and Operation of SPIR-V Instructions"; WGSL,
+    "Floating Point Evaluation").
     """
     return _finite_or_infinite(_down(low), _up(high))
 
