@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from .console import remark, show
-from .failures import fail, told
+from .failures import told
 from .options import (
     check_device,
     device_option,
@@ -202,21 +202,29 @@ def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
 
 
 def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
-    """Print the way of the error at one pixel of every material."""
+    """Print the way of the error at one pixel of every material; then where there is none."""
     from ..targets.conformance.explaining import PixelError, explanation_lines
     from ..targets.conformance.summary import by_material
 
     assert request.explain is not None
     own = by_material(rows)
+    unexplained = []
     for label, material in subjects:
-        click.echo(click.style(label, bold=True), color=wants_color(sys.stdout))
-        found = explanation_lines(material, own[label], request.seed, request.explain, request.case)
         try:
-            for line in found:
-                click.echo(f"  {line}".rstrip())
+            lines = list(
+                explanation_lines(material, own[label], request.seed, request.explain, request.case)
+            )
         except PixelError as error:
-            fail(str(error))
+            unexplained.append(f"{label}: {error}" if len(subjects) > 1 else str(error))
+            continue
+        click.echo(click.style(label, bold=True), color=wants_color(sys.stdout))
+        for line in lines:
+            click.echo(f"  {line}".rstrip())
         click.echo()
+    for text in unexplained:
+        remark("error", text)
+    if unexplained:
+        click.get_current_context().exit(FAILED)
 
 
 def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:

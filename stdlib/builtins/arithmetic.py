@@ -10,7 +10,7 @@ import math
 
 from ...frozen import changed
 from .accuracy import CORRECT, Error, Within, in_table, inherited, promised
-from .facts import SMALLEST_NORMAL, Fact
+from .facts import SMALLEST_NORMAL, ULP, Fact
 from .intervals import around, inexact, products, quotients, rounded, squares
 from .row import Builtin
 from .weakest import ROUNDING, limit, relative
@@ -104,10 +104,10 @@ _LARGE = 2.0**126
 _FLUSHED_QUOTIENT = Error(relative=1.0)
 QUOTIENT = promised(
     Within(Error(ulp=2.5), _LARGE, beyond=_FLUSHED_QUOTIENT),
-    # x * (1 / y), whose reciprocal has an error of 1 ulp, which is 2^-23 of it at most.
+    # x * (1 / y), whose reciprocal has an error of 1 ulp.
     in_table(
         "direct3d",
-        Within(Error(ulp=1.0, relative=2.0**-23), _LARGE, beyond=_FLUSHED_QUOTIENT),
+        Within(Error(ulp=1.0, relative=ULP), _LARGE, beyond=_FLUSHED_QUOTIENT),
         beyond_assumed=_FLUSHED,
     ),
     beyond_assumed=_FLUSHED,

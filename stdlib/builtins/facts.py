@@ -15,6 +15,9 @@ LARGEST_FLOAT = 2.0**128 - 2.0**104
 """The largest number that a float32 holds."""
 SMALLEST_NORMAL = 2.0**-126
 """A device may flush smaller magnitudes to zero, so Burnish defines them to count as zero."""
+ULP = 2.0**-23
+"""The largest unit in the last place of a float32, relative to the number: so far a rounded number
+may be from the exact one, if it may be either neighbour."""
 
 UNIT_SLACK = 1e-5
 """By how much float32 rounding may lengthen a vector of length one: a few ulp for each operation,

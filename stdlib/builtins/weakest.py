@@ -14,9 +14,7 @@ import math
 from collections.abc import Iterator
 
 from .accuracy import CORRECT, PLATFORMS, Accuracy, Bound, Error, Inherited, Rounded, Within
-
-ULP = 2.0**-23
-"""The largest unit in the last place (ulp) of a float32, relative to its value."""
+from .facts import ULP
 
 
 def relative(*steps: Accuracy, operand: float = 0.0) -> float:

@@ -36,7 +36,7 @@ FEW = 40
 SEEN_SHARE = 0.01
 """The part of its picture that must be proven pixels of the object, in at least one case."""
 
-ROUNDING = 2.0**-40
+IN_DOUBLE = 2.0**-40
 """By how much rounding to float64 may change a value, relative to the larger ones of a lane."""
 CANCELLED = 2.0**-8
 """A value that is smaller than this may be what numbers of about 1 leave when they cancel, so that
@@ -135,7 +135,7 @@ def compare(
     wide = decided & expected.covered & says_nothing(values, low, high, decided & expected.covered)
     excess = shares(drawn, values, low, high)
     per_pixel = excess.max(axis=(0, 3))
-    rounding = ROUNDING * np.maximum(_larger_of(values, decided & expected.covered), CANCELLED)
+    rounding = IN_DOUBLE * np.maximum(_larger_of(values, decided & expected.covered), CANCELLED)
     with np.errstate(invalid="ignore"):
         change = shares(source, values, low - rounding, high + rounding)
     changed = decided & (change.max(axis=(0, 3)) > 1)

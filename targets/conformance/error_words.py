@@ -13,6 +13,7 @@ from ...compiler.reference.attribution.explanation import (
     Loss,
     Tipping,
 )
+from ...stdlib.builtins.facts import ULP
 
 MOST = 8
 """How many expressions are listed under each heading."""
@@ -21,7 +22,7 @@ MOST_WITHOUT_EFFECT = 2
 _LANES = "rgba"
 _INACCURATE = 1024.0
 """An operation whose own error is this many roundings of its value is called inaccurate."""
-_ROUNDING = 2.0**-24
+_HALF_ULP = 0.5 * ULP
 _WHOLE_STEP = 0.5
 """An operand that is off by more than this may be on either side of a jump at whole numbers."""
 _OWN: Mapping[Kind, str] = {
@@ -63,7 +64,7 @@ def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
         yield _with_place(_tipping(tipping), tipping.expression.span)
     for worst in explanation.contributions[:1]:
         size = max((abs(lane) for lane in worst.value), default=0.0)
-        if worst.own > _INACCURATE * _ROUNDING * max(size, 1.0):
+        if worst.own > _INACCURATE * _HALF_ULP * max(size, 1.0):
             text = f"`{worst.text}` {_OWN[worst.kind]} {_short(worst.own)}"
             yield _with_place(text, worst.span)
 

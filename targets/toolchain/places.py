@@ -118,13 +118,17 @@ def vulkan_files(name: str) -> tuple[str, ...]:
 
 
 def is_trusted(folder: Path) -> bool:
-    """Whether a folder is there, and nobody but this user and root can put a program into it."""
+    """Whether a folder is there, and nobody but this user and root can put a program into it.
+
+    It may be a link, but not one that somebody else could turn to another folder.
+    """
     try:
-        status = folder.lstat()
+        link, status = folder.lstat(), folder.stat()
     except OSError:
         return False
+    owners = {link.st_uid, status.st_uid}
     ours = os.name == "nt" or (
-        status.st_uid in (0, os.geteuid()) and not stat.S_IMODE(status.st_mode) & 0o022
+        owners <= {0, os.geteuid()} and not stat.S_IMODE(status.st_mode) & 0o022
     )
     return stat.S_ISDIR(status.st_mode) and ours
 

@@ -211,6 +211,7 @@ def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
     assert tree(Path("out")) == {"report.json", "junit.xml", "index.html"}
 
 
+FAR_AWAY = "material Afar { position = vec3(0, 0, 9) color = #ffffff }\n"
 HASH = "material Hash { color = vec3(fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453)) }\n"
 
 
@@ -288,6 +289,19 @@ def test_pixels_that_cannot_be_explained(words: str) -> None:
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe", "--explain", *words.split())
     assert result.exit_code == code
     assert message in result.stderr
+
+
+def test_a_material_that_does_not_show_the_pixel_does_not_hide_the_others() -> None:
+    Path("m.burnish").write_text(HASH + FAR_AWAY)
+    result = invoke(
+        "conform", "m.burnish", "--routes", "llvmpipe", "--explain", "36,28", "--case", "defaults"
+    )
+    assert result.exit_code == 1
+    assert re.search("^m.burnish: Hash$", result.stdout, re.MULTILINE)
+    assert "Far" not in result.stdout
+    assert result.stderr == (
+        "error: m.burnish: Afar: nothing is drawn at 36,28 of `defaults`, nor elsewhere\n"
+    )
 
 
 def test_a_case_without_a_pixel() -> None:

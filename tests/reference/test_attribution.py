@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 from burnish.compiler.reference.attribution import Explanation, UncoveredError, explain
 from burnish.compiler.reference.bounds import Errors
 from burnish.compiler.reference.picture import RasterRules, Texels
+from burnish.compiler.reference.picture.scene import Derivatives
 
 from .kit import WHITE, defaults
 from .test_drawing import FULL, passing, triangles
@@ -32,11 +34,12 @@ def explained(
     errors: Errors = _one_step,
     discard: str = "",
     texture: Texels = WHITE,
+    rules: RasterRules = RULES,
 ) -> Explanation:
     """Explain one pixel of a material that draws ``value``; ``s`` is interpolated."""
     given = passing(f"attribute s : vec2\nattribute t : float\n{members}", discard=discard)
     textures = {info.resource.name: texture for info in given.resources}
-    return explain(given, defaults(given), textures, TRIANGLE, RULES, errors, x, y)
+    return explain(given, defaults(given), textures, TRIANGLE, rules, errors, x, y)
 
 
 ILL_CONDITIONED = {
@@ -168,6 +171,15 @@ def test_derivatives_see_the_errors_of_two_pixels() -> None:
     assert found.value[0] == 0.125
     (place,) = [part for part in found.contributions if part.text == "s"]
     assert place.contribution == pytest.approx(2 * place.own, rel=1e-3)
+
+
+@pytest.mark.parametrize(("derivatives", "row"), [("own", 5.5), ("first", 4.5), ("any", 5.5)])
+def test_derivatives_are_those_that_the_device_takes(derivatives: Derivatives, row: float) -> None:
+    """``s.x`` grows by an eighth a pixel. If nothing is known, the other row's is an error."""
+    rules = replace(RULES, derivatives=derivatives)
+    found = explained("value = vec4(ddx(s.x * frag_coord.y), 0, 0, 1)", y=5, rules=rules)
+    assert found.value[0] == pytest.approx(row / 8)
+    assert (found.error > 0.1) == (derivatives == "any")
 
 
 def test_the_derivative_of_what_is_the_same_everywhere_is_exact() -> None:

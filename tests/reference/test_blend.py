@@ -44,6 +44,40 @@ def test_both_formulas_are_within_the_bounds(most: float) -> None:
             assert ((found.low <= tried) & (tried <= found.high)).all()
 
 
+@pytest.mark.parametrize("end", [0, 1])
+def test_the_uses_of_a_weight_may_be_rounded_differently(end: int) -> None:
+    """Where the weight is a product, ``y * a`` may be computed in another order than ``1 - a``."""
+    random = np.random.default_rng(end)
+    factors = random.uniform(1.0, 1.01, (FACTORS, 50 * COUNT)).astype(np.float32)
+    spread = np.array([0.99, 1.0])[:, None] * factors[0]
+    spread = spread.astype(np.float32).astype(float)
+    weight = Bounded(spread[end], *spread)
+    for factor in factors[1:]:
+        weight = weight * exact(factor.astype(float))
+    one = exact(np.ones(50 * COUNT))
+    found = BOUNDS.mix(one, exact(np.ones(50 * COUNT)), weight)
+    for toward in (-np.inf, np.inf):
+        near, far = (_directed(spread[end], factors[1:], way) for way in (toward, -toward))
+        tried = (ONE - near) + far
+        assert tried.dtype == np.float32
+        assert ((found.low <= tried) & (tried <= found.high)).all()
+
+
+FACTORS = 16
+
+
+def _directed(first: Any, factors: Any, toward: float) -> Any:
+    """A product in float32, each time rounded to the same side."""
+    product = first.astype(np.float32)
+    for factor in factors:
+        exactly = product.astype(float) * factor.astype(float)
+        nearest = exactly.astype(np.float32)
+        beyond = np.nextafter(nearest, np.float32(toward))
+        wrong = (nearest < exactly) if toward > 0 else (nearest > exactly)
+        product = np.where(wrong, beyond, nearest)
+    return product
+
+
 def test_a_choice_by_an_open_weight_is_between_both() -> None:
     """``mix(x, y, step(e, z))`` where the step may tip: not between 0 and ``x + y``."""
     weight = Bounded(np.array([1.0]), np.array([0.0]), np.array([1.0]))

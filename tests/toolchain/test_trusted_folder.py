@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import os
+import stat
 from pathlib import Path
 
 import pytest
 
 from burnish.targets.toolchain import install
+from burnish.targets.toolchain.places import is_trusted
 from burnish.targets.toolchain.sources import OwnInstaller
 from burnish.targets.toolchain.tools import cache_folder, tool_named
 
@@ -41,9 +43,31 @@ def test_a_folder_of_another_user(naga: Path, monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_link(naga: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "link").symlink_to(naga)
-    monkeypatch.setenv("BURNISH_TOOLS", str(tmp_path / "link"))
+    link = tmp_path / "link"
+    link.symlink_to(naga)
+    monkeypatch.setenv("BURNISH_TOOLS", str(link))
+    assert tool_named("naga").find() == (link / tool_named("naga").folder / "bin" / "naga",)
+    naga.chmod(0o777)
     assert tool_named("naga").find() is None
+
+
+def test_a_link_of_another_user(
+    naga: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Who could turn it to another folder of programs, even if that one belongs to root."""
+    link = tmp_path / "link"
+    link.symlink_to(naga)
+    found = Path.lstat
+
+    def of_another(path: Path) -> os.stat_result:
+        status = list(found(path))
+        if path == link:
+            status[stat.ST_UID] = os.geteuid() + 1
+        return os.stat_result(status)
+
+    monkeypatch.setattr(Path, "lstat", of_another)
+    assert is_trusted(naga)
+    assert not is_trusted(link)
 
 
 @pytest.mark.parametrize("home", ["", "~", "relative"])

@@ -128,7 +128,7 @@ def explain(
     """
     with np.errstate(all="ignore"):
         pixel = PixelShader(shader, values, textures, geometry, rules, errors, x, y)
-        found = influences(pixel, LocalErrors(errors, pixel.place))
+        found = influences(pixel, LocalErrors(errors, pixel.place, rules.derivatives))
         return _Explaining(shader, pixel, found).explanation(x, y)
 
 

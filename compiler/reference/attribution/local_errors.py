@@ -18,10 +18,9 @@ from ..bounds import Bounded, Bounds, Errors, exact
 from ..namespace import Lane, Lanes
 from ..operations import apply
 from ..picture.quads import Barycentric
+from ..picture.scene import Derivatives
+from ..picture.stage_evaluation import DERIVATIVE_AXES
 from .pixel import Reader
-
-_DERIVATIVE_AXES = {"ddx": -2, "ddy": -1}
-"""Along which axis of a quad a device may take another difference than the pixel's own."""
 
 
 def flat(value: Any) -> Iterator[Lane]:
@@ -41,6 +40,8 @@ class LocalErrors:
     """Those of functions."""
     place: Barycentric
     """What interpolates the values of vertices."""
+    derivatives: Derivatives
+    """Which differences the device takes."""
 
     def of(self, node: Node, operands: list[Lanes], value: Lanes) -> list[Any]:
         """For each lane of a value, its absolute error."""
@@ -61,9 +62,10 @@ class LocalErrors:
         """Evaluates the operation with bounds, from exact operands."""
         found = list(flat(apply(node, list(map(_exact, operands)), Bounds(self.errors))))
         errors = [_reach(lane) for lane in found]
-        axis = _DERIVATIVE_AXES.get(builtin_of(node) or "")
-        if axis is None:
+        axis = DERIVATIVE_AXES.get(builtin_of(node) or "")
+        if axis is None or self.derivatives != "any":
             return errors
+        # The device may take another difference than the pixel's own.
         return [
             error + np.max(np.abs(np.diff(lane.value, axis=axis))) if np.ndim(lane) else error
             for lane, error in zip(found, errors, strict=True)

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...ir.leaves import Attribute, Parameter, Resource
 from ...ir.node import Node, reachable
-from ...ir.operations import CROSS, INPUT
+from ...ir.operations import CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import DISCARD, FRAGMENTS, TARGET, VERTICES, Domain
 from ..bounds import Bounded, Errors, exact
@@ -26,7 +26,7 @@ from ..picture.faces import Faces, assemble
 from ..picture.quads import Barycentric, Quads, depths_of, rows_above
 from ..picture.sampler import TextureReader
 from ..picture.scene import Floats, Geometry, RasterRules, Texels
-from ..picture.stage_evaluation import StageEvaluator
+from ..picture.stage_evaluation import DERIVATIVE_AXES, StageEvaluator, difference_taken
 from ..picture.texels import Image
 
 SIDE = 2
@@ -81,6 +81,7 @@ class PixelShader:
         """Raises ``UncoveredError`` if nothing is drawn at (x, y)."""
         self._values = values
         self._geometry = geometry
+        self._rules = rules
         self._row, self._column = (y + rows_above(rules, SIDE)) % SIDE, x % SIDE
         self._targets = tuple(result.value for result in shader.results_of(TARGET))
         self._discard = next((result.value for result in shader.results_of(DISCARD)), None)
@@ -116,7 +117,12 @@ class PixelShader:
             value = self._inputs[INPUT.data(node).name]
             return changed(FRAGMENTS, node, [], value)
 
-        evaluator = Evaluator(leaves, np, lambda *seen: changed(FRAGMENTS, *seen))
+        def seen_by_device(node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
+            if (builtin := builtin_of(node)) in DERIVATIVE_AXES:
+                value = tuple(difference_taken(lane, builtin, self._rules) for lane in value)
+            return changed(FRAGMENTS, node, operands, value)
+
+        evaluator = Evaluator(leaves, np, seen_by_device)
         discarded: Lane = False if self._discard is None else evaluator.value(self._discard)[0]
         lanes = [lane for target in self._targets for lane in evaluator.value(target)]
         whole = [np.broadcast_to(self.seen(lane), (ways,)) for lane in lanes]

@@ -31,6 +31,9 @@ def blend(x: Bounded, y: Bounded, a: Bounded) -> Bounded:
         x.magnitude * rest.rounding + part.rounding + other.rounding + mean.rounding,
         a.magnitude * change.rounding + moved.rounding + shifted.rounding,
     )
+    # The weight is one number, but where it is a product or a sum, each use may combine its parts
+    # with others in an order of its own: ``y * a`` may be ``(y * b) * c``.
+    error = error + (x.magnitude + y.magnitude) * a.rounding
     low, high = _ends(x, y, a)
     return limited(
         found,

@@ -17,13 +17,10 @@ from numpy.typing import NDArray
 
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.accuracy import Bound, Error, Exact, Platform, Rounded, Within
-from ....stdlib.builtins.facts import LARGEST_FLOAT
+from ....stdlib.builtins.facts import LARGEST_FLOAT, ULP
 
 Floats = NDArray[np.float64]
 
-STEP = 2.0**-23
-"""The largest unit in the last place, relative to the number. A correctly rounded result, which may
-be either neighbour of the exact one, is off by less than that."""
 _EXPONENT = np.int64(0x7FF0000000000000)
 """The bits of a float64's exponent."""
 _LEAST = 2.0**-149
@@ -123,7 +120,7 @@ def ulp(magnitude: Floats) -> Floats:
     """The unit in the last place of a float32."""
     # Without its fraction, a float is the power of two below it; infinity stays what it is.
     powers = (np.asarray(magnitude, np.float64).view(np.int64) & _EXPONENT).view(np.float64)
-    return np.maximum(powers * 2.0**-23, _LEAST)
+    return np.maximum(powers * ULP, _LEAST)
 
 
 def _absolute(error: Error, operand: Floats, result: Floats) -> Floats:
@@ -160,14 +157,14 @@ def _square_root(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
 def _exponential(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``exp2(x * log2(e))``: the factor is rounded, and so is the product."""
     exponent = operand * math.log2(math.e)
-    rounding = np.expm1(math.log(2.0) * exponent * 1.5 * STEP)
+    rounding = np.expm1(math.log(2.0) * exponent * 1.5 * ULP)
     return result * (rounding + of.relative("exp2", exponent) * (1.0 + rounding))
 
 
 def _logarithm(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``log2(x) * ln(2)``: the factor is rounded, and so is the product."""
     error = math.log(2.0) * of.error("log2", operand, result / math.log(2.0))
-    return error + 1.5 * STEP * (result + error)
+    return error + 1.5 * ULP * (result + error)
 
 
 def _arc(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
@@ -177,7 +174,7 @@ def _arc(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     so by one step together. The angle changes by at most ``x`` for each unit of the root.
     """
     root = np.sqrt(np.maximum(1.0 - operand * operand, 0.0))
-    moved = np.minimum(math.sqrt(STEP), np.divide(STEP, root))
+    moved = np.minimum(math.sqrt(ULP), np.divide(ULP, root))
     moved = moved + of.error("sqrt", operand, root + moved)
     turned = operand * moved * (1.0 + 2.0**-10)
     return turned + of.error("atan2", operand, result + turned)
@@ -191,31 +188,31 @@ def _hyperbolic_sine(of: _OfPlatform, operand: Floats, result: Floats) -> Floats
 def _hyperbolic_cosine(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``(exp(x) + exp(-x)) * 0.5``, of which the sum may be too large for float32."""
     error = of.relative("exp", operand) * result
-    error = error + STEP * (result + error)
+    error = error + ULP * (result + error)
     return np.where(2.0 * (result + error) < LARGEST_FLOAT, error, np.inf)
 
 
 def _hyperbolic_tangent(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``sinh(x) / cosh(x)``, both of which are off by a part of ``cosh(x)``."""
-    part = of.relative("exp", operand) + 2.0 * STEP
+    part = of.relative("exp", operand) + 2.0 * ULP
     moved = np.where(part < 0.5, (1.0 + result) * part / (1.0 - part), np.inf)
     return moved + of.error("div", np.ones_like(result), result + moved)
 
 
 def _inverse_sine(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``log(x + sqrt(x * x + 1))`` of the magnitude, the sum of two numbers that are positive."""
-    return _logarithm_of(of, 2.0 * STEP + of.relative("sqrt", np.ones_like(operand)), result)
+    return _logarithm_of(of, 2.0 * ULP + of.relative("sqrt", np.ones_like(operand)), result)
 
 
 def _inverse_cosine(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``log(x + sqrt(x * x - 1))``: near 1 the difference keeps the rounding of the square."""
-    lost = math.sqrt(2.0 * STEP) + STEP
+    lost = math.sqrt(2.0 * ULP) + ULP
     return _logarithm_of(of, lost + of.relative("sqrt", np.ones_like(operand)), result)
 
 
 def _inverse_tangent(of: _OfPlatform, operand: Floats, result: Floats) -> Floats:
     """``log((1 + x) / (1 - x)) * 0.5``."""
-    lost = 2.0 * STEP + of.relative("div", np.ones_like(operand))
+    lost = 2.0 * ULP + of.relative("div", np.ones_like(operand))
     return 0.5 * _logarithm_of(of, lost, 2.0 * result)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins.facts import SMALLEST_NORMAL
+from ....stdlib.builtins.facts import SMALLEST_NORMAL, ULP
 from ..namespace import OwnFunctions
 from .affine import Derivative, Form, curved
 from .blend import blend
@@ -22,12 +22,12 @@ from .bounded import (
     exact,
     limited,
     negated,
-    products,
     rounded,
     widened,
 )
 from .choices import certain_choice, of_conditions, of_ends, open_choice
-from .rounding import ROUNDED_UP, ULP, Array, outward
+from .products import products
+from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
 
 Errors = Callable[[str, Array, Array], Array]

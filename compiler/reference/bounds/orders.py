@@ -1,8 +1,8 @@
-"""Sums and products whose terms and factors a compiler may take in another order.
+"""Sums whose terms a compiler may take in another order.
 
 GLSL and HLSL let a compiler reassociate what is not ``precise``, and WGSL does so as well
-("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum and product,
-and widens the next one by the error that any order may have.
+("Reassociation and Fusion"). ``bounded.py`` keeps one of these records with each sum, and widens
+the next one by the error that any order may have; ``products.py`` does the same for products.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL
-from .rounding import ULP, Array
+from .rounding import Array, relative_error
 
 _FINEST = 2.0**-12
 _LARGEST = 2.0**6
@@ -71,6 +71,17 @@ class Single:
 
 Term = Sum | Single
 
+_DOUBLE_STEP = 2.0**-52
+"""The largest error of a float64, relative to the number."""
+
+
+def sum_of_doubles(value: Array, x: Array, y: Array) -> tuple[Array, Array]:
+    """The ends of an exact sum: where float64 does not hold it, a device may round to either
+    side."""
+    if ((value - x == y) & (value - y == x)).all():
+        return value, value
+    return value - _DOUBLE_STEP * np.abs(value), value + _DOUBLE_STEP * np.abs(value)
+
 
 def in_any_order(sum_: Sum) -> Array:
     """By how much further the bounds of a sum have to be widened for any order of its terms.
@@ -79,10 +90,12 @@ def in_any_order(sum_: Sum) -> Array:
     magnitudes (Higham, "Accuracy and Stability", section 4.2), and may flush it to zero. Whole
     numbers that float32 counts one by one are not rounded in any order.
     """
-    step = ULP * sum_.magnitude + np.minimum(sum_.magnitude, SMALLEST_NORMAL)
+    times = sum_.roundings
+    flushed = times * np.minimum(sum_.magnitude, SMALLEST_NORMAL)
+    error = relative_error(times) * sum_.magnitude + flushed
     if (whole := sum_.whole).any():
-        step = np.where(whole & (sum_.magnitude <= _COUNTED), 0.0, step)
-    sum_.error = sum_.roundings * step
+        error = np.where(whole & (sum_.magnitude <= _COUNTED), 0.0, error)
+    sum_.error = error
     before = [term.error for term in sum_.operands if isinstance(term, Sum)]
     return sum_.error - sum(before)
 

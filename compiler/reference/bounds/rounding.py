@@ -6,14 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from ....stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL
+from ....stdlib.builtins.facts import LARGEST_FLOAT, SMALLEST_NORMAL, ULP
 
 Array = Any
 """A NumPy array, or one of NumPy's numbers."""
-
-ULP = 2.0**-23
-"""The largest unit in the last place of a float32, relative to the number; so far the two float32
-numbers around a result may be from it."""
 
 ROUNDED_UP = 1.0 + 2.0**-50
 """A factor for magnitudes that float64 may have rounded down."""
@@ -27,29 +23,40 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
 
     A correctly rounded operation returns one of the two float32 numbers around its exact result, so
     this is where it may lie. A number that float32 has stays as it is. A device may flush a
-    subnormal result to zero (Vulkan, "Denormalized values"; WGSL, "floating point evaluation").
+    subnormal result to zero (Vulkan, "Precision and Operation of SPIR-V Instructions"; WGSL,
+    "Floating Point Evaluation").
     """
     return _finite_or_infinite(_down(low), _up(high))
 
 
-def of_device(low: Array, high: Array) -> tuple[Array, Array]:
+def of_device(low: Array, high: Array, smallest: Array = SMALLEST_NORMAL) -> tuple[Array, Array]:
     """Between which numbers a device's float32 is, if it is within an error from these.
 
-    A result beyond the largest float32 is infinite, and a subnormal one may be flushed to zero.
+    A result beyond the largest float32 is infinite, and one below ``smallest`` may be flushed to
+    zero.
     """
     low, high = _finite_or_infinite(low, high)
-    return _flushed_up(low), _flushed_down(high)
+    return _flushed_up(low, smallest), _flushed_down(high, smallest)
 
 
-def rounding_error(magnitude: Array, times: int = 1) -> Array:
-    """The largest error of results of this magnitude that are rounded so often; none of zero."""
-    return (times * ULP) * magnitude + np.minimum(magnitude * 2.0**1000, times * SUBNORMAL_STEP)
+def rounding_error(magnitude: Array, times: int = 1, step: Array = SUBNORMAL_STEP) -> Array:
+    """The largest error of results of this magnitude that are rounded so often; none of zero.
+
+    ``step`` is the distance of the smallest numbers.
+    """
+    return relative_error(times) * magnitude + np.minimum(magnitude * 2.0**1000, times * step)
 
 
-def lost(magnitude: Array) -> Array:
+def relative_error(times: int) -> float:
+    """The largest error of so many roundings one after the other, relative to the result: it is
+    ``(1 + ULP) ** times - 1``, and not more than this if these are fewer than millions."""
+    return times * ULP * (1.0 + times * ULP)
+
+
+def lost(magnitude: Array, smallest: Array = SMALLEST_NORMAL) -> Array:
     """What a result of this magnitude may lose besides rounding: all of it, if it is flushed to
     zero, and everything is lost if it overflows."""
-    found = np.minimum(magnitude, SMALLEST_NORMAL)
+    found = np.minimum(magnitude, smallest)
     if np.fmax.reduce(magnitude, axis=None, initial=0.0) > LARGEST_FLOAT:
         return np.where(magnitude > LARGEST_FLOAT, np.inf, found)
     return found
@@ -109,12 +116,12 @@ def _finite_or_infinite(low: Array, high: Array) -> tuple[Array, Array]:
     return low, np.maximum(np.where(high > LARGEST_FLOAT, np.inf, high), -LARGEST_FLOAT)
 
 
-def _flushed_up(low: Array) -> Array:
-    """The lower end of an interval, or zero if it is positive and subnormal."""
-    tiny = (low > 0) & (low < SMALLEST_NORMAL)
+def _flushed_up(low: Array, smallest: Array) -> Array:
+    """The lower end of an interval, or zero if it is positive and too small."""
+    tiny = (low > 0) & (low < smallest)
     return np.where(tiny, 0.0, low) if np.count_nonzero(tiny) else low
 
 
-def _flushed_down(high: Array) -> Array:
-    tiny = (high < 0) & (high > -SMALLEST_NORMAL)
+def _flushed_down(high: Array, smallest: Array) -> Array:
+    tiny = (high < 0) & (high > -smallest)
     return np.where(tiny, 0.0, high) if np.count_nonzero(tiny) else high

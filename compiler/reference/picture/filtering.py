@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....stdlib.builtins.facts import ULP
 from ..bounds import Bounded, exact
 from .blending import BLENDING, blended
 from .choices import Choice, Part, at, hull_of_choices, lane_at, replaced, sure
@@ -28,9 +29,6 @@ _GATHERED = 2.0**-12
 """The further error, in texels, with which the four gathered texels may be chosen."""
 _NEAREST_LEVEL = 2.0**-15
 """The error with which the nearest level may be chosen."""
-_PRODUCT = 2.0**-23
-"""The error of a place in texels, relative to itself and to the texture: a coordinate is wrapped,
-multiplied by the size and shifted, and may be rounded to float32 each time."""
 
 _COMPARISONS: Mapping[str, Callable[[Bounded, Bounded], Bounded]] = {
     "less": lambda reference, depth: reference < depth,
@@ -190,7 +188,9 @@ class Filter:
         if bits is None:
             return found
         if self._kind == "linear":
-            return widened(found, 2.0**-bits + _PRODUCT * (found.magnitude + size))
+            # A coordinate is wrapped, multiplied by the size and shifted, and may be rounded to
+            # float32 each time: in proportion to the place in texels, and to the texture.
+            return widened(found, 2.0**-bits + ULP * (found.magnitude + size))
         off = np.maximum(2.0**-bits, _NEAREST * size) + (_GATHERED if self._kind == "gather" else 0)
         return widened(found, off + _NEAREST_RELATIVE * found.magnitude)
 

@@ -1,8 +1,9 @@
 """Computes the level of detail of a texture read, for the sampler.
 
-Source: Vulkan, "Scale Factor Operation, Level-of-Detail Operation". A device may take differences
-between either two rows and columns of a quad, may take for the length of a step anything from its
-largest lane to the sum of all lanes, and rounds the level to a number of binary places.
+Source: Vulkan, "Scale Factor Operation, LOD Operation and Image Level(s) Selection". A device may
+take differences between either two rows and columns of a quad, may take for the length of a step
+anything from its largest lane to the sum of all lanes, and rounds the level to a number of binary
+places.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....stdlib.builtins.facts import ULP
 from ..bounds import Bounded, between, exact
 from .choices import Part, lane_at
 from .intervals import difference, increasing, largest, quotient, widened
@@ -20,9 +22,6 @@ from .texels import Image
 
 _TINY = 2.0**-60
 """The least change from pixel to pixel: smaller ones do not change the level."""
-_ROUNDING = 2.0**-23
-"""The error of a difference, relative to the larger operand: each is multiplied by the texture's
-size, and may be rounded to float32."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +66,8 @@ def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
     first, second = (lane.take([i], axis) for i in (0, 1))
     step = difference(second, first)
     if not image.is_exact:
-        step = widened(step, _ROUNDING * np.maximum(first.magnitude, second.magnitude))
+        # Each operand is multiplied by the texture's size, and may be rounded to float32.
+        step = widened(step, ULP * np.maximum(first.magnitude, second.magnitude))
     row = first_row(image.rules)
     first_step = step.mapped(lambda array: array[..., row, :1])
     if image.has_known_steps:

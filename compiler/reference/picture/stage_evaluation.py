@@ -37,7 +37,7 @@ _GRADS = frozenset({"sample_grad"})
 _PROMISES = frozenset(name for name, row in BUILTINS.items() if row.is_promise)
 _ROWS, _COLUMNS = -2, -1
 """The axes of a quad."""
-_DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
+DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
 """The axis of a quad along which a device may choose between two differences."""
 
 BROKEN = 1e-5
@@ -209,8 +209,8 @@ class _Watch:
         builtin = builtin_of(node)
         if builtin in _COMPARES_NEIGHBOURS and self.undecided.any():
             self.undecided |= self.undecided.any(axis=(-2, -1), keepdims=True)
-        if builtin in _DERIVATIVE_AXES:
-            return tuple(_difference(lane, builtin, self._stages.rules) for lane in value)
+        if builtin in DERIVATIVE_AXES:
+            return tuple(difference_taken(lane, builtin, self._stages.rules) for lane in value)
         return value
 
     def end(self, lanes: Lanes) -> None:
@@ -283,9 +283,9 @@ def _remembered(value: Lanes) -> Lanes:
     )
 
 
-def _difference(lane: Lane, builtin: str, rules: RasterRules) -> Lane:
+def difference_taken(lane: Lane, builtin: str, rules: RasterRules) -> Lane:
     """A derivative as a device takes it: ``lane`` has that of each pixel's own row or column."""
-    axis = _DERIVATIVE_AXES[builtin]
+    axis = DERIVATIVE_AXES[builtin]
     if not np.ndim(lane) or lane.shape[axis] != 2:
         return lane
     if rules.derivatives == "first":

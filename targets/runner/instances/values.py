@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterator, Mapping, Set
 from typing import Any
 
 from ....compiler.diagnostics.nearest import suggestion
+from ....stdlib.builtins.facts import ULP
 from .literals import angle, color_lanes
 from .shapes import Elements, Kind, Members, Numbers, Shape, part
 
@@ -24,7 +25,7 @@ UNIT_TOLERANCE = 1e-3
 UNIT_TYPES = frozenset({"direction", "normal"})
 """Declared types whose values have length one."""
 
-_ROUNDING = 2.0**-22
+_LENGTH_ROUNDING = 2.0 * ULP
 """By how much rounding three lanes to float32 may change a length of one, and a little more."""
 
 _LIMITS: Mapping[Kind, tuple[int, int]] = {"int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1)}
@@ -191,7 +192,7 @@ def _float(given: object, shape: Numbers, name: str) -> float:
 def _unit(lanes: tuple[float, ...], meaning: str, name: str) -> tuple[float, ...]:
     """A vector of length one; one that already has this length, up to rounding, stays unchanged."""
     length = math.hypot(*lanes)
-    if abs(length - 1.0) <= _ROUNDING:
+    if abs(length - 1.0) <= _LENGTH_ROUNDING:
         return lanes
     if abs(length - 1.0) <= UNIT_TOLERANCE:
         return tuple(single(lane / length) for lane in lanes)
