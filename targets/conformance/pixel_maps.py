@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runner.pictures import to_image
-from .compare import ends_of, says_nothing, shares
+from .compare import ends_of, largest_of_lanes, says_nothing, shares
 from .rows import CaseResult
 
 Floats = NDArray[np.float64]
@@ -61,7 +61,7 @@ def decision_map(result: CaseResult) -> Floats:
     expected = result.expected
     values, low, high = ends_of(expected)
     decided = expected.covered & ~expected.undecided
-    excess = shares(np.stack(result.got), values, low, high).max(axis=(0, 3))
+    excess = largest_of_lanes(shares(np.stack(result.got), values, low, high))
     shown = np.zeros((*decided.shape, 3))
     shown[:] = _OUTSIDE
     shown[decided] = _DECIDED

@@ -118,7 +118,10 @@ CHECKERS: dict[str, Checker] = {
         ),
         Checker("glslang-gl330", ("glslang",), check_glsl, batch=32, together=8),
         Checker("glslang-es300", ("glslang",), check_glsl, batch=32, together=8),
-        Checker("glslang-hlsl", ("glslang", "spirv-tools"), _each(check_hlsl)),
+        Checker(
+            "glslang-hlsl", ("glslang", "spirv-tools"), check_hlsl,
+            batch=2, together=2,  # the stages of a program
+        ),
         Checker("dxc-spirv", ("dxc", "spirv-tools"), _each(_dxc_spirv)),
         Checker("dxc-dxil", ("dxc",), _each(_dxc_dxil)),
         Checker("naga", ("naga", "spirv-tools"), _each(_naga)),

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Iterator, Sequence
+from itertools import groupby
+from operator import attrgetter
 from pathlib import Path
 
 from .job import Job, Verdict
@@ -16,14 +18,32 @@ _TO_VULKAN = ("-V", "--target-env", "vulkan1.1")
 
 
 def check_vulkan_glsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
-    """Compile GLSL for Vulkan to SPIR-V, and validate that.
+    """Compile GLSL for Vulkan to SPIR-V, and validate that."""
+    return _each_program(jobs, toolbox, ())
 
-    Before the text, glslang reads the declarations of all functions that GLSL has, which takes far
-    longer. So the stages of a program share a process, which answers for all of them if it accepts
-    them without a word. Otherwise each job gets its own process, so that it is clear what is wrong
-    with which one.
+
+def check_hlsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
+    """Compile HLSL to SPIR-V, and validate that."""
+    return [
+        verdict
+        for entry, alike in groupby(jobs, key=attrgetter("entry"))
+        for verdict in _each_program(list(alike), toolbox, ("-D", "-e", entry))
+    ]
+
+
+def _each_program(
+    jobs: Sequence[Job], toolbox: Toolbox, language: tuple[str, ...]
+) -> list[Verdict]:
+    """Compile to SPIR-V, a program at a time; ``language`` are arguments that say what it is.
+
+    Before the text, glslang reads the declarations of all functions that the language has, which
+    takes far longer. So the stages of a program share a process, which answers for all of them if
+    it accepts them without a word. Otherwise each job gets its own process, so that it is clear
+    what is wrong with which one.
     """
-    return [verdict for program in _programs(jobs) for verdict in _program(program, toolbox)]
+    return [
+        verdict for program in _programs(jobs) for verdict in _program(program, toolbox, language)
+    ]
 
 
 def _programs(jobs: Sequence[Job]) -> Iterator[list[Job]]:
@@ -37,28 +57,24 @@ def _programs(jobs: Sequence[Job]) -> Iterator[list[Job]]:
     yield program
 
 
-def _program(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
+def _program(jobs: Sequence[Job], toolbox: Toolbox, language: tuple[str, ...]) -> list[Verdict]:
     if len(jobs) == 1:
-        return [_to_spirv(jobs[0], toolbox, ())]
+        return [_to_spirv(jobs[0], toolbox, language)]
     files = [f"shader.{job.stage}" for job in jobs]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for file, job in zip(files, jobs, strict=True):
             (folder / file).write_text(job.text, encoding="utf-8")
-        outcome = toolbox.run("glslang", *_TO_VULKAN, *jobs[0].flags, *files, folder=folder)
+        arguments = (*language, *_TO_VULKAN, *jobs[0].flags, *files)
+        outcome = toolbox.run("glslang", *arguments, folder=folder)
         silent = outcome.log.split() == files
         if outcome.ending != "ended" or outcome.code != 0 or not silent:
-            return [_to_spirv(job, toolbox, ()) for job in jobs]
+            return [_to_spirv(job, toolbox, language) for job in jobs]
         modules = [(folder / f"{job.stage}.spv").read_bytes() for job in jobs]
     return [
         judge_spirv(Verdict(job, "accepted", log=f"{file}\n"), module, toolbox)
         for job, file, module in zip(jobs, files, modules, strict=True)
     ]
-
-
-def check_hlsl(job: Job, toolbox: Toolbox) -> Verdict:
-    """Compile HLSL to SPIR-V, and validate that."""
-    return _to_spirv(job, toolbox, ("-D", "-e", job.entry))
 
 
 def _to_spirv(job: Job, toolbox: Toolbox, language: tuple[str, ...]) -> Verdict:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import pytest
@@ -215,30 +216,55 @@ void main() {
 """
 
 
+HLSL_VERTEX = """struct Crossing { float4 place : SV_Position; float3 normal : TEXCOORD0; };
+Crossing shade(float3 place : POSITION) {
+  Crossing crossing = { float4(place, 1), place };
+  return crossing;
+}
+"""
+
+GLSL_JOBS = Job("glslang-vulkan", "vert", VERTEX), Job("glslang-vulkan", "frag", VULKAN)
+HLSL_JOBS = (
+    Job("glslang-hlsl", "vert", HLSL_VERTEX, "shade"), Job("glslang-hlsl", "frag", HLSL, "shade")
+)  # fmt: skip
+
+
+def _with(jobs: tuple[Job, Job], stage: str, old: str, new: str) -> list[Job]:
+    """The jobs after changing the text of one."""
+    return [
+        replace(job, text=job.text.replace(old, new)) if job.stage == stage else job for job in jobs
+    ]
+
+
 @pytest.mark.parametrize(
-    ("vertex", "fragment", "statuses", "processes"),
+    ("jobs", "statuses", "processes"),
     [
-        (VERTEX, VULKAN, ["accepted", "accepted"], 1),
-        (VERTEX, VULKAN.replace("* tint", "* hue"), ["accepted", "rejected"], 3),
-        (VERTEX.replace("= place;", "= hue;"), VULKAN, ["rejected", "accepted"], 3),
+        (GLSL_JOBS, ["accepted", "accepted"], 1),
+        (_with(GLSL_JOBS, "frag", "* tint", "* hue"), ["accepted", "rejected"], 3),
+        (_with(GLSL_JOBS, "vert", "= place;", "= hue;"), ["rejected", "accepted"], 3),
         # No program is made of these two. Nobody has said that it should be.
-        (VERTEX, VULKAN.replace("in vec3", "in vec4").replace("normal)", "normal.xyz)"),
-         ["accepted", "accepted"], 3),
+        ([GLSL_JOBS[0], replace(GLSL_JOBS[1], text=VULKAN.replace("in vec3", "in vec4").replace(
+            "normal)", "normal.xyz)"))], ["accepted", "accepted"], 3),
+        (HLSL_JOBS, ["accepted", "accepted"], 1),
+        (_with(HLSL_JOBS, "frag", "* tint", "* hue"), ["accepted", "rejected"], 3),
+        (_with(HLSL_JOBS, "vert", "place };", "hue };"), ["rejected", "accepted"], 3),
+        # There is one name for the entry points of all texts on a command line.
+        ([HLSL_JOBS[0], replace(HLSL_JOBS[1], text=HLSL.replace("shade", "lit"), entry="lit")],
+         ["accepted", "accepted"], 2),
     ],
-    ids=["both good", "bad fragment", "bad vertex", "unlike"],
+    ids=[
+        "both good", "bad fragment", "bad vertex", "unlike",
+        "HLSL", "HLSL, bad fragment", "HLSL, bad vertex", "HLSL, two names",
+    ],
 )  # fmt: skip
 def test_the_stages_of_a_program_share_a_process(
-    vertex: str,
-    fragment: str,
+    jobs: Sequence[Job],
     statuses: list[str],
     processes: int,
     toolchain: Toolchain,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The answers are those of a process for each."""
-    jobs = [
-        Job("glslang-vulkan", stage, text) for stage, text in (("vert", vertex), ("frag", fragment))
-    ]
     alone = [toolchain.check([job], keep_spirv=True)[0] for job in jobs]
     started = []
     run = Toolbox.run

@@ -49,7 +49,9 @@ class Sum:
         """Where every device has exactly each of the terms, and they are whole numbers."""
         if self._whole is None:
             left, right = self.operands
-            self._whole = left.whole & right.whole
+            self._whole = left.whole
+            if self._whole.any():
+                self._whole = self._whole & right.whole
         return self._whole
 
 

@@ -93,12 +93,7 @@ def _down(x: Array) -> Array:
 
 def _up(x: Array) -> Array:
     """Where a rounded number may lie at most: at the next float32 above, or at zero."""
-    bits = np.asarray(x, np.float64).view(np.int64)
-    above = ((bits + (~(bits >> 63) & _FRACTION)) & ~_FRACTION).view(np.float64)
-    tiny = _subnormal(x)
-    if not np.count_nonzero(tiny):
-        return above
-    return np.where(tiny, np.where(x < 0, 0.0, x + SUBNORMAL_STEP), above)
+    return 0.0 - _down(-x)
 
 
 def _subnormal(x: Array) -> Array:
@@ -123,5 +118,5 @@ def _flushed_up(low: Array, smallest: Array) -> Array:
 
 
 def _flushed_down(high: Array, smallest: Array) -> Array:
-    tiny = (high < 0) & (high > -smallest)
-    return np.where(tiny, 0.0, high) if np.count_nonzero(tiny) else high
+    """The upper end of an interval, or zero if it is negative and too small."""
+    return 0.0 - _flushed_up(-high, smallest)

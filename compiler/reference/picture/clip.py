@@ -35,12 +35,13 @@ def clip(corners: Floats, *, sides: bool = False) -> Clipped:
     ``sides`` also clips at the sides of the picture, |x| <= w and |y| <= w. Triangles with numbers
     that are not finite are removed.
     """
-    inside = _distances(corners, sides) >= 0
+    distances = _distances(corners, sides)
+    inside = distances >= 0
     finite = np.isfinite(corners).reshape(-1, 12).all(axis=1)
     kept: Bools = np.asarray(finite & inside.any(axis=1).all(axis=-1))
     whole: Bools = kept & inside.all(axis=(1, 2))
     crossing = np.flatnonzero(kept & ~whole)
-    parts = [_parts(corners[i], sides) for i in crossing]
+    parts = [_parts(distances[i]) for i in crossing]
     pieces = [piece for part in parts for piece in part]
     cut = np.array(pieces, dtype=np.float64).reshape(-1, 3, 3)
     triangle = np.concatenate(
@@ -63,11 +64,13 @@ def _distances(corners: Floats, sides: bool) -> Floats:
     return np.stack(planes, axis=-1)
 
 
-def _parts(corners: Floats, sides: bool) -> list[Floats]:
-    """A fan of triangles, each as its corners' weights (3, 3); empty if nothing is inside."""
-    distances = _distances(corners, sides)
+def _parts(distances: Floats) -> list[Floats]:
+    """A fan of triangles, each as its corners' weights (3, 3); empty if nothing is inside.
+
+    ``distances`` are those of a triangle's corners from the planes, (3, planes).
+    """
     polygon = list(np.eye(3))
-    for plane in range(distances.shape[-1]):
+    for plane in np.flatnonzero((distances < 0).any(axis=0)):
         polygon = _inside(polygon, distances[:, plane])
     return [np.stack([polygon[0], *polygon[i : i + 2]]) for i in range(1, len(polygon) - 1)]
 

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -61,40 +62,71 @@ def quads_of(fragments: Fragments, rules: RasterRules, side: int) -> tuple[Quads
 
 
 class Barycentric:
-    """The positions of quads' lanes in their faces; arrays are (quads, side, side)."""
+    """The positions of quads' lanes in their faces; arrays are (quads, side, side).
+
+    What only interpolation needs is computed when it is first asked for: the depth test of all
+    fragments needs nothing but ``depth``.
+    """
 
     def __init__(self, faces: Faces, quads: Quads, rules: RasterRules) -> None:
         self._faces = faces
         self._face = quads.face
+        self._rules = rules
         self._nudge = _error(rules.varying_bits)
         self._flushed = 0.0 if rules.varying_bits is None else _FLUSHED
         steps = np.arange(quads.side) + 0.5
         self.x = (quads.x[:, None] + steps)[:, None, :]
         self.y = (quads.y[:, None] + steps)[:, :, None]
         self._extent = faces.extent[quads.face][:, None, None]
-        self._linear = _linear(faces, quads.face, self.x, self.y)
-        self._steps = self._steps_of_weights()
-        depth = self._mixed(faces.z[quads.face].T, self._linear)
+        self._linear, self._steps = _linear(faces, quads.face, self.x, self.y)
         self._moved = self._moved_by()
-        off = self._off_plane(faces.z[quads.face], rules)
-        off = off + faces.z_off[quads.face][:, None, None]
-        self.depth = _depth(depth, off)
-        near = faces.per_w[quads.face][:, :, None, None]
-        per_w = self._mixed(faces.per_w[quads.face].T, self._linear)
-        off = self._off_plane(faces.per_w[quads.face], rules)
-        of_corners = faces.per_w_off[quads.face][:, None, None]
-        self.per_w = Bounded(per_w, per_w - off - of_corners, per_w + off + of_corners)
-        self._weights_off = of_corners / np.abs(per_w)
-        """The relative errors of the weights, which the corners' w are a part of."""
-        self._far = self._nudge * self._largest(faces.per_w[quads.face]) / np.abs(per_w)
-        """The error of the divisor, relative to itself."""
-        self._perspective = tuple(
-            share * near[:, i + 1] / per_w for i, share in enumerate(self._linear)
-        )
-        self._slopes = self._slopes_of(near, per_w)
-        """By how much these two weights change if the triangle is a pixel elsewhere."""
         self._whole = bool(faces.whole[quads.face].all())
         self._weights = faces.weights[quads.face]
+
+    @cached_property
+    def depth(self) -> Bounded:
+        """The depth, as shaders read it."""
+        corners = self._faces.z[self._face]
+        off = self._off_plane(corners) + self._faces.z_off[self._face][:, None, None]
+        return _depth(self._mixed(corners.T, self._linear), off)
+
+    @cached_property
+    def per_w(self) -> Bounded:
+        """1 / w, with which a device divides."""
+        value = self._mixed(self._near.T, self._linear)
+        off, of_corners = self._off_plane(self._near), self._per_w_off
+        return Bounded(value, value - off - of_corners, value + off + of_corners)
+
+    @cached_property
+    def _near(self) -> Floats:
+        """(quads, 3): 1 / w at the corners."""
+        near: Floats = self._faces.per_w[self._face]
+        return near
+
+    @cached_property
+    def _per_w_off(self) -> Floats:
+        """The error of the corners' 1 / w."""
+        off: Floats = self._faces.per_w_off[self._face][:, None, None]
+        return off
+
+    @cached_property
+    def _weights_off(self) -> Floats:
+        """The relative errors of the weights, which the corners' w are a part of."""
+        relative: Floats = self._per_w_off / np.abs(self.per_w.value)
+        return relative
+
+    @cached_property
+    def _far(self) -> Floats:
+        """The error of the divisor, relative to itself."""
+        relative: Floats = self._nudge * self._largest(self._near) / np.abs(self.per_w.value)
+        return relative
+
+    @cached_property
+    def _perspective(self) -> tuple[Floats, Floats]:
+        """The weights of the second and third corner, with perspective."""
+        second, third = self._linear
+        _, near_b, near_c = self._near.T[:, :, None, None]
+        return second * near_b / self.per_w.value, third * near_c / self.per_w.value
 
     def perspective(self, values: Lanes) -> Lanes:
         """Interpolate values at the vertices with perspective.
@@ -130,8 +162,8 @@ class Barycentric:
         value = self._interpolated(corners)
         parts = self._cut(corners)
         # Those of the whole triangle, because the clipped part decides how its planes are rounded.
-        near = self._faces.per_w[self._face]
-        largest = np.abs(corners).max(axis=1) * np.abs(near).max(axis=1)
+        near = self._near
+        largest = _most(corners) * _most(near)
         flushed = self._flushed * (largest > 0)[:, None, None]
         largest = self._largest(parts * near, largest)
         planes = self._nudge * largest / np.abs(self.per_w.value)
@@ -155,7 +187,7 @@ class Barycentric:
 
     def _cut(self, corners: Floats) -> Floats:
         """The values at the corners of the clipped parts, from those of whole triangles."""
-        return corners if self._whole else (self._weights @ corners[:, :, None])[:, :, 0]
+        return corners if self._whole else np.einsum("qij,qj->qi", self._weights, corners)
 
     def _largest(self, corners: Floats, largest: Floats | None = None) -> Floats:
         """The largest number with which a device computes a plane through some values (quads, 3).
@@ -163,13 +195,13 @@ class Barycentric:
         It is the largest value at the corners of faces, and how much is added to it or taken away
         on the way from the origin of the device's coordinates.
         """
-        most = np.abs(corners).max(axis=1) if largest is None else largest
+        most = _most(corners) if largest is None else largest
         found: Floats = most[:, None, None] + self._extent * self._steepness(corners)
         return found
 
-    def _off_plane(self, corners: Floats, rules: RasterRules) -> Floats:
+    def _off_plane(self, corners: Floats) -> Floats:
         """The error of a plane that is not divided by another one: of depth, and of 1 / w."""
-        rounding = _error(rules.frag_coord_bits) * self._largest(corners)
+        rounding = _error(self._rules.frag_coord_bits) * self._largest(corners)
         return rounding + self._moved * self._steepness(corners)
 
     def _steepness(self, corners: Floats) -> Floats:
@@ -195,25 +227,18 @@ class Barycentric:
         moved: Floats = np.where(weights > 0, weights * by_corner, 0.0).sum(axis=1)
         return moved
 
-    def _steps_of_weights(self) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
-        """The changes of the weights of the second and third corner to the right, and downwards."""
-        ones = np.zeros((1, 1, 1))
-        start = _linear(self._faces, self._face, ones, ones)
-        right = _linear(self._faces, self._face, ones + 1, ones)
-        down = _linear(self._faces, self._face, ones, ones + 1)
-        return (
-            (right[0] - start[0], right[1] - start[1]),
-            (down[0] - start[0], down[1] - start[1]),
-        )
-
-    def _slopes_of(self, near: Floats, per_w: Floats) -> tuple[Floats, Floats]:
-        """The sum of the magnitudes of each weight's changes to the right and downwards."""
+    @cached_property
+    def _slopes(self) -> tuple[Floats, Floats]:
+        """By how much the weights change if the triangle is a pixel elsewhere: the sum of the
+        magnitudes of each weight's changes to the right and downwards."""
+        near = self._near[:, :, None, None]
         slopes: list[Floats] = []
         for i, share in enumerate(self._perspective):
             change = np.zeros_like(share)
             for step in self._steps:
                 slope = step[0] * (near[:, 1] - near[:, 0]) + step[1] * (near[:, 2] - near[:, 0])
-                change = change + np.abs((step[i] * near[:, i + 1] - share * slope) / per_w)
+                moved = step[i] * near[:, i + 1] - share * slope
+                change = change + np.abs(moved / self.per_w.value)
             slopes.append(change)
         return slopes[0], slopes[1]
 
@@ -252,12 +277,31 @@ def depths_of(faces: Faces, fragments: Fragments, rules: RasterRules) -> tuple[F
     return depth, np.maximum(high - depth, depth - low)
 
 
-def _linear(faces: Faces, face: Ints, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-    """The weights of the second and third corner, linear on the screen."""
+def _most(corners: Floats) -> Floats:
+    """The largest magnitude at the three corners (quads, 3) of each quad's face."""
+    a, b, c = np.abs(corners.T)
+    most: Floats = np.maximum(np.maximum(a, b), c)
+    return most
+
+
+_Weights = tuple[Floats, Floats]
+"""Those of the second and third corner; the first one has the rest."""
+
+
+def _linear(
+    faces: Faces, face: Ints, x: Floats, y: Floats
+) -> tuple[_Weights, tuple[_Weights, _Weights]]:
+    """The weights at some places, linear on the screen; and their changes to the right and
+    downwards."""
     ax, bx, cx = faces.plane_x[face].T
     ay, by, cy = faces.plane_y[face].T
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    right, down = (
+        (second[:, None, None], third[:, None, None])
+        for second, third in (
+            ((cy - ay) / area, -(by - ay) / area),
+            (-(cx - ax) / area, (bx - ax) / area),
+        )
+    )
     dx, dy = x - ax[:, None, None], y - ay[:, None, None]
-    second = ((cy - ay) / area)[:, None, None] * dx - ((cx - ax) / area)[:, None, None] * dy
-    third = ((bx - ax) / area)[:, None, None] * dy - ((by - ay) / area)[:, None, None] * dx
-    return second, third
+    return (right[0] * dx + down[0] * dy, right[1] * dx + down[1] * dy), (right, down)

@@ -6,7 +6,8 @@ import base64
 import dataclasses
 import types
 import typing
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -28,8 +29,12 @@ def to_json(value: Any) -> Any:
 
 def from_json(kind: type[T], data: Mapping[str, Any]) -> T:
     """The record of class ``kind`` from which ``to_json`` has made ``data``."""
-    hints = typing.get_type_hints(kind)
+    hints = _hints(kind)
     return kind(**{name: _read(hints[name], value) for name, value in data.items()})
+
+
+_hints: Callable[[type], Mapping[str, Any]] = cache(typing.get_type_hints)
+"""The types of a record's fields. A job has many records of few classes, so they are kept."""
 
 
 def _read(hint: Any, value: Any) -> Any:

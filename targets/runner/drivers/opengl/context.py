@@ -9,16 +9,13 @@ from typing import Any
 import moderngl
 
 from ....toolchain.tools import tool_named
+from .. import mesa
 from ..draw import DriverError
 
 ENVIRONMENT = {
     # Use the software renderer even if there is a GPU, so that pictures are the same everywhere.
     "LIBGL_ALWAYS_SOFTWARE": "1",
-    # llvmpipe's sampler is less precise unless it is told not to be. In Mesa 22.3.6 the last word
-    # matters: without it, 8-bit textures are filtered with 8 bits, which is wrong by 0.004. The
-    # others made no difference in our tests. Even so, the level is found with an approximate
-    # logarithm, which is wrong by up to 0.043.
-    "GALLIVM_PERF": "no_brilinear,no_rho_approx,no_quad_lod,no_aos_sampling",
+    **mesa.SETTINGS,
 }
 
 GL_COLOR = 0x1800
