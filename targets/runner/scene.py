@@ -18,6 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
+from ...compiler.ir.stages import VERTICES
 from .instances.instance import Instance
 from .meshes import BONES, CHANNELS, Mesh, MeshError
 
@@ -202,7 +204,7 @@ def _of_mesh(row: Mapping[str, Any]) -> Mapping[str, Any]:
     mesh = row["mesh"]
     if mesh is None or mesh["is_number"]:
         return {} if mesh else row
-    step = "instance" if mesh["corner"] is None else "vertex"
+    step = PER_INSTANCE if mesh["corner"] is None else VERTICES
     return {**row, "name": mesh["name"], "step": step}
 
 

@@ -133,7 +133,7 @@ def _in_group(
         assert slots.corner is not None
         return corner_slot(ctx, Corner(slots, slots.corner), name, span)
     if (number, name) not in slots.values:
-        key = instance, name, number, "emitted"
+        key = instance, slots, number, name
         if is_cycle(ctx, key, name, span):
             return FAILURE
         finish = partial(_finish_emitted, ctx, instance, slots, number, written)

@@ -121,7 +121,7 @@ class _Expanding:
     def _fits(self, groups: list[EmittedStrips]) -> bool:
         """Whether a primitive turns into something, and not into more than anything could draw."""
         span, count = self._member.primitive.span, sum(group.listed for group in groups)
-        if not groups:
+        if not count:
             self._ctx.report.add(rules.NO_STRIPS, span)
         elif count > MOST_VERTICES:
             self._ctx.report.add(rules.EXPANDS_TOO_FAR, span, count=count, most=MOST_VERTICES)
