@@ -699,13 +699,13 @@ WHICH_CORNER = _error(
 OF_WHICH_CORNER = _error(
     "B0522",
     "this differs between the corners of a primitive",
-    "How many strips there are, which of them are emitted, and which corner they are like, is asked "
+    "How many strips there are, which of them are emitted, and which corner they are like is asked "
     "once for each primitive. Say which corner is meant: `corner[0].position`.",
 )
 LIKE_WHICH_CORNER = _error(
     "B0523",
     "which corner are {count} vertices like? a {primitive} has {corners}",
-    "What is not said of an emitted vertex is as at a corner of the primitive. If there are not more "
+    "What is not said of an emitted vertex is as at a corner of the primitive. If there are no more "
     "vertices than corners, that is the one with the vertex's number. Otherwise say it: "
     "`strip of 4 as i like corner[i mod 3] { … }`.",
 )

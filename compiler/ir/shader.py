@@ -73,7 +73,7 @@ class ResourceInfo:
 
 @frozen
 class MeshInput:
-    """What a vertex input means of a mesh whose primitives are expanded without a geometry stage."""
+    """What a vertex input means of a mesh whose primitives are drawn as instances."""
 
     name: str
     """A vertex input as it is declared, or a number that the pipeline supplies elsewhere."""

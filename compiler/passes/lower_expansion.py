@@ -59,20 +59,22 @@ def lower_expansion(shader: Shader) -> Shader:
     return changed(
         shader,
         results=tuple(
-            _placed(shader.graph, result, emitted) for result in results if result.kind != EMITTING
+            _placed(shader, result, emitted) for result in results if result.kind != EMITTING
         ),
         attributes=lowering.attributes,
         chain=RASTERISED,
     )
 
 
-def _placed(graph: Graph, result: Result, emitted: Node | None) -> Result:
+def _placed(shader: Shader, result: Result, emitted: Node | None) -> Result:
     """A result of the geometry stage as one of the vertices."""
     if result.stage != GEOMETRY:
         return result
     value = result.value
     if result.kind == CLIP_POSITION and emitted is not None:
-        value = graph.node("select", VEC4, (emitted, value, build.constant(graph, VEC4, NOWHERE)))
+        nowhere = build.constant(shader.graph, VEC4, NOWHERE)
+        value = shader.graph.node("select", VEC4, (emitted, result.value, nowhere))
+        shader.notes.names.setdefault(value.id, "placed")
     return changed(result, stage=VERTEX, value=value)
 
 
@@ -128,7 +130,9 @@ class _Lowering:
 
         def rule(_graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node:
             row = node.data
-            leaf = Attribute(row.name, row.type, row.domain) if isinstance(row, SystemInput) else row
+            leaf = (
+                Attribute(row.name, row.type, row.domain) if isinstance(row, SystemInput) else row
+            )
             assert isinstance(leaf, Attribute)
             return self._corner_of(self._place[leaf], number)
 
@@ -175,7 +179,8 @@ def _info(span: Span, row: SystemInput) -> AttributeInfo:
 
 def _tells_instances_apart(node: Node) -> bool:
     return isinstance(node.data, Attribute | SystemInput) and INSTANCES in (
-        getattr(node.data, "step", ""), getattr(node.data, "domain", "")
+        getattr(node.data, "step", ""),
+        getattr(node.data, "domain", ""),
     )
 
 

@@ -128,9 +128,7 @@ class Builder:
     def shape(self, _: Span, word: Token) -> str:
         return word.text
 
-    def repeated(
-        self, _: Span, variable: Name, over: Range, most: Expression | None
-    ) -> ast.Turns:
+    def repeated(self, _: Span, variable: Name, over: Range, most: Expression | None) -> ast.Turns:
         return ast.Turns(variable, *over, most)
 
     def likeness(self, _: Span, number: Expression) -> Expression:

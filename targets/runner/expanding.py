@@ -44,9 +44,7 @@ def as_drawn(reflection: Mapping[str, Any], data: Values, mesh: Mesh) -> Drawn:
     return Drawn(attributes, triangles, copies * len(corners))
 
 
-def _values(
-    wanted: Mapping[str, Any], data: Values, corners: Indices, copies: int
-) -> NDArray[Any]:
+def _values(wanted: Mapping[str, Any], data: Values, corners: Indices, copies: int) -> NDArray[Any]:
     """The values of an input for each primitive of each instance of the mesh."""
     count, corner = len(corners), wanted["corner"]
     if corner is not None:

@@ -15,6 +15,10 @@ PRIMITIVES: Mapping[str, Callable[[Mesh], Indices]]
 """What makes the primitives of each kind: the vertices at their corners, (primitives, corners)."""
 
 
+_DECIMALS = 5
+"""Vertices that lie closer to each other are in one place; meshes here are about one in size."""
+
+
 def primitives(mesh: Mesh, kind: str) -> Indices:
     """The primitives of a mesh, in the order in which its triangles first have them."""
     return PRIMITIVES[kind](mesh)
@@ -86,8 +90,9 @@ def _across(mesh: Mesh) -> Indices:
 
 
 def _places(mesh: Mesh) -> Indices:
-    """For each vertex a number that it shares with all that lie in its place."""
-    _, numbers = np.unique(mesh.channels["position"], axis=0, return_inverse=True)
+    """For each vertex a number that it shares with all that lie in its place, up to rounding."""
+    rounded = np.round(mesh.channels["position"], _DECIMALS) + 0.0
+    _, numbers = np.unique(rounded, axis=0, return_inverse=True)
     return numbers.reshape(-1).astype(np.int64)
 
 

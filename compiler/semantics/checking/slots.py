@@ -181,7 +181,9 @@ def corner_slot(ctx: Context, corner: Corner, name: str, span: Span) -> Node | F
         value = ctx.crossings.checked_at_vertex(value, span)
     if not isinstance(value, Node):
         return FAILURE
-    return value if isinstance(value.type, Texture) else ctx.crossings.at_corner(value, corner.number)
+    return (
+        value if isinstance(value.type, Texture) else ctx.crossings.at_corner(value, corner.number)
+    )
 
 
 def _settle_given(

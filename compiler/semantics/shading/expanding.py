@@ -216,7 +216,9 @@ class _Expanding:
         """A value that is the same for all vertices of a strip, or that tells them apart only by
         their numbers: it knows the surface at the corners only."""
         ctx = self._ctx
-        scope = self._scope(self._base, {**names, PRIMITIVE_INDEX.name: self._input(PRIMITIVE_INDEX)})
+        scope = self._scope(
+            self._base, {**names, PRIMITIVE_INDEX.name: self._input(PRIMITIVE_INDEX)}
+        )
         node = node_of(ctx, written, scope)
         if isinstance(node, Failure):
             return node

@@ -157,7 +157,9 @@ class Crossings:
         if build.parts_of(type_) is not None:
             parts = build.flattened(graph, value)
             return build.assembled(graph, type_, (self._across(part, crossed) for part in parts))
-        return self._bool_crossing(value, crossed) if scalar_kind(type_) == "bool" else crossed(value)
+        return (
+            self._bool_crossing(value, crossed) if scalar_kind(type_) == "bool" else crossed(value)
+        )
 
     def _bool_crossing(self, inner: Node, crossed: Callable[[Node], Node]) -> Node:
         """Booleans cross as 0 and 1, which is all that a stage interface can carry."""
