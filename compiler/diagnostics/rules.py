@@ -705,8 +705,8 @@ OF_WHICH_CORNER = _error(
 LIKE_WHICH_CORNER = _error(
     "B0523",
     "which corner are {count} vertices like? a {primitive} has {corners}",
-    "What is not said of an emitted vertex is as at a corner of the primitive. If there are no more "
-    "vertices than corners, that is the one with the vertex's number. Otherwise say it: "
+    "What is not said of an emitted vertex is as at a corner of the primitive. If there are no "
+    "more vertices than corners, that is the one with the vertex's number. Otherwise say it: "
     "`strip of 4 as i like corner[i mod 3] { … }`.",
 )
 NO_TRIANGLES = _error(

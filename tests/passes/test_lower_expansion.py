@@ -36,7 +36,7 @@ from burnish.compiler.passes.lower_expansion import NOWHERE, lower_expansion
 from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.reference.namespace import Lanes
 
-from .kit import shader
+from .kit import elaborated
 
 SLOTS = """
     param scale : float in 0..4 = 0.5
@@ -215,7 +215,7 @@ def strip_vertices(group: EmittedStrips) -> Iterator[tuple[int, int]]:
 
 @pytest.mark.parametrize("members", MATERIALS.values(), ids=MATERIALS)
 def test_every_vertex_has_what_the_expansion_says(members: str) -> None:
-    whole = shader(f"material M {{ {SLOTS} {members} {COLOR} }}")
+    (whole,) = elaborated(f"material M {{ {SLOTS} {members} {COLOR} }}")
     expansion = whole.expansion
     assert expansion is not None
     made = lower_expansion(whole)
@@ -249,7 +249,7 @@ def test_every_vertex_has_what_the_expansion_says(members: str) -> None:
 
 
 def test_nothing_is_lowered_where_nothing_is_expanded() -> None:
-    whole = shader("material M { }")
+    (whole,) = elaborated("material M { }")
     assert lower_expansion(whole) is whole
 
 
@@ -258,7 +258,8 @@ def test_only_corners_that_are_read_are_inputs() -> None:
     text = (
         f"material M {{ expand triangle {{ strip of 3 {{ {equations} }} }} color = vec3(uv, 0) }}"
     )
-    made = lower_expansion(shader(text))
+    (whole,) = elaborated(text)
+    made = lower_expansion(whole)
     assert [info.attribute.name for info in made.attributes] == [
         "corner2.vertex_position",
         "corner1.vertex_uv",
