@@ -20,6 +20,7 @@ from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.frontend import Frontend
 from .compiler.ir.shader import Shader
+from .compiler.passes.lower_expansion import lower_expansion
 from .compiler.passes.pipeline import Options, Staged, stage
 from .compiler.semantics.names.modules import Module
 from .compiler.source_map import located
@@ -99,7 +100,8 @@ def compile(
     if line_directives:
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
-    for shader in shaders:
+    for elaborated in shaders:
+        shader = lower_expansion(elaborated)
         staged = stage(shader, Options(hoist))
         lacking = _lacking(shader, staged, chosen)
         if not partial:

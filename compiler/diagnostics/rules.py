@@ -683,6 +683,54 @@ NO_ALPHA = _error(
     "lanes can be added or multiplied.",
 )
 
+# Expansions
+
+NO_SUCH_CORNER = _error(
+    "B0520",
+    "there is no corner {index}: the last one is {last}",
+    "Corners are numbered from 0: a point has one, a line two and a triangle three. With adjacency "
+    "a line has four and a triangle six.",
+)
+WHICH_CORNER = _error(
+    "B0521",
+    "`{name}` of which corner?",
+    "`corner[0].position` is the position of the first corner of the primitive that is expanded.",
+)
+OF_WHICH_CORNER = _error(
+    "B0522",
+    "this differs between the corners of a primitive",
+    "How many strips there are, which of them are emitted, and which corner they are like is asked "
+    "once for each primitive. Say which corner is meant: `corner[0].position`.",
+)
+LIKE_WHICH_CORNER = _error(
+    "B0523",
+    "which corner are {count} vertices like? a {primitive} has {corners}",
+    "What is not said of an emitted vertex is as at a corner of the primitive. If there are no "
+    "more vertices than corners, that is the one with the vertex's number. Otherwise say it: "
+    "`strip of 4 as i like corner[i mod 3] { … }`.",
+)
+NO_TRIANGLES = _error(
+    "B0524",
+    "a {shape} of {count} vertices is no whole number of triangles",
+    "A strip has three vertices or more, and a list a multiple of three.",
+)
+NO_STRIPS = _error(
+    "B0525",
+    "this expansion emits nothing",
+    "Say what a primitive turns into: `expand point { strip of 4 as i { position = … } }`.",
+)
+EXPANDS_TOO_FAR = _error(
+    "B0526",
+    "a primitive would turn into {count} vertices, and {most} is the most",
+    "Let ranges say more closely how many strips there are, or expand a finer mesh by less.",
+)
+TWO_EXPANSIONS = _error(
+    "B0527",
+    "`{name}` expands its primitives twice",
+    "A material has one expansion, with as many groups of strips as it needs. Two mixins that each "
+    "have one cannot be combined.",
+)
+
 # --- B06: rigs and lights ------------------------------------------------------------------------
 
 OUTSIDE_LIGHT = _error(

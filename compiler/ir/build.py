@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ...stdlib.builtins.facts import LARGEST_FLOAT
 from .node import Applying, FoldOperator, Formals, Graph, Iterating, Node, Op
-from .stages import Crossing
+from .stages import CORNER, Crossing
 from .types import (
     FLOAT,
     INT,
@@ -207,3 +207,8 @@ def state(graph: Graph, loop: Node, position: int) -> Node:
 def cross(graph: Graph, value: Node, crossing: Crossing) -> Node:
     """A value of one stage as the next one sees it."""
     return graph.node("cross", value.type, (value,), crossing)
+
+
+def at_corner(graph: Graph, value: Node, number: Node) -> Node:
+    """A value of the vertices as one corner of a primitive has it."""
+    return graph.node("cross", value.type, (value, number), CORNER)

@@ -50,9 +50,11 @@ class Domains:
             case SystemInput(domain=domain):
                 return domain
             case Crossing(origin=origin, destination=destination):
-                (operand,) = node.operands
-                if not exists(self._found[operand.id], origin):
+                value, *corner = node.operands
+                if not exists(self._found[value.id], origin):
                     raise MixedDomainsError(node, f"crosses from another domain than {origin}")
+                if not all(exists(self._found[number.id], destination) for number in corner):
+                    raise MixedDomainsError(node, f"a corner that is none per {destination}")
                 return destination
         found: Domain | None = None
         for operand in node.operands:

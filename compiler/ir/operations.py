@@ -203,10 +203,11 @@ SELECT = Operation[BranchMode | None](
 """Of (condition, then, otherwise): one of two values. Both may be computed, unless the data is
 ``BRANCH``: then what only one side needs is computed only if that is chosen."""
 
-CROSS = Operation("cross", "crossing", Crossing, result_types.cross, arity=1, rate="varying")
+CROSS = Operation("cross", "crossing", Crossing, result_types.cross, arity=None, rate="varying")
 """What a value of one stage is in the next: a weighted mean of those at several vertices, or
-(``flat``) that of one of them. The data names the domains of both stages; all that is under the
-node belongs to the earlier one."""
+that of one of them, which is always the first one (``flat``) or has a number (``corner``): this
+is the second operand, and belongs to the later stage. The data names the domains of both stages;
+all that is under the first operand belongs to the earlier one."""
 
 FOLD = Operation(
     "fold", "loop", Folding, result_types.fold, arity=3, cost=LOOP, noun="total"

@@ -160,7 +160,7 @@ def _cross(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     nearest corner, or the triangle is thin, this is more than the values themselves, so the result
     may lie anywhere: also below zero where no vertex is (``_crossed`` in ``picture/quads.py``).
     """
-    return known[0] if CROSS.data(node).mode == "flat" else UNKNOWN
+    return UNKNOWN if CROSS.data(node).mode == "perspective" else known[0]
 
 
 def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:

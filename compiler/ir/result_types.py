@@ -163,11 +163,13 @@ def select(node: Node) -> Type | None:
 
 def cross(node: Node) -> Type | None:
     """That of the operand; only floats have a mean."""
-    (inner,) = node.operands
+    inner, *corner = node.operands
     assert isinstance(node.data, Crossing)
-    modes = ("perspective", "flat") if scalar_kind(inner.type) == "float" else ("flat",)
+    numbered = node.data.mode == "corner"
+    smooth = node.data.mode == "perspective" and scalar_kind(inner.type) != "float"
     numeric = _is_numeric(inner) and scalar_kind(inner.type) != "bool"
-    return inner.type if numeric and node.data.mode in modes else None
+    fits = numeric and not smooth and [number.type for number in corner] == [INT] * numbered
+    return inner.type if fits else None
 
 
 def fold(node: Node) -> Type | None:

@@ -11,6 +11,7 @@ from typing import Any
 
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
+from .expansion import Expansion
 from .leaves import Attribute, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
@@ -71,6 +72,18 @@ class ResourceInfo:
 
 
 @frozen
+class MeshInput:
+    """What a vertex input means of a mesh whose primitives are drawn as instances."""
+
+    name: str
+    """A vertex input as it is declared, or a number that the pipeline supplies elsewhere."""
+    corner: int | None = None
+    """The corner of the primitive whose value it is; ``None`` if it is the same at all of them."""
+    is_number: bool = False
+    """Whether it is such a number: ``vertex_index``, ``instance_index`` or ``primitive_index``."""
+
+
+@frozen
 class AttributeInfo:
     """A declared vertex input, or one column of a declared matrix."""
 
@@ -81,6 +94,8 @@ class AttributeInfo:
     matrix: str = ""
     """The declared matrix that this is a column of."""
     column: int = 0
+    mesh: MeshInput | None = None
+    """Of a lowered expansion, where it comes from."""
 
 
 @frozen
@@ -198,6 +213,8 @@ class Shader:
     """The host's own blocks."""
     chain: Chain = RASTERISED
     """The stages that it may need, in pipeline order."""
+    expansion: Expansion | None = None
+    """What each primitive of the mesh turns into, whichever stage does it."""
 
     @property
     def roots(self) -> Roots:

@@ -15,11 +15,13 @@ from collections.abc import Iterable, Mapping
 from typing import Literal
 
 from ...frozen import frozen
-from .types import BOOL, UINT, VEC4, Type
+from .types import BOOL, INT, UINT, VEC4, Type
 
 Domain = str
 """What a value varies over: one of these names, or that of another stage's row."""
 VERTICES: Domain = "vertex"
+EMITTED: Domain = "emitted"
+"""The vertices of the primitives that those of a mesh turn into."""
 FRAGMENTS: Domain = "fragment"
 INSTANCES: Domain = "instance"
 """No stage is run for each instance; but what an instance has, each of its vertices has."""
@@ -30,11 +32,13 @@ TARGET = "target"
 """The kind of a result that is written to a render target."""
 DISCARD = "discard"
 """The kind of the result that says where nothing is written."""
+EMITTING = "emitting"
+"""The kind of the results that say, each for one group of strips, which of these there are."""
 VARYING = "varying"
 """The kind of what a stage delivers to the next one; packing makes these results."""
 
 
-InterpolationMode = Literal["perspective", "flat"]
+InterpolationMode = Literal["perspective", "flat", "corner"]
 
 
 @frozen(key=True)
@@ -46,7 +50,8 @@ class Crossing:
     destination: Domain
     """What the node varies over."""
     mode: InterpolationMode
-    """A weighted mean of several values, or (``flat``) one of them."""
+    """A weighted mean of several values, or one of them: that of a corner whose number is the
+    second operand, or (``flat``) always that of the first one."""
 
     def __str__(self) -> str:
         return f"{self.origin} to {self.destination}, {self.mode}"
@@ -56,6 +61,10 @@ SMOOTH = Crossing(VERTICES, FRAGMENTS, "perspective")
 """Interpolated over a triangle."""
 FLAT = Crossing(VERTICES, FRAGMENTS, "flat")
 """As the first of a triangle's vertices has it."""
+CORNER = Crossing(VERTICES, EMITTED, "corner")
+"""As one corner of the primitive has it that is being expanded."""
+SMOOTH_EMITTED = Crossing(EMITTED, FRAGMENTS, "perspective")
+FLAT_EMITTED = Crossing(EMITTED, FRAGMENTS, "flat")
 
 
 @frozen(key=True)
@@ -101,6 +110,20 @@ VERTEX = StageRow(
     delivers=(CLIP_POSITION,),
 )  # fmt: skip
 
+PRIMITIVE_INDEX = SystemInput("primitive_index", UINT, EMITTED)
+GROUP = SystemInput("emitted_group", INT, EMITTED)
+"""The number of a group of strips in an expansion."""
+STRIP = SystemInput("emitted_strip", INT, EMITTED)
+"""The number of a strip in its group."""
+STRIP_VERTEX = SystemInput("emitted_vertex", INT, EMITTED)
+"""The number of an emitted vertex in its strip."""
+
+GEOMETRY = StageRow(
+    "geometry", EMITTED, "geom", "gs_main",
+    inputs=(PRIMITIVE_INDEX, GROUP, STRIP, STRIP_VERTEX),
+    delivers=(CLIP_POSITION, EMITTING),
+)  # fmt: skip
+
 FRAGMENT = StageRow(
     "fragment", FRAGMENTS, "frag", "fs_main",
     inputs=(
@@ -113,7 +136,7 @@ FRAGMENT = StageRow(
     has_derivatives=True,
 )  # fmt: skip
 
-STAGES: Mapping[str, StageRow] = {row.name: row for row in (VERTEX, FRAGMENT)}
+STAGES: Mapping[str, StageRow] = {row.name: row for row in (VERTEX, GEOMETRY, FRAGMENT)}
 """All stages by name."""
 
 ENTRY_POINTS = tuple(row.entry for row in STAGES.values())
@@ -124,6 +147,9 @@ Chain = tuple[StageRow, ...]
 
 RASTERISED: Chain = (VERTEX, FRAGMENT)
 """What draws a mesh: the vertices of its triangles, and the fragments that these cover."""
+
+EXPANDED: Chain = (VERTEX, GEOMETRY, FRAGMENT)
+"""What turns each primitive of a mesh into others before these are drawn."""
 
 
 def inputs_of(chain: Iterable[StageRow]) -> dict[str, SystemInput]:

@@ -10,8 +10,8 @@ from ..diagnostics.source import Span
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
-from ..ir.shader import AttributeInfo, Shader
-from ..ir.stages import TARGET
+from ..ir.shader import AttributeInfo, MeshInput, Shader
+from ..ir.stages import GEOMETRY, TARGET
 from ..promises import promises
 from .bytes import block_rows
 from .parameters import Places, derived_rows, light_rows, parameter_row
@@ -59,6 +59,7 @@ def reflect(
         "lights": light_rows(infos),
         "textures": textures.textures(),
         "samplers": textures.samplers(),
+        "draw": _draw_row(shader),
         "vertex_inputs": list(_vertex_input_rows(shader.attributes, program)),
         "pipeline_inputs": {stage.name: list(stage.builtin_inputs) for stage in program.stages},
         "varyings": list(_varying_rows(program)),
@@ -89,8 +90,27 @@ def _vertex_input_rows(
             "location": field.location,
             "step": field.step,
             "column": {"of": info.matrix, "index": info.column} if info.matrix else None,
+            "mesh": None if info.mesh is None else _mesh_row(info.mesh),
             "doc": info.doc,
         }
+
+
+def _mesh_row(mesh: MeshInput) -> dict[str, Any]:
+    return {"name": mesh.name, "corner": mesh.corner, "is_number": mesh.is_number}
+
+
+def _draw_row(shader: Shader) -> dict[str, Any]:
+    """What a host draws: the triangles of a mesh, or what its primitives turn into."""
+    expansion = shader.expansion
+    if expansion is None:
+        return {"primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None}
+    native = GEOMETRY in shader.chain
+    return {
+        "primitive": expansion.primitive,
+        "corners": expansion.corners,
+        "expanded_by": GEOMETRY.name if native else "instances",
+        "vertices": expansion.vertices if native else expansion.listed,
+    }
 
 
 def _varying_rows(program: Program) -> Iterator[dict[str, Any]]:

@@ -112,6 +112,28 @@ class Builder:
     def setting(self, _: Span, name: Name, value: Name) -> tuple[Name, Name]:
         return name, value
 
+    def strips(
+        self,
+        span: Span,
+        shape: ast.StripShape,
+        count: Expression,
+        vertex: Name | None,
+        turns: ast.Turns | None,
+        condition: Expression | None,
+        like: Expression | None,
+        *equations: ast.Slot,
+    ) -> ast.Strips:
+        return ast.Strips(span, shape, count, vertex, turns, condition, like, equations)
+
+    def shape(self, _: Span, word: Token) -> str:
+        return word.text
+
+    def repeated(self, _: Span, variable: Name, over: Range, most: Expression | None) -> ast.Turns:
+        return ast.Turns(variable, *over, most)
+
+    def likeness(self, _: Span, number: Expression) -> Expression:
+        return number
+
     # --- functions and terms ---
 
     def fn(

@@ -18,6 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
+from ...compiler.ir.stages import VERTICES
 from .instances.instance import Instance
 from .meshes import BONES, CHANNELS, Mesh, MeshError
 
@@ -177,7 +179,7 @@ def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[
     """
     roles = scene_names()["attributes"]
     found = {}
-    for row in reflection["vertex_inputs"]:
+    for row in inputs_of_mesh(reflection):
         held = mesh.instances if row["step"] == "instance" else mesh.channels
         channel = roles.get(row["name"], row["name"])
         values = held.get(_own(row["name"]), held.get(row["name"], held.get(channel)))
@@ -191,6 +193,21 @@ def vertex_data(reflection: Mapping[str, Any], mesh: Mesh) -> dict[str, NDArray[
     return found
 
 
+def inputs_of_mesh(reflection: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """The vertex inputs as a mesh has them, however its primitives are drawn."""
+    rows = {row["name"]: row for row in map(_of_mesh, reflection["vertex_inputs"]) if row}
+    return list(rows.values())
+
+
+def _of_mesh(row: Mapping[str, Any]) -> Mapping[str, Any]:
+    """A vertex input as a mesh has it; nothing, if the host counts it."""
+    mesh = row["mesh"]
+    if mesh is None or mesh["is_number"]:
+        return {} if mesh else row
+    step = PER_INSTANCE if mesh["corner"] is None else VERTICES
+    return {**row, "name": mesh["name"], "step": step}
+
+
 def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INSTANCES) -> Mesh:
     """``mesh`` with a smooth pattern for each vertex input of the shader that it lacks.
 
@@ -202,7 +219,7 @@ def with_inputs(reflection: Mapping[str, Any], mesh: Mesh, instances: int = INST
     of_instances = dict(mesh.instances)
     if is_instanced(reflection) and not of_instances:
         count = instances
-    for row in reflection["vertex_inputs"]:
+    for row in inputs_of_mesh(reflection):
         name = row["name"]
         if row["step"] == "instance":
             of_instances.setdefault(name, _of_instances(row, count))
@@ -225,8 +242,10 @@ def _own(name: str) -> str:
 
 
 def is_instanced(reflection: Mapping[str, Any]) -> bool:
-    """Whether a shader distinguishes instances."""
+    """Whether a shader distinguishes instances of the mesh."""
     rows = reflection["vertex_inputs"]
+    if reflection["draw"]["expanded_by"] == "instances":
+        return any(row["mesh"]["corner"] is None for row in rows)
     return any("instance_index" in read for read in reflection["pipeline_inputs"].values()) or any(
         row["step"] == "instance" for row in rows
     )

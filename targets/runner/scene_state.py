@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from ...compiler.ir.stages import INSTANCES, VERTICES
 from ...compiler.reference.picture import Geometry, instanced
 from .drivers.draw import Draw
+from .expanding import as_drawn
 from .instances.instance import Instance
 from .meshes import Indices, Mesh
 from .scene import Scene, vertex_data
@@ -82,8 +83,11 @@ def set_up(
     scene.apply(instance, width / height)
     reflection = instance.reflection
     data = vertex_data(reflection, mesh)
+    drawn = as_drawn(reflection, data, mesh)
     cleared = (clear,) * len(reflection["targets"])
-    return SceneState(width, height, data, mesh.triangles, instance, cleared, mesh.instance_count)
+    return SceneState(
+        width, height, drawn.attributes, drawn.triangles, instance, cleared, drawn.instance_count
+    )
 
 
 def _bytes(representation: str, values: NDArray[Any]) -> bytes:

@@ -103,6 +103,7 @@ def test_json(block: Block) -> None:
     rows = [
         row for key in ("parameters", "derived", "promises", "blocks") for row in reflection[key]
     ]
+    rows.append(reflection["draw"])
     assert any(quoted.items() <= row.items() for row in rows)
 
 

@@ -28,6 +28,8 @@ READ = (
     ("environment", "Chrome", "wgsl:webgpu"),
     ("confetti", "Confetti", "hlsl:sm6"),
     ("confetti", "Confetti", "glsl:es300"),
+    ("sprites", "Balls", "glsl:es300"),
+    ("fur", "Cat", "wgsl:webgpu"),
 )
 """Example, material and profile."""
 

@@ -31,6 +31,7 @@ from burnish.compiler.ir.types import (
 from burnish.compiler.passes import pipeline
 from burnish.compiler.passes.checkpoint import verified
 from burnish.compiler.passes.hoist import Derived
+from burnish.compiler.passes.lower_expansion import lower_expansion
 from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
@@ -49,7 +50,9 @@ def range_rules() -> tuple[str, ...]:
     return (*RULES, *(name for name, row in BUILTINS.items() if row.range is not anything))
 
 
-def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None) -> list[Shader]:
+def elaborated(
+    source: str | Path, rig: str | None = None, pass_: str | None = None
+) -> list[Shader]:
     """The shaders of a text or a file, as semantics makes them."""
     report = Report()
     frontend = Frontend(report)
@@ -62,6 +65,11 @@ def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None
     if report.failed:
         raise CompileError(report.diagnostics)
     return found
+
+
+def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None) -> list[Shader]:
+    """The same in the form that the other passes take."""
+    return [lower_expansion(found) for found in elaborated(source, rig, pass_)]
 
 
 def shader(source: str) -> Shader:

@@ -133,7 +133,7 @@ def test_a_map_with_everything() -> None:
 
 def test_members_follow_one_another_without_separators() -> None:
     found = members("a = b c : rgb d : vec3[4] = e param f : float map g : texture2d h = sum i = 1")
-    assert [m.name.text for m in found if not isinstance(m, ast.Discard)] == list("acdfghi")
+    assert [m.name.text for m in found if ast.is_named(m)] == list("acdfghi")
 
 
 def test_targets_and_discards() -> None:
@@ -168,7 +168,7 @@ def test_words_of_the_grammar_are_names_of_members(word: str) -> None:
         :3
     ]
     for member in (first, second, third):
-        assert not isinstance(member, ast.Discard)
+        assert ast.is_named(member)
         assert member.name.text == word
 
 

@@ -30,9 +30,10 @@ from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
 from ..hints import advice
 from ..state.context import Context, OpenRule, Rule, Rules
-from ..state.scope import FAILURE, Failure, Scope, Value
+from ..state.evaluation import plain
+from ..state.scope import FAILURE, Corners, Failure, Scope, Value
 from ..types.coercion import coerce, is_negated_literal
-from . import aggregates, calls, conversions, lookup, loops
+from . import aggregates, calls, conversions, corners, lookup, loops
 from .builtin_calls import builtin_call
 from .combinations import checked
 from .members import member_of
@@ -98,8 +99,18 @@ def _field(ctx: Context, e: ast.Field, operands: Sequence[Value], _scope: Scope)
     return member_of(ctx, operands[0], e)
 
 
-def _index(ctx: Context, e: ast.Index, operands: Sequence[Node], _scope: Scope) -> Value:
-    operand, index = operands
+def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], _scope: Scope) -> Value:
+    whole, number = operands
+    if isinstance(whole, Corners):
+        return corners.numbered(ctx, whole, plain(ctx, number, e.index), e.index.span)
+    operand, position = plain(ctx, whole, e.operand), plain(ctx, number, e.index)
+    if isinstance(operand, Failure) or isinstance(position, Failure):
+        return FAILURE
+    return _element(ctx, e, operand, position)
+
+
+def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
+    operands = operand, index
     if isinstance(operand.type, Texture):
         ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type, hint=advice.READ)
         return FAILURE
@@ -259,7 +270,7 @@ RULES: Rules = {
     ast.Boolean: Rule(_none, _boolean),
     ast.Reference: Rule(_none, _reference),
     ast.Field: OpenRule(_operand, _field),
-    ast.Index: Rule(_place, _index),
+    ast.Index: OpenRule(_place, _index),
     ast.Unary: Rule(_signed, _unary),
     ast.Binary: Rule(_sides, _binary),
     ast.Conditional: Rule(_choice, _conditional),

@@ -12,7 +12,16 @@ from ...ir.types import Scalar, Struct, Vector, width
 from ...syntax import ast
 from ..hints import advice
 from ..state.context import Context
-from ..state.scope import FAILURE, Failure, Inherited, Instance, LightVariable, Value
+from ..state.scope import (
+    FAILURE,
+    Corner,
+    Corners,
+    Failure,
+    Inherited,
+    Instance,
+    LightVariable,
+    Value,
+)
 from . import slots
 from .unknown_names import unknown
 
@@ -31,6 +40,11 @@ def member_of(ctx: Context, value: Value, e: ast.Field) -> Value:
             return _component(ctx, value, e)
         case LightVariable():
             return slots.light_slot(ctx, value, name)
+        case Corner():
+            return slots.corner_slot(ctx, value, name.text, name.span)
+        case Corners():
+            ctx.report.add(rules.WHICH_CORNER, e.span, name=name.text)
+            return FAILURE
         case Inherited(instance, level):
             return slots.inherited(ctx, instance, level, name)
         case Instance():

@@ -8,16 +8,29 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.nearest import nearest
 from ...diagnostics.source import Span
+from ...ir import build
 from ...ir.node import Formal, Node, bare
-from ...ir.types import Texture
+from ...ir.stages import GROUP
+from ...ir.types import BOOL, INT, Texture
 from ...syntax import ast
 from ..declarations import contracts
 from ..declarations.assignments import assigned
+from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
 from ..inheritance.records import Definition, Record, is_abstract
 from ..state.context import Context, Twin
 from ..state.evaluation import Demand, plain, settle
-from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, LightVariable, Scope, Value
+from ..state.scope import (
+    FAILURE,
+    OUTERMOST,
+    Corner,
+    ExpandedSlots,
+    Failure,
+    Instance,
+    LightVariable,
+    Scope,
+    Value,
+)
 from ..types.coercion import coerce, is_adaptable
 from ..types.typenames import Declared
 from .cycles import is_cycle
@@ -69,6 +82,8 @@ def slot(
     replacement = instance.replaced.get(name) if level == OUTERMOST else None
     if replacement is None:
         _settle_own(ctx, instance, name, span, level)
+    elif replacement.emitted:
+        _settle_emitted(ctx, instance, name, span)
     elif replacement.definition is None:
         assert replacement.value is not None
         _keep(ctx, instance, name, level, replacement.value)
@@ -93,6 +108,82 @@ def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: 
         _keep(ctx, instance, name, level, FAILURE)
     else:
         _settle_equation(ctx, instance, name, span, level, definition, instance)
+
+
+def _settle_emitted(ctx: Context, instance: Instance, name: str, span: Span) -> None:
+    """Compute what an expansion makes of a slot: each group of strips may say something else."""
+    assert instance.expanded is not None
+    found = [
+        _in_group(ctx, instance, instance.expanded, number, name, span)
+        for number in range(len(instance.expanded.groups))
+    ]
+    values = [value for value in found if isinstance(value, Node)]
+    chosen = _by_group(ctx, values, span) if len(values) == len(found) else FAILURE
+    value = chosen if isinstance(chosen, Failure) else ctx.crossings.to_fragments(chosen)
+    _keep(ctx, instance, name, OUTERMOST, value)
+
+
+def _in_group(
+    ctx: Context, instance: Instance, slots: ExpandedSlots, number: int, name: str, span: Span
+) -> Node | Failure:
+    """What a slot is at the vertices that one group of strips emits."""
+    group = slots.groups[number]
+    written = group.equations.get(name)
+    if written is None or written.value is None:
+        assert slots.corner is not None
+        return corner_slot(ctx, Corner(slots, slots.corner), name, span)
+    if (number, name) not in slots.values:
+        key = instance, slots, number, name
+        if is_cycle(ctx, key, name, span):
+            return FAILURE
+        finish = partial(_finish_emitted, ctx, instance, slots, number, written)
+        settle(ctx, Demand(key, name, span, written.value, group.scope, finish))
+    return slots.values[number, name]
+
+
+def _finish_emitted(
+    ctx: Context,
+    instance: Instance,
+    slots: ExpandedSlots,
+    number: int,
+    equation: ast.Slot,
+    value: Value,
+) -> None:
+    """Keep what a group of strips says of a slot, as a value of the slot's type."""
+    written, name, scope = equation.value, equation.name.text, slots.groups[number].scope
+    assert written is not None
+    node = plain(ctx, value, written)
+    if instance.record.typing(name) is not None:
+        node = assigned(ctx, instance.record, name, node, written, scope, OUTERMOST)
+    elif isinstance(like := slot(ctx, slots.base, name, equation.name.span), Node):
+        node = fit(ctx, node, like.type, str(like.type), written.span)
+    if isinstance(node, Node):
+        node = ctx.crossings.checked_at_vertex(node, written.span)
+    slots.values[number, name] = node
+
+
+def _by_group(ctx: Context, values: list[Node], span: Span) -> Node:
+    """The value of the group that a vertex is emitted in."""
+    *others, chosen = values
+    emitting = ctx.tree.node("input", GROUP.type, (), GROUP)
+    for number, value in reversed(list(enumerate(others))):
+        which = emitting, build.constant(ctx.tree, INT, number)
+        is_this = ctx.tree.node("call", BOOL, which, "eq")
+        chosen = ctx.tree.node("select", chosen.type, (is_this, value, chosen))
+        ctx.places.note(chosen, span)
+    return chosen
+
+
+def corner_slot(ctx: Context, corner: Corner, name: str, span: Span) -> Node | Failure:
+    """``corner[k].name``: the slot as it is without the expansion, at one vertex of the mesh."""
+    value = slot_or_report(ctx, corner.slots.base, name, span)
+    if isinstance(value, Node) and not isinstance(value.type, Texture):
+        value = ctx.crossings.checked_at_vertex(value, span)
+    if not isinstance(value, Node):
+        return FAILURE
+    return (
+        value if isinstance(value.type, Texture) else ctx.crossings.at_corner(value, corner.number)
+    )
 
 
 def _settle_given(
@@ -233,7 +324,7 @@ def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Fa
             return instance.resources.get(name, FAILURE)
         case _:
             read = instance.attributes.get(name)
-            return FAILURE if read is None else ctx.crossings.attribute(read)
+            return FAILURE if read is None else ctx.crossings.attribute(read, instance.corner)
 
 
 def _typing(instance: Instance, name: str) -> Record:

@@ -16,7 +16,7 @@ LEAVES = tuple(
 )
 """Members whose values come from outside: from the host, or from the mesh."""
 
-_WALKED = (ast.Expression, ast.Turns, *(kind.node for kind in ast.KINDS))
+_WALKED = (ast.Expression, ast.Turns, ast.Strips, *(kind.node for kind in ast.KINDS))
 """The nodes in which expressions can stand."""
 
 _InForce = set[tuple[str, int]]

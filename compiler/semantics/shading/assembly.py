@@ -18,6 +18,7 @@ from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
 from ..state.context import Context
 from ..state.scope import Instance, Replacement
+from .expanding import expanded
 from .host_names import Entry, names_taken
 from .instances import instance_of
 from .placeholders import stand_in
@@ -98,9 +99,18 @@ def _put_together(
         if is_declared_abstract(instance.record):
             stand_in(ctx, instance)
     if not reused:
+        surface = expanded(ctx, surface, passing)
         ctx.twins[surface] = lambda: (twin().ctx, twin().surface)
+        if surface.expanded is not None:
+            ctx.twins[surface.expanded.base] = lambda: (twin().ctx, _base(twin().surface))
+    passing.surface = surface
     ctx.twins[passing] = lambda: (twin().ctx, twin().passing)
     return Setting(ctx, parts, entries, leaves, surface, passing)
+
+
+def _base(surface: Instance) -> Instance:
+    """The surface without its expansion."""
+    return surface if surface.expanded is None else surface.expanded.base
 
 
 def _twin(ctx: Context, parts: Parts) -> Setting:

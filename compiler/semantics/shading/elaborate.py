@@ -8,7 +8,17 @@ from ....frozen import changed
 from ...diagnostics import rules
 from ...ir.node import Node
 from ...ir.shader import ExternInfo, ParameterInfo, RenderTarget, Result, Shader
-from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT, TARGET, VERTEX
+from ...ir.stages import (
+    CLIP_POSITION,
+    DISCARD,
+    EMITTING,
+    EXPANDED,
+    FRAGMENT,
+    GEOMETRY,
+    RASTERISED,
+    TARGET,
+    VERTEX,
+)
 from ...ir.types import BOOL, FLOAT, VEC2, VEC4, Type
 from ...syntax import ast
 from ..checking.slots import slot
@@ -45,7 +55,11 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     """
     ctx, surface, passing = setting.ctx, setting.surface, setting.passing
     parts, externs = setting.parts, ctx.externs
-    found = (*_clip_position(ctx, passing, surface), *written_results(ctx, passing))
+    found = (
+        *_clip_position(ctx, passing, surface),
+        *_emitting(surface),
+        *written_results(ctx, passing),
+    )
     check_slots(ctx, surface, passing)
     read_externs(ctx, parts.module)
     check_host_names(
@@ -92,6 +106,8 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
+        chain=RASTERISED if setting.surface.expanded is None else EXPANDED,
+        expansion=None if setting.surface.expanded is None else setting.surface.expanded.expansion,
     )
 
 
@@ -126,7 +142,14 @@ def _clip_position(ctx: Context, passing: Instance, surface: Instance) -> Iterat
     node = fit(ctx, slot(ctx, holder, CLIP_POSITION, declared), VEC4, "vec4", span)
     placed = node if isinstance(node, Failure) else ctx.crossings.checked_at_vertex(node, span)
     if isinstance(placed, Node):
-        yield Result(CLIP_POSITION, VERTEX, placed)
+        yield Result(CLIP_POSITION, VERTEX if surface.expanded is None else GEOMETRY, placed)
+
+
+def _emitting(surface: Instance) -> Iterator[Result]:
+    """Which strips an expansion emits."""
+    if surface.expanded is not None:
+        for emitted in surface.expanded.emitting:
+            yield Result(EMITTING, GEOMETRY, emitted)
 
 
 def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:

@@ -7,7 +7,7 @@ from ...diagnostics.nearest import nearest, respelt
 from ...syntax import ast
 from ..checking.lights import light_instance
 from ..checking.slots import slot
-from ..inheritance.records import Definition
+from ..inheritance.records import Definition, is_abstract
 from ..state.context import Context
 from ..state.scope import Instance
 
@@ -15,6 +15,9 @@ from ..state.scope import Instance
 def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     """Check every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
+    if surface.expanded is not None:
+        read |= {name for name, _ in surface.expanded.base.values}
+        check_overridden(ctx, surface.expanded.base, surface)
     for instance in (surface, passing):
         check_instance(ctx, instance)
     known, root = surface.record.definitions, surface.record.root
@@ -22,6 +25,14 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     for name, definitions in known.items():
         if name not in read:
             _check_spelling(ctx, surface, name, definitions, inherited)
+
+
+def check_overridden(ctx: Context, base: Instance, surface: Instance) -> None:
+    """Check what slots are without an expansion that sets them."""
+    for name, replacement in surface.replaced.items():
+        definition = base.record.definitions[name][0]
+        if replacement.emitted and not is_abstract(definition.member):
+            slot(ctx, base, name, definition.member.name.span)
 
 
 def check_rig(ctx: Context, surface: Instance) -> None:

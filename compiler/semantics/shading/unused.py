@@ -28,6 +28,7 @@ from ..types.generics import examples, of_unknown_family, uninferable
 from ..types.typenames import Variables
 from .assembly import Parts, Setting, is_declared_abstract, set_up, set_up_beside
 from .elaborate import places_vertices, results_of, written_results
+from .expanding import expanded
 from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
@@ -282,6 +283,7 @@ def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
         instance.surface = surface if mixin.kind == "pass" else None
     stand_in(ctx, instance)
     check_instance(ctx, instance)
+    check_instance(ctx, expanded(ctx, instance, instance))
     written_results(ctx, instance)
     return True
 

@@ -3,6 +3,9 @@
 A ``cross`` node of ``e`` is a value in the fragment domain; ``e`` lives in the vertex domain. Where
 a value that contains crossings is itself wanted in the vertex domain (it feeds ``clip_position`` or
 stands under ``@vertex``), the crossings in it are taken out: there is nothing to cross.
+
+Where primitives are expanded, the vertices before the fragments are the emitted ones. What the mesh
+has at its own vertices gets there by a crossing from one corner of the primitive.
 """
 
 from __future__ import annotations
@@ -16,23 +19,32 @@ from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.domains import Domains
 from ...ir.node import AGE, Graph, Node
-from ...ir.operations import INPUT
+from ...ir.operations import CROSS, INPUT
 from ...ir.stages import (
+    EMITTED,
     FLAT,
+    FLAT_EMITTED,
+    FRAGMENT,
+    FRAGMENTS,
+    INSTANCES,
+    PRIMITIVE_INDEX,
     RASTERISED,
     SMOOTH,
+    SMOOTH_EMITTED,
     VERTEX,
     VERTICES,
-    StageRow,
+    Domain,
     SystemInput,
     inputs_of,
 )
-from ...ir.types import UINT, Scalar, Vector, scalar_kind, width, with_width
+from ...ir.types import INT, UINT, Matrix, Scalar, Vector, scalar_kind, width, with_width
 from .places import Places
 from .scope import FAILURE, Failure
 
 INPUTS = inputs_of(RASTERISED)
 """The names by which expressions read what the pipeline supplies."""
+EXPANDED_INPUTS = {**INPUTS, PRIMITIVE_INDEX.name: PRIMITIVE_INDEX}
+"""The same in a material that expands its primitives."""
 
 
 class Crossings:
@@ -52,17 +64,31 @@ class Crossings:
         """What they have that the vertex stage has not."""
         self._domains = Domains()
 
-    def attribute(self, leaf: Node) -> Node:
-        """A vertex input as the fragment stage sees it; a matrix crosses column by column."""
-        if leaf.op != "matrix":
-            return self._crossing(leaf)
-        columns = tuple(self._crossing(column) for column in leaf.operands)
-        return self._graph.node("matrix", leaf.type, columns)
+    def attribute(self, leaf: Node, corner: Node | None) -> Node:
+        """A vertex input as the fragment stage sees it, where primitives are expanded that of a
+        corner; a matrix crosses column by column."""
+        return self.to_fragments(leaf if corner is None else self.at_corner(leaf, corner))
 
-    def supplied(self, row: SystemInput) -> Node:
+    def supplied(self, row: SystemInput, corner: Node | None) -> Node:
         """A value of the pipeline's own as the fragment stage sees it."""
         leaf = self._graph.node("input", row.type, (), row)
-        return self._crossing(leaf) if row in VERTEX.inputs else leaf
+        if row in FRAGMENT.inputs:
+            return leaf
+        return self.attribute(leaf, corner if row in VERTEX.inputs else None)
+
+    def domain(self, node: Node) -> Domain | None:
+        """What a value varies over; raises ``MixedDomainsError``."""
+        return self._domains.of(node)
+
+    def to_fragments(self, value: Node) -> Node:
+        """A value of the stage before as the fragments see it."""
+        return self._across(value, self._crossing)
+
+    def at_corner(self, value: Node, number: Node) -> Node:
+        """A value of the vertices as one corner of the primitive has it that is expanded."""
+        if self._domains.of(value) == INSTANCES:
+            number = build.constant(self._graph, INT, 0)
+        return self._across(value, lambda part: build.at_corner(self._graph, part, number))
 
     def interpolated(self, node: Node, span: Span) -> Node | Failure:
         """``@vertex node``; the node itself where it is the same at every vertex."""
@@ -74,7 +100,7 @@ class Crossings:
         if not isinstance(inner.type, Scalar | Vector):
             self._report.add(rules.CANNOT_CROSS, span, type=inner.type)
             return FAILURE
-        return self._crossing(inner)
+        return self.to_fragments(inner)
 
     def checked_at_vertex(self, root: Node, span: Span) -> Node | Failure:
         """``root`` as the vertex stage computes it, or a report of what it cannot compute."""
@@ -90,10 +116,10 @@ class Crossings:
         return FAILURE
 
     def at_vertex(self, root: Node) -> Node:
-        """``root`` as the vertex stage computes it."""
+        """``root`` as the stage computes it whose results are interpolated."""
         for node in _unseen(root, self._vertex):
             operands = tuple(self._vertex[operand.id] for operand in node.operands)
-            if node.op == "cross":
+            if node.op == "cross" and CROSS.data(node).destination == FRAGMENTS:
                 self._vertex[node.id] = operands[0]
             elif operands == node.operands:
                 self._vertex[node.id] = node
@@ -109,27 +135,40 @@ class Crossings:
         known = self._missing
         for node in _unseen(root, known):
             found = [known[operand.id] for operand in node.operands]
-            if not _exists_in(VERTEX, node):
+            if not _exists_before_fragments(node):
                 found.append(node)
             known[node.id] = min(filter(None, found), key=AGE, default=None)
         return known[root.id]
 
     def _crossing(self, inner: Node) -> Node:
-        kind = scalar_kind(inner.type)
-        if kind == "bool":
-            return self._bool_crossing(inner)
-        smooth = kind == "float" and self._domains.of(inner) == VERTICES
-        return build.cross(self._graph, inner, SMOOTH if smooth else FLAT)
+        domain = self._domains.of(inner)
+        modes = (SMOOTH_EMITTED, FLAT_EMITTED) if domain == EMITTED else (SMOOTH, FLAT)
+        smooth = scalar_kind(inner.type) == "float" and domain in (VERTICES, EMITTED)
+        return build.cross(self._graph, inner, modes[not smooth])
 
-    def _bool_crossing(self, inner: Node) -> Node:
+    def _across(self, value: Node, crossed: Callable[[Node], Node]) -> Node:
+        """A value all of whose parts cross alike; itself where it is the same all over a draw."""
+        if self._domains.of(value) is None:
+            return value
+        graph, type_ = self._graph, value.type
+        if isinstance(type_, Matrix):
+            columns = (build.part(graph, value, column) for column in range(type_.size))
+            return build.matrix(graph, tuple(crossed(column) for column in columns))
+        if build.parts_of(type_) is not None:
+            parts = build.flattened(graph, value)
+            return build.assembled(graph, type_, (self._across(part, crossed) for part in parts))
+        return (
+            self._bool_crossing(value, crossed) if scalar_kind(type_) == "bool" else crossed(value)
+        )
+
+    def _bool_crossing(self, inner: Node, crossed: Callable[[Node], Node]) -> Node:
         """Booleans cross as 0 and 1, which is all that a stage interface can carry."""
         lanes = []
         for lane in range(width(inner.type)):
             one, zero = (build.constant(self._graph, UINT, n) for n in (1, 0))
             flag = build.swizzle(self._graph, inner, (lane,)) if width(inner.type) > 1 else inner
-            number = self._graph.node("select", UINT, (flag, one, zero))
-            crossed = build.cross(self._graph, number, FLAT)
-            lanes.append(self._graph.node("call", with_width("bool", 1), (crossed, zero), "ne"))
+            number = crossed(self._graph.node("select", UINT, (flag, one, zero)))
+            lanes.append(self._graph.node("call", with_width("bool", 1), (number, zero), "ne"))
         return build.vector(self._graph, tuple(lanes))
 
 
@@ -145,8 +184,8 @@ def _unseen(root: Node, seen: Container[int]) -> list[Node]:
     return sorted(found, key=AGE)
 
 
-def _exists_in(stage: StageRow, node: Node) -> bool:
-    """Whether a stage has what an operation needs, besides its operands."""
+def _exists_before_fragments(node: Node) -> bool:
+    """Whether stages before the fragments have what an operation needs, besides its operands."""
     if node.op == "call":
-        return stage.has_derivatives or not BUILTINS[str(node.data)].uniform_control_flow
-    return node.op != "input" or INPUT.data(node) in stage.inputs
+        return not BUILTINS[str(node.data)].uniform_control_flow
+    return node.op != "input" or INPUT.data(node) not in FRAGMENT.inputs

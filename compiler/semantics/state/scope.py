@@ -7,6 +7,7 @@ from typing import Literal
 
 from ....frozen import changed, fresh, frozen, record
 from ...diagnostics.source import Span
+from ...ir.expansion import Expansion
 from ...ir.leaves import Parameter, Resource
 from ...ir.node import Node
 from ...syntax import ast
@@ -45,7 +46,14 @@ class Instance:
     resources: Mapping[str, Node] = fresh(factory=dict)
     attributes: Mapping[str, Node] = fresh(factory=dict)
     replaced: dict[str, Replacement] = fresh(factory=dict)
+    expanded: ExpandedSlots | None = None
+    """Where primitives are expanded, what the surface is made of."""
     values: dict[tuple[str, int], Node | Failure] = fresh(factory=dict)
+
+    @property
+    def corner(self) -> Node | None:
+        """Where primitives are expanded, the number of the corner whose vertex inputs these are."""
+        return None if self.expanded is None else self.expanded.corner
 
     def has(self, name: str) -> bool:
         """Whether the record defines ``name``."""
@@ -72,6 +80,53 @@ class Replacement:
     definition: Definition | None = None
     within: Instance | None = None
     """The instance in whose scope ``definition`` is checked."""
+    emitted: bool = False
+    """Whether an expansion says which value it has at each emitted vertex."""
+
+
+@frozen(eq=False)
+class StripGroup:
+    """One group of strips of an expansion."""
+
+    equations: Mapping[str, ast.Slot]
+    """What it says of slots at the vertices that it emits."""
+    scope: Scope
+    """Where these are checked."""
+
+
+@record
+class ExpandedSlots:
+    """A surface whose primitives are expanded: what it is made of."""
+
+    base: Instance
+    """The surface as it is at the mesh's own vertices."""
+    corners: int
+    """How many vertices each primitive of the mesh has."""
+    corner: Node | None = None
+    """For each emitted vertex, the number of the corner that it is like where nothing is said."""
+    groups: tuple[StripGroup, ...] = ()
+    expansion: Expansion | None = None
+    """What of it is the same for all primitives; ``None`` if it is wrong."""
+    emitting: tuple[Node, ...] = ()
+    """For each group, whether a strip is emitted."""
+    values: dict[tuple[int, str], Node | Failure] = fresh(factory=dict)
+    """By the number of a group and a slot's name: what the slot is at the vertices emitted there.
+    Checked on demand and once."""
+
+
+@frozen
+class Corners:
+    """``corner`` in an expansion: the vertices of the primitive that is being expanded."""
+
+    slots: ExpandedSlots
+
+
+@frozen
+class Corner:
+    """``corner[k]``: the surface as it is at one of them."""
+
+    slots: ExpandedSlots
+    number: Node
 
 
 @frozen
@@ -92,7 +147,7 @@ class Inherited:
     level: int
 
 
-Value = Node | Failure | Instance | LightVariable | Inherited
+Value = Node | Failure | Instance | LightVariable | Inherited | Corners | Corner
 
 Application = tuple[Symbol, tuple[int, ...], Instance | None]
 """A function, the ids of its arguments, and the surface that it shades."""

@@ -129,7 +129,7 @@ def _member(node: Node, operands: Operands) -> Found:
 
 
 def _cross(node: Node, operands: Operands) -> Found:
-    return operands[0] if CROSS.data(node).mode == "flat" else weakened(operands[0])
+    return weakened(operands[0]) if CROSS.data(node).mode == "perspective" else operands[0]
 
 
 def _fold(node: Node, operands: Operands) -> Found:

@@ -15,7 +15,7 @@ from typing import Literal, Protocol, TypeGuard, get_args
 
 from ....frozen import frozen
 from ...diagnostics.source import Span
-from .expressions import Expression, Name, TypeName
+from .expressions import Expression, Name, Turns, TypeName
 
 RecordKind = Literal["material", "light", "pass"]
 RECORD_KINDS: tuple[RecordKind, ...] = get_args(RecordKind)
@@ -91,7 +91,39 @@ class Discard:
     condition: Expression
 
 
-Member = Param | Map | Attribute | Slot | Target | Discard
+StripShape = Literal["strip", "list"]
+"""Triangles that each share two vertices with the one before, or that share none."""
+
+
+@frozen(eq=False)
+class Strips:
+    """``strip of 4 as i for s in 0..n where c like corner[0] { … }``: triangles of an expansion."""
+
+    span: Span
+    shape: StripShape
+    count: Expression
+    """How many vertices each of the strips has."""
+    vertex: Name | None
+    """What the number of a vertex in its strip is called."""
+    turns: Turns | None
+    """How many strips there are, and what the number of one is called."""
+    condition: Expression | None
+    like: Expression | None
+    """The corner whose values slots have that are not set."""
+    equations: tuple[Slot, ...]
+
+
+@frozen(eq=False)
+class Expand:
+    """``expand point { strip of 4 as i { … } }``: what becomes of each primitive of a mesh."""
+
+    span: Span
+    doc: str
+    primitive: Name
+    strips: tuple[Strips, ...]
+
+
+Member = Param | Map | Attribute | Slot | Target | Discard | Expand
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""
 
 
@@ -188,6 +220,10 @@ def _untyped_slot(span: Span, doc: str, name: Name, value: Expression) -> Slot:
     return Slot(span, doc, name, None, value)
 
 
+def _expand(span: Span, doc: str, primitive: Name, *strips: Strips) -> Expand:
+    return Expand(span, doc, primitive, strips)
+
+
 KINDS: tuple[MemberKind, ...] = (
     MemberKind(
         word="param",
@@ -263,6 +299,19 @@ KINDS: tuple[MemberKind, ...] = (
         contribution="result",
         form="a pass discards pixels by `discard when condition`",
         doc="where a pass writes nothing",
+    ),
+    MemberKind(
+        word="expand",
+        node=Expand,
+        productions={"expand": _expand},
+        opening=("NAME", "{"),
+        records=("material",),
+        inheritance="gathered",
+        contribution="result",
+        form="an expansion is `expand triangle { strip of 3 as i for s in 0..4 where condition "
+        "like corner[i] { slot = expression } }`, where everything between the number of vertices "
+        "and the brace is optional",
+        doc="what each primitive of the mesh turns into",
     ),
 )
 

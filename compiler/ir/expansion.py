@@ -1,0 +1,81 @@
+"""What each primitive of a mesh turns into: its corners, and the groups of strips that it emits.
+
+Semantics makes an ``Expansion`` of an ``expand`` member. The lowering and the languages with a
+geometry stage draw by it, and the reflection tells it to the host.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import accumulate
+from typing import Literal
+
+from ...frozen import frozen
+from ..diagnostics.source import Span
+
+CORNERS: Mapping[str, int] = {
+    "point": 1,
+    "line": 2,
+    "triangle": 3,
+    "line_adjacency": 4,
+    "triangle_adjacency": 6,
+}
+"""How many vertices each kind of primitive has. With adjacency they are in the order of Vulkan and
+OpenGL: a line between the vertices next to its ends, a triangle with the vertex across each edge
+behind the one where that edge begins."""
+
+StripShape = Literal["strip", "list"]
+
+
+@frozen
+class EmittedStrips:
+    """One group of strips."""
+
+    shape: StripShape
+    """Triangles that each share two vertices with the one before, or that share none."""
+    vertices: int
+    """Of each strip."""
+    strips: int
+    """How many there are at most."""
+
+    @property
+    def triangles(self) -> int:
+        """Of each strip."""
+        return self.vertices // 3 if self.shape == "list" else self.vertices - 2
+
+    @property
+    def listed(self) -> int:
+        """How many vertices all strips have as a list of triangles."""
+        return 3 * self.triangles * self.strips
+
+
+@frozen
+class Expansion:
+    """What each primitive turns into."""
+
+    primitive: str
+    """One of ``CORNERS``."""
+    groups: tuple[EmittedStrips, ...]
+    """In the order in which they are drawn."""
+    span: Span
+    """Where the primitive is named."""
+
+    @property
+    def corners(self) -> int:
+        """How many vertices each primitive of the mesh has."""
+        return CORNERS[self.primitive]
+
+    @property
+    def vertices(self) -> int:
+        """How many vertices a primitive emits at most."""
+        return sum(group.vertices * group.strips for group in self.groups)
+
+    @property
+    def listed(self) -> int:
+        """How many there are as a list of triangles."""
+        return sum(group.listed for group in self.groups)
+
+    @property
+    def starts(self) -> tuple[int, ...]:
+        """For each group the number of its first vertex in that list."""
+        return tuple(accumulate((group.listed for group in self.groups[:-1]), initial=0))

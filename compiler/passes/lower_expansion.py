@@ -1,0 +1,246 @@
+"""Expansions without a geometry stage: each primitive of the mesh is drawn as an instance.
+
+``api.py`` calls ``lower_expansion`` before all passes. The draw has as many vertices as a primitive
+emits at most, as a list of triangles, and a vertex knows by its number in which group, strip and
+triangle it is. What the mesh has at the corners of the primitive are vertex inputs per instance,
+one for each corner that is read. A strip that is not emitted has all its vertices in one place,
+beyond the picture. The result is the same, as are the order of triangles and the vertex that each
+begins with: triangle ``t`` of a strip has the vertices ``t``, ``t + 1 + t mod 2`` and
+``t + 2 - t mod 2``, as in Vulkan.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from operator import itemgetter
+
+from ...frozen import changed
+from ..diagnostics.source import Span
+from ..ir import build
+from ..ir.expansion import Expansion
+from ..ir.leaves import Attribute
+from ..ir.node import Graph, Node, Roots
+from ..ir.operations import CROSS, INPUT
+from ..ir.rewrite import rewrite
+from ..ir.shader import AttributeInfo, MeshInput, Notes, Result, Shader
+from ..ir.stages import (
+    CLIP_POSITION,
+    EMITTED,
+    EMITTING,
+    FLAT,
+    GEOMETRY,
+    GROUP,
+    INSTANCES,
+    PRIMITIVE_INDEX,
+    RASTERISED,
+    SMOOTH,
+    STRIP,
+    STRIP_VERTEX,
+    VERTEX,
+    SystemInput,
+)
+from ..ir.types import BOOL, INT, UINT, VEC4, Array
+
+NOWHERE = (0.0, 0.0, -1.0, 1.0)
+"""A place in clip space that no picture shows."""
+
+VERTEX_INDEX, INSTANCE_INDEX = VERTEX.inputs
+
+
+def lower_expansion(shader: Shader) -> Shader:
+    """The shader with vertices instead of emitted vertices; itself if it expands nothing."""
+    if shader.expansion is None:
+        return shader
+    lowering = _Lowering(shader, shader.expansion)
+    values = lowering.lowered([result.value for result in shader.results])
+    results = [changed(r, value=v) for r, v in zip(shader.results, values, strict=True)]
+    emitted = lowering.emitted([r.value for r in results if r.kind == EMITTING])
+    return changed(
+        shader,
+        results=tuple(
+            _placed(shader, result, emitted) for result in results if result.kind != EMITTING
+        ),
+        attributes=lowering.attributes,
+        chain=RASTERISED,
+    )
+
+
+def _placed(shader: Shader, result: Result, emitted: Node | None) -> Result:
+    """A result of the geometry stage as one of the vertices."""
+    if result.stage != GEOMETRY:
+        return result
+    value = result.value
+    if result.kind == CLIP_POSITION and emitted is not None:
+        nowhere = build.constant(shader.graph, VEC4, NOWHERE)
+        value = shader.graph.node("select", VEC4, (emitted, result.value, nowhere))
+        shader.notes.names.setdefault(value.id, "placed")
+    return changed(result, stage=VERTEX, value=value)
+
+
+class _Lowering:
+    """Makes vertices of emitted vertices, and collects what these read of the mesh."""
+
+    def __init__(self, shader: Shader, expansion: Expansion) -> None:
+        self._graph: Graph = shader.graph
+        self._notes: Notes = shader.notes
+        self._corners = expansion.corners
+        self._infos = [*shader.attributes, *map(partial(_info, expansion.span), VERTEX.inputs)]
+        """The inputs of the mesh's vertices, with the numbers that they have in it."""
+        self._place = {info.attribute: place for place, info in enumerate(self._infos)}
+        self._read: dict[tuple[int, int], AttributeInfo] = {}
+        """What is read for each primitive instead: by the place of an input and the corner."""
+        self._known: dict[Node, dict[Node, Node]] = {}
+        """For each corner, what values of the vertices have become there."""
+        self._is_instanced = any(map(_tells_instances_apart, shader.roots.nodes))
+        self._numbers = EmittedNumbers(shader.graph, expansion)
+
+    def lowered(self, roots: Sequence[Node]) -> Roots:
+        """The values at the vertices, and of the fragments."""
+        return rewrite(self._graph, roots, self._rule, self._notes.follow, ("cross", "input"))
+
+    def emitted(self, values: Sequence[Node]) -> Node | None:
+        """Whether the strip of a vertex is emitted; ``None`` if all of them are."""
+        if all(value.op == "constant" and value.data for value in values):
+            return None
+        return self._numbers.by_group(values)
+
+    @property
+    def attributes(self) -> tuple[AttributeInfo, ...]:
+        """The vertex inputs that are read, in the order of their declaration and of the corners."""
+        return tuple(info for _, info in sorted(self._read.items(), key=itemgetter(0)))
+
+    def _rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        if node.op == "input":
+            row = INPUT.data(node)
+            if row == PRIMITIVE_INDEX:
+                return self._primitive_index()
+            if row.domain != EMITTED:
+                return None
+            found = self._numbers.of(row)
+            self._notes.names.setdefault(found.id, row.name)
+            return found
+        crossing = CROSS.data(node)
+        if crossing.mode == "corner":
+            return self._at_corner(*operands)
+        return build.cross(graph, operands[0], FLAT if crossing.mode == "flat" else SMOOTH)
+
+    def _at_corner(self, value: Node, number: Node) -> Node:
+        """A value of the mesh's vertices at one corner, computed from what this corner has."""
+
+        def rule(_graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node:
+            row = node.data
+            leaf = (
+                Attribute(row.name, row.type, row.domain) if isinstance(row, SystemInput) else row
+            )
+            assert isinstance(leaf, Attribute)
+            return self._corner_of(self._place[leaf], number)
+
+        known = self._known.setdefault(number, {})
+        ops = ("attribute", "input")
+        return rewrite(self._graph, (value,), rule, self._notes.follow, ops, new=known)[0]
+
+    def _corner_of(self, place: int, number: Node) -> Node:
+        """An input at one corner; where this is not a certain one, an element of all."""
+        leaf = self._infos[place].attribute
+        if leaf.step == INSTANCES or self._corners == 1:
+            return self._input(place, 0)
+        if number.op == "constant" and isinstance(number.data, int):
+            return self._input(place, number.data)
+        found = tuple(self._input(place, corner) for corner in range(self._corners))
+        whole = self._graph.node("array", Array(leaf.type, len(found)), found)
+        return build.index(self._graph, whole, number)
+
+    def _input(self, place: int, corner: int) -> Node:
+        info = self._infos[place]
+        leaf, mesh = info.attribute, info.mesh or MeshInput(info.attribute.name)
+        if leaf.step != INSTANCES:
+            mesh = changed(mesh, corner=corner)
+            leaf = changed(leaf, name=f"corner{corner}.{leaf.name}", step=INSTANCES)
+        elif mesh.is_number:
+            leaf = changed(leaf, name=f"draw.{leaf.name}")
+        self._read[place, corner] = changed(info, attribute=leaf, mesh=mesh)
+        return self._graph.node("attribute", leaf.type, (), leaf)
+
+    def _primitive_index(self) -> Node:
+        """The number of the instance, unless the mesh itself is drawn in several."""
+        if not self._is_instanced:
+            return self._graph.node("input", UINT, (), INSTANCE_INDEX)
+        info = _info(self._infos[-1].span, PRIMITIVE_INDEX)
+        self._infos.append(changed(info, attribute=changed(info.attribute, step=INSTANCES)))
+        return self._input(len(self._infos) - 1, 0)
+
+
+def _info(span: Span, row: SystemInput) -> AttributeInfo:
+    """An input that gives a number which the pipeline supplies where nothing is lowered."""
+    leaf = Attribute(row.name, row.type, row.domain)
+    return AttributeInfo(leaf, str(row.type), "", span, mesh=MeshInput(row.name, is_number=True))
+
+
+def _tells_instances_apart(node: Node) -> bool:
+    return isinstance(node.data, Attribute | SystemInput) and INSTANCES in (
+        getattr(node.data, "step", ""),
+        getattr(node.data, "domain", ""),
+    )
+
+
+class EmittedNumbers:
+    """Where a vertex of a list of triangles lies among the groups of strips that are emitted."""
+
+    def __init__(self, graph: Graph, expansion: Expansion) -> None:
+        self._graph = graph
+        self._groups = expansion.groups
+        self._starts = expansion.starts
+        last = build.constant(graph, UINT, expansion.listed - 1)
+        index = graph.node("input", UINT, (), VERTEX_INDEX)
+        # The host draws no more vertices: what this says is how large the numbers can become.
+        index = graph.node("call", UINT, (index, last), "min")
+        self._vertex = self._call("to_int", index)
+        """The number of the vertex in the draw."""
+
+    def of(self, row: SystemInput) -> Node:
+        """One of the numbers that tell emitted vertices apart."""
+        kind = {GROUP: self._number, STRIP: self._strip, STRIP_VERTEX: self._strip_vertex}[row]
+        return self.by_group([kind(number) for number in range(len(self._groups))])
+
+    def by_group(self, values: Sequence[Node]) -> Node:
+        """The value for the group that the vertex belongs to."""
+        *others, chosen = values
+        for start, value in zip(self._starts[:0:-1], reversed(others), strict=True):
+            if value is not chosen:
+                before = self._call("lt", self._vertex, self._number(start))
+                chosen = self._graph.node("select", chosen.type, (before, value, chosen))
+        return chosen
+
+    def _within(self, number: int) -> Node:
+        """The number of the vertex among those of its group."""
+        start = self._starts[number]
+        return self._call("sub", self._vertex, self._number(start)) if start else self._vertex
+
+    def _strip(self, number: int) -> Node:
+        group = self._groups[number]
+        if group.strips == 1:
+            return self._number(0)
+        return self._call("div", self._within(number), self._number(3 * group.triangles))
+
+    def _strip_vertex(self, number: int) -> Node:
+        group, place = self._groups[number], self._within(number)
+        if group.strips > 1:
+            place = self._call("mod", place, self._number(3 * group.triangles))
+        if group.shape == "list" or group.triangles == 1:
+            return place
+        triangle = self._call("div", place, self._number(3))
+        corner = self._call("mod", place, self._number(3))
+        # In every second triangle of a strip, the vertices after the first one are exchanged.
+        odd = self._call("mod", triangle, self._number(2))
+        is_later = (self._call("ne", number, self._number(0)) for number in (odd, corner))
+        turned = self._call("sub", self._number(3), corner)
+        corner = self._graph.node("select", INT, (self._call("and", *is_later), turned, corner))
+        return self._call("add", triangle, corner)
+
+    def _number(self, value: int) -> Node:
+        return build.constant(self._graph, INT, value)
+
+    def _call(self, name: str, *operands: Node) -> Node:
+        is_question = name in ("lt", "ne", "and")
+        return self._graph.node("call", BOOL if is_question else INT, operands, name)

@@ -1,0 +1,263 @@
+"""Surfaces whose primitives turn into others: what an ``expand`` member makes of a material.
+
+``assembly.py`` calls ``expanded`` when the parts of a shader have been put together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ....frozen import changed, frozen
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...diagnostics.source import Span
+from ...ir import build
+from ...ir.binding import substitute
+from ...ir.domains import MixedDomainsError
+from ...ir.expansion import CORNERS, EmittedStrips, Expansion
+from ...ir.node import Node
+from ...ir.stages import EMITTED, GROUP, PRIMITIVE_INDEX, STRIP, STRIP_VERTEX, SystemInput
+from ...ir.types import BOOL, INT, Type
+from ...syntax import ast
+from ..checking.corners import numbered
+from ..checking.turns import bounds_of, turns_of
+from ..checking.unknown_names import unknown
+from ..declarations.fitting import fit, typed
+from ..names.modules import Symbol
+from ..state.context import Context
+from ..state.evaluation import node_of
+from ..state.scope import (
+    FAILURE,
+    Corner,
+    Corners,
+    ExpandedSlots,
+    Failure,
+    Instance,
+    Replacement,
+    Scope,
+    StripGroup,
+    Value,
+)
+
+MOST_VERTICES = 4096
+"""So many vertices may come of one primitive."""
+
+
+def expanded(ctx: Context, surface: Instance, passing: Instance) -> Instance:
+    """The surface as it is at the emitted vertices; itself where nothing is expanded."""
+    written = list(surface.record.every(ast.Expand))
+    if not written:
+        return surface
+    (member, owner, level), *others = written
+    if others:
+        ctx.report.add(
+            rules.TWO_EXPANSIONS, others[0][0].primitive.span, name=surface.record.name,
+            labels=[Label(member.primitive.span, "expanded here already")],
+        )  # fmt: skip
+    if member.primitive.text not in CORNERS:
+        unknown(ctx, "primitive", member.primitive.text, member.primitive.span, CORNERS)
+        return surface
+    return _Expanding(ctx, surface, passing, member, owner, level).surface()
+
+
+@frozen
+class _Group:
+    """What one group of strips comes to."""
+
+    strips: EmittedStrips | None
+    emitted: Node | Failure
+    """Whether a strip is there."""
+    corner: Node | Failure
+    """The corner that a vertex is like."""
+    names: dict[str, Value]
+    """The names that only it has: those of the vertex and of the strip."""
+
+
+class _Expanding:
+    def __init__(
+        self,
+        ctx: Context,
+        surface: Instance,
+        passing: Instance,
+        member: ast.Expand,
+        owner: Symbol,
+        level: int,
+    ) -> None:
+        self._ctx = ctx
+        self._member = member
+        self._owner = owner
+        self._level = level
+        self._base = _apart(surface, passing)
+        self._slots = ExpandedSlots(self._base, CORNERS[member.primitive.text])
+
+    def surface(self) -> Instance:
+        """The surface at the emitted vertices."""
+        slots = self._slots
+        groups = [self._group(strips) for strips in self._member.strips]
+        whole = [group.strips for group in groups if group.strips is not None]
+        emitting = [group.emitted for group in groups if isinstance(group.emitted, Node)]
+        corners = [group.corner for group in groups if isinstance(group.corner, Node)]
+        made = changed(
+            self._base,
+            values={},
+            expanded=slots,
+            replaced={**self._base.replaced, **{n: Replacement(emitted=True) for n in self._set()}},
+        )
+        slots.corner = self._by_group(corners or [self._number(0)])
+        slots.groups = tuple(
+            StripGroup(
+                {equation.name.text: equation for equation in strips.equations},
+                self._scope(made, {**group.names, "inherited": Corner(slots, slots.corner)}),
+            )
+            for strips, group in zip(self._member.strips, groups, strict=True)
+        )
+        if len(whole) == len(emitting) == len(corners) == len(groups) and self._fits(whole):
+            slots.emitting = tuple(emitting)
+            slots.expansion = Expansion(
+                self._member.primitive.text, tuple(whole), self._member.primitive.span
+            )
+        return made
+
+    def _fits(self, groups: list[EmittedStrips]) -> bool:
+        """Whether a primitive turns into something, and not into more than anything could draw."""
+        span, count = self._member.primitive.span, sum(group.listed for group in groups)
+        if not count:
+            self._ctx.report.add(rules.NO_STRIPS, span)
+        elif count > MOST_VERTICES:
+            self._ctx.report.add(rules.EXPANDS_TOO_FAR, span, count=count, most=MOST_VERTICES)
+        return 0 < count <= MOST_VERTICES
+
+    def _set(self) -> Iterator[str]:
+        """The slots that some group sets; reported where a surface has none of that name."""
+        record = self._base.record
+        for strips in self._member.strips:
+            seen: dict[str, Span] = {}
+            for equation in strips.equations:
+                name, span = equation.name.text, equation.name.span
+                if name in seen:
+                    label = Label(seen[name], "first defined here")
+                    self._ctx.report.add(rules.DUPLICATE_NAME, span, name=name, labels=[label])
+                elif not self._base.has(name):
+                    unknown(self._ctx, f"slot of `{record.name}`", name, span, record.definitions)
+                else:
+                    yield name
+                seen.setdefault(name, span)
+
+    def _group(self, written: ast.Strips) -> _Group:
+        ctx = self._ctx
+        names: dict[str, Value] = {}
+        emitted: Node | Failure = build.constant(ctx.tree, BOOL, True)
+        strips = 1
+        if written.turns is not None:
+            turns, strips, emitted = self._turns(written.turns)
+            names[written.turns.variable.text] = turns
+        if written.condition is not None:
+            holds = self._of_strips(written.condition, names, BOOL, "bool")
+            if isinstance(holds, Node) and isinstance(emitted, Node):
+                emitted = ctx.tree.node("call", BOOL, (emitted, holds), "and")
+            elif isinstance(holds, Failure):
+                emitted = holds
+        vertices = self._vertices(written)
+        if written.vertex is not None:
+            names[written.vertex.text] = self._input(STRIP_VERTEX)
+        corner = self._corner(written, vertices, names)
+        known = None if vertices is None else EmittedStrips(written.shape, vertices, strips)
+        return _Group(known, emitted, corner, names)
+
+    def _turns(self, written: ast.Turns) -> tuple[Value, int, Node | Failure]:
+        """The number of a strip as it is called, how many there may be, and whether one is."""
+        ctx = self._ctx
+        values = [self._of_strips(bound, {}, INT, "int") for bound in bounds_of(written)]
+        nodes = [value for value in values if isinstance(value, Node)]
+        if len(nodes) < len(values):
+            return FAILURE, 1, FAILURE
+        found = turns_of(ctx, written, nodes, written.variable.span)
+        if isinstance(found, Failure):
+            return FAILURE, 1, FAILURE
+        number = self._input(STRIP)
+        index = substitute(ctx.tree, found.index, {found.formal: number}, ctx.follow)
+        if found.known:
+            return index, found.bound, build.constant(ctx.tree, BOOL, True)
+        return index, found.bound, ctx.tree.node("call", BOOL, (number, found.count), "lt")
+
+    def _vertices(self, written: ast.Strips) -> int | None:
+        """How many vertices each strip of a group has."""
+        ctx, span = self._ctx, written.count.span
+        node = typed(ctx, written.count, Scope(self._owner.module), INT, "int")
+        count = ctx.constants.integer(node, span)
+        if count is None:
+            return None
+        if count < 3 or (written.shape == "list" and count % 3):
+            ctx.report.add(rules.NO_TRIANGLES, span, count=count, shape=written.shape)
+            return None
+        return count
+
+    def _corner(
+        self, written: ast.Strips, vertices: int | None, names: dict[str, Value]
+    ) -> Node | Failure:
+        """The corner that a vertex is like where nothing else is said of it."""
+        if written.like is not None:
+            number = self._of_strips(written.like, names, INT, "int")
+            corner = numbered(self._ctx, Corners(self._slots), number, written.like.span)
+            return corner.number if isinstance(corner, Corner) else FAILURE
+        if self._slots.corners == 1:
+            return self._number(0)
+        if vertices is not None and vertices > self._slots.corners:
+            self._ctx.report.add(
+                rules.LIKE_WHICH_CORNER, written.count.span,
+                count=vertices, primitive=self._member.primitive.text, corners=self._slots.corners,
+            )  # fmt: skip
+            return FAILURE
+        return self._input(STRIP_VERTEX)
+
+    def _of_strips(
+        self, written: ast.Expression, names: dict[str, Value], type_: Type, text: str
+    ) -> Node | Failure:
+        """A value that is the same for all vertices of a strip, or that tells them apart only by
+        their numbers: it knows the surface at the corners only."""
+        ctx = self._ctx
+        scope = self._scope(
+            self._base, {**names, PRIMITIVE_INDEX.name: self._input(PRIMITIVE_INDEX)}
+        )
+        node = node_of(ctx, written, scope)
+        if isinstance(node, Failure):
+            return node
+        try:
+            domain = ctx.crossings.domain(node)
+            fits = domain in (None, EMITTED)
+        except MixedDomainsError:
+            fits = False
+        if not fits:
+            ctx.report.add(rules.OF_WHICH_CORNER, written.span)
+            return FAILURE
+        return fit(ctx, node, type_, text, written.span)
+
+    def _scope(self, instance: Instance, names: dict[str, Value]) -> Scope:
+        known = {"material": instance, "corner": Corners(self._slots), **names}
+        return Scope(self._owner.module, instance, self._level, instance, known)
+
+    def _input(self, row: SystemInput) -> Node:
+        return self._ctx.tree.node("input", row.type, (), row)
+
+    def _number(self, value: int) -> Node:
+        return build.constant(self._ctx.tree, INT, value)
+
+    def _by_group(self, values: list[Node]) -> Node:
+        """The value for the group in which a vertex is emitted."""
+        tree, (*others, chosen) = self._ctx.tree, values
+        for number, value in reversed(list(enumerate(others))):
+            if value is not chosen:
+                is_this = tree.node("call", BOOL, (self._input(GROUP), self._number(number)), "eq")
+                chosen = tree.node("select", INT, (is_this, value, chosen))
+        return chosen
+
+
+def _apart(surface: Instance, passing: Instance) -> Instance:
+    """The surface with a pass of its own, so that what the pass overrides reads this surface."""
+    replaced = dict(surface.replaced)
+    base = changed(surface, replaced=replaced)
+    own = changed(passing, surface=base, values=dict(passing.values))
+    for name, given in surface.replaced.items():
+        if given.within is passing:
+            replaced[name] = changed(given, within=own)
+    return base

@@ -1,0 +1,58 @@
+"""Meshes as a material draws them that says what each of their primitives turns into.
+
+``scene_state.py`` calls ``as_drawn``. Where a draw of instances stands for a geometry stage, each
+primitive is an instance, and each vertex input has a value for each of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .meshes import Indices, Mesh, MeshError
+from .primitives import primitives
+
+Values = Mapping[str, NDArray[Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """What a draw call gets."""
+
+    attributes: Values
+    """By vertex input, of shape (vertices or instances, lanes)."""
+    triangles: Indices
+    instance_count: int
+
+
+def as_drawn(reflection: Mapping[str, Any], data: Values, mesh: Mesh) -> Drawn:
+    """What is drawn of a mesh; ``data`` are its values by the names of declared vertex inputs."""
+    draw = reflection["draw"]
+    if draw["expanded_by"] is None:
+        return Drawn(data, mesh.triangles, mesh.instance_count)
+    corners = primitives(mesh, draw["primitive"])
+    if not len(corners):
+        raise MeshError(f"the mesh has no {draw['primitive']} to expand")
+    copies = mesh.instance_count
+    rows = reflection["vertex_inputs"]
+    attributes = {row["name"]: _values(row["mesh"], data, corners, copies) for row in rows}
+    triangles = np.arange(draw["vertices"]).reshape(-1, 3)
+    return Drawn(attributes, triangles, copies * len(corners))
+
+
+def _values(wanted: Mapping[str, Any], data: Values, corners: Indices, copies: int) -> NDArray[Any]:
+    """The values of an input for each primitive of each instance of the mesh."""
+    count, corner = len(corners), wanted["corner"]
+    if corner is not None:
+        numbers = corners[:, corner]
+        values = numbers[:, None] if wanted["is_number"] else data[wanted["name"]][numbers]
+        return np.tile(values, (copies, 1))
+    if not wanted["is_number"]:
+        return np.repeat(data[wanted["name"]], count, axis=0)
+    if wanted["name"] == "primitive_index":
+        return np.tile(np.arange(count), copies)[:, None]
+    return np.repeat(np.arange(copies), count)[:, None]
