@@ -8,10 +8,11 @@ open (formals). Graphs and binders may be nested without limit.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Sequence
 
 from ...frozen import record
-from ..ir.node import Node, bare, bodies_of
+from ..ir.node import Node, bare, bodies_of, reachable
 from ..ir.operations import BOUND, FORMAL, OUTSIDE
 from . import scalars
 from .bodies import Frame, Opened, opened
@@ -90,6 +91,19 @@ class Evaluator:
         self._is_lazy = xp is scalars and observer is None
         """Whether of a choice only the side that is taken is evaluated."""
         self._outermost = Frame()
+        self._uses: Counter[int] = Counter()
+        """For a node's id, how many users of its value are still to come, if ``values`` knows."""
+
+    def values(self, roots: Sequence[Node]) -> list[Lanes]:
+        """The lanes of several roots.
+
+        A value is forgotten after its last use. A picture has thousands of values with a number for
+        each pixel, few of which are needed at any time, so this takes a fraction of the memory.
+        """
+        self._uses = Counter(root.id for root in roots)
+        for node in reachable(roots):
+            self._uses.update(operand.id for operand in node.operands)
+        return [self.value(root) for root in roots]
 
     def value(self, root: Node, *free: Lanes) -> Lanes:
         """The lanes of ``root``; ``free`` are the values of its free variables, if it has any."""
@@ -153,9 +167,21 @@ class Evaluator:
                 known = operands[0] if is_choice else apply(node, operands, self._xp)
                 if self._observer is not None:
                     known = self._observer(node, operands, known)
+                if home is self._outermost:
+                    self._used(before)
             home.values[node.id] = known
             pending.pop()
         return None
+
+    def _used(self, operands: Sequence[Node]) -> None:
+        """Forget what a node has used that is evaluated only once, unless others need it, too.
+
+        Users under binders, which may need a value in every turn, are never done.
+        """
+        for operand in operands if self._uses else ():
+            self._uses[operand.id] -= 1
+            if not self._uses[operand.id]:
+                del self._outermost.values[operand.id]
 
     def _condition_or_side(self, node: Node, frame: Frame) -> tuple[Node]:
         """Of a choice, the side that is taken; the condition, as long as that is not known."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Sequence
 from typing import Any
 
@@ -63,6 +64,41 @@ def test_variables_of_outer_binders_are_seen() -> None:
     nested = graph.node("fold", INT, (three, zero, product), Folding("add", 3))
     both = graph.node("fold", INT, (three, zero, nested), Folding("add", 3))
     assert evaluate(both) == (9,)
+
+
+def test_values_are_forgotten_after_their_last_use() -> None:
+    """A chain of sums needs two at a time; a body's operand from outside is needed every turn."""
+    graph = Graph()
+    first = total = graph.node("call", FLOAT, (leaf(graph, "x"),) * 2, "mul")
+    for i in range(100):
+        total = graph.node("call", FLOAT, (total, build.floating(graph, float(i))), "add")
+    again = graph.node("call", FLOAT, (first, total), "mul")
+    turn = graph.node("call", FLOAT, (first, graph.node("bound", INT, (), 0)), "add")
+    operands = (build.constant(graph, INT, 3), build.floating(graph, 0.0), turn)
+    fold = graph.node("fold", FLOAT, operands, Folding("add", 3))
+    alive: weakref.WeakSet[Value] = weakref.WeakSet()
+    most = 0
+
+    def look(_node: Node, _operands: list[Lanes], value: Lanes) -> Lanes:
+        nonlocal most
+        alive.update(lane for lane in value if isinstance(lane, Value))
+        most = max(most, len(alive))
+        return value
+
+    x = np.array([1.0, 2.0]).view(Value)
+    evaluator = Evaluator(named(x=(x,)), np, look)
+    found = [lanes[0].tolist() for lanes in evaluator.values((again, fold))]
+    assert found == [[4951.0, 4 * 4954.0], [6.0, 15.0]]
+    assert most <= 8
+
+
+class Value(np.ndarray[Any, Any]):
+    """An array to which there may be weak references, and which is equal only to itself."""
+
+    __hash__ = object.__hash__  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        return self is other
 
 
 def test_an_opened_body_is_evaluated_for_each_call() -> None:

@@ -125,11 +125,13 @@ class StageEvaluator:
 
         watch = _Watch(self, (count,))
         evaluator = Evaluator(leaves, self._xp, watch)
+        crossing = [node.operands[0] for node in self._crossings]
+        *crossed, position = evaluator.values((*crossing, self._position))
         crossings = {
-            node.id: tuple(_at_each(lane, count) for lane in evaluator.value(node.operands[0]))
-            for node in self._crossings
+            node.id: tuple(_at_each(lane, count) for lane in lanes)
+            for node, lanes in zip(self._crossings, crossed, strict=True)
         }
-        lanes = [_whole(lane, (count,)) for lane in evaluator.value(self._position)]
+        lanes = [_whole(lane, (count,)) for lane in position]
         watch.end(tuple(lane.value for lane in lanes))
         positions = np.stack([lane.value for lane in lanes], axis=-1)
         off = np.stack([_radius(lane) for lane in lanes], axis=-1)
@@ -155,8 +157,10 @@ class StageEvaluator:
 
         watch = _Watch(self, (len(front), self.side, self.side))
         evaluator = Evaluator(leaves, self._xp, watch, stored=_remembered)
-        discarded: Any = evaluator.value(self._discard)[0] if self._discard else False
-        targets = tuple(evaluator.value(target) for target in self._targets)
+        discards = (self._discard,) if self._discard else ()
+        found = evaluator.values((*discards, *self._targets))
+        discarded: Any = found.pop(0)[0] if discards else False
+        targets = tuple(found)
         watch.end((*(lane for target in targets for lane in target), discarded))
         return Shaded(targets, discarded, watch.undecided)
 
