@@ -24,7 +24,7 @@ def outward(low: Array, high: Array) -> tuple[Array, Array]:
     A correctly rounded operation returns one of the two float32 numbers around its exact result, so
     this is where it may lie. A number that float32 has stays as it is. A device may flush a
     subnormal result to zero (Vulkan, "Precision and Operation of SPIR-V Instructions"; WGSL,
-    "Floating Point Evaluation").
+    "Differences from IEEE-754").
     """
     return _finite_or_infinite(_down(low), _up(high))
 
