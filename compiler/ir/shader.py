@@ -11,7 +11,7 @@ from typing import Any
 
 from ...frozen import fresh, frozen, record
 from ..diagnostics.source import Span
-from .leaves import Attribute, HostPlace, Parameter, Resource
+from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .stages import RASTERISED, Chain, StageRow
 
@@ -66,6 +66,19 @@ class ResourceInfo:
     """A declared texture."""
 
     resource: Resource
+    doc: str
+    span: Span
+
+
+@frozen
+class BufferInfo:
+    """A declared storage buffer."""
+
+    buffer: Buffer
+    element: ParameterInfo
+    """What is known of one element, as of a parameter."""
+    count: ParameterInfo
+    """The parameter that says how many there are."""
     doc: str
     span: Span
 
@@ -196,6 +209,7 @@ class Shader:
     are written to, reads these rows."""
     externs: tuple[ExternInfo, ...] = ()
     """The host's own blocks."""
+    buffers: tuple[BufferInfo, ...] = ()
     chain: Chain = RASTERISED
     """The stages that it may need, in pipeline order."""
 
