@@ -8,7 +8,6 @@ from .meaning import Meaning
 from .stages import VERTICES, Domain
 from .types import INT, RuntimeArray, Type
 
-
 MOST_ELEMENTS = float(2**31 - 1)
 """Elements of a storage buffer: their numbers are of type ``int``."""
 

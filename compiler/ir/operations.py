@@ -195,8 +195,8 @@ SWIZZLE = Operation[tuple[int, ...]](
 """Lanes of a vector, by their numbers, in any order and also more than once."""
 
 INDEX = Operation("index", "part", NoneType, result_types.index, arity=2, noun="element")
-"""Of (aggregate, position): an element of an array or a buffer, a column of a matrix or a lane of a vector. The
-position lies within bounds: whoever makes an index that is computed clamps it."""
+"""Of (aggregate, position): an element of an array or a buffer, a column of a matrix or a lane of a
+vector. The position lies within bounds: whoever makes an index that is computed clamps it."""
 
 MEMBER = Operation("member", "part", str, result_types.member, arity=1, noun="part")
 """A member of a structure, by name: of a uniform block's, or of the states that a loop leaves."""

@@ -41,9 +41,10 @@ _MADE = frozenset({"array", "struct", "iterate"})
 
 
 def lower_reads(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> Roots:
-    """The roots, with every parameter and buffer of its stored type. Lowering twice changes nothing.
+    """The roots, with every parameter and buffer of its stored type.
 
-    Indices are expected within bounds: whoever made them has clamped them.
+    Lowering twice changes nothing. Indices are expected within bounds: whoever made them has
+    clamped them.
     """
     return rewrite(graph, roots, _lower, moved)
 

@@ -1,4 +1,4 @@
-"""Views of the structs, uniform blocks, buffers and textures that a program declares outside of its stages.
+"""Views of what a program declares outside of its stages: structs, blocks, buffers and textures.
 
 Each view is made once for a program, even if several of its texts have the declaration. The emitter
 and ``stage.py`` ask for those that a text or a stage needs.

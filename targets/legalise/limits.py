@@ -77,8 +77,8 @@ OTHER_PROFILE = "compile for a profile that has this stage"
 
 NO_BUFFERS = Lack(
     "storage buffers",
-    "keep the elements in an array of a known length, `param name : T[16]`, or in a texture that is "
-    "loaded",
+    "keep the elements in an array of a known length, `param name : T[16]`, or load them from a "
+    "texture",
 )
 
 COMPARED_AND_LOADED = Lack(
@@ -91,8 +91,9 @@ def lacks(program: Program, profile: Profile) -> Iterator[tuple[Lack, int]]:
     for stage in program.stages:
         if stage.row not in profile.stages:
             yield Lack(f"{stage.name} stage", OTHER_PROFILE), stage.roots[0].id
-        if stage.buffers and not profile.limits.buffers:
-            yield NO_BUFFERS, _first_read(stage)
+    reading = [stage for stage in program.stages if stage.buffers]
+    if reading and not profile.limits.buffers:
+        yield NO_BUFFERS, _first_read(reading[0])
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield profile.cannot[native.builtin], native.node

@@ -1,4 +1,4 @@
-"""Finds the blocks, buffers and textures that every function needs, for languages without global resources.
+"""Finds what every function reads from outside, for languages without global resources.
 
 In such a language (``Language.resource_arguments``) an entry point gets all that its stage reads as
 arguments. A function gets what it reads itself, or hands on to the functions that it calls.

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from ....stdlib.builtins import BUILTINS
-from ...ir.leaves import Attribute, Parameter, Resource
+from ...ir.leaves import Attribute, Buffer, Parameter, Resource
 from ...ir.node import Node, reachable
 from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
@@ -23,6 +23,7 @@ from ..bounds import Bounded, Bounds, Errors, exact, given, remembered
 from ..bounds.bounded import constant, hull
 from ..evaluate import Evaluator
 from ..namespace import Lane, Lanes, Namespace
+from ..storage_buffers import reader
 from ..stored import stored
 from ..vectors import inner
 from .quads import Barycentric
@@ -105,6 +106,7 @@ class StageEvaluator:
         self._images = {r: Image(_texels(textures, r), r, rules) for r in read}
         self._promised = _promised((*self._targets, self._position))
         self._parameters: dict[tuple[Parameter, Type], Lanes] = {}
+        self._buffers: dict[tuple[Buffer, Type], Lanes | None] = {}
         self.broken: set[int] = set()
         """The ids of promises that were broken at some vertex or pixel so far."""
         self.left_a_domain = False
@@ -178,6 +180,11 @@ class StageEvaluator:
         return tuple(lane if isinstance(lane, Bounded) else given(lane) for lane in lanes)
 
     def _parameter(self, node: Node) -> Lanes | None:
+        if node.op == "buffer":
+            key = node.data, node.type
+            if key not in self._buffers:
+                self._buffers[key] = reader(self._values, node)
+            return self._buffers[key]
         if not isinstance(node.data, Parameter):
             return None
         if node.data.name not in self._values:

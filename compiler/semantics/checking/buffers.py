@@ -41,5 +41,6 @@ def _clamped(ctx: Context, buffer: Node, position: Node) -> Node:
     zero, one = (build.constant(graph, INT, number) for number in (0, 1))
     last = graph.node("call", INT, (count(ctx, buffer), one), "sub")
     last = graph.node("call", INT, (last, zero), "max")
+    ctx.notes.names.setdefault(last.id, f"{leaf_of(buffer).name.replace('.', '_')}_last")
     positive = graph.node("call", INT, (position, zero), "max")
     return graph.node("call", INT, (positive, last), "min")

@@ -53,8 +53,8 @@ def kinds_of(
 def _is_kept(argument: Node) -> bool:
     """Whether each value of an argument has a body of its own.
 
-    Textures and buffers are no arguments everywhere, arrays would be copied, and what a block holds can be read
-    by every function.
+    Textures and buffers are no arguments everywhere, arrays would be copied, and what a block holds
+    can be read by every function.
     """
     if isinstance(argument.type, Opaque | Array):
         return True

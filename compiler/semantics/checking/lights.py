@@ -188,9 +188,7 @@ def _new_instance(
         )
         for resource in entry.resources
     } | {
-        buffer.name.removeprefix(f"{entry.name}."): ctx.tree.node(
-            "buffer", buffer.type, (), buffer
-        )
+        buffer.name.removeprefix(f"{entry.name}."): ctx.tree.node("buffer", buffer.type, (), buffer)
         for buffer in entry.buffers
     }
     instance = Instance(

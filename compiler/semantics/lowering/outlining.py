@@ -123,7 +123,8 @@ class _Sharing:
         return closed
 
     def _name(self, group: _Group) -> str:
-        """The function's name, with its textures and buffers; further ones are told apart by their types."""
+        """The function's name, with its textures and buffers; further ones are told apart by their
+        types."""
         kept = (given.data for given in group.callee.given if isinstance(given, Node))
         maps = [leaf.name for leaf in kept if isinstance(leaf, Resource | Buffer)]
         name = "_".join([group.callee.symbol.name, *maps])

@@ -21,7 +21,7 @@ Named = tuple[str, str, Span]
 
 
 def names_taken(leaves: Iterable[Leaves], module: Module) -> frozenset[str]:
-    """The names of parameters, textures, buffers and the file's blocks, which a light cannot have too."""
+    """The names of parameters, textures, buffers and the file's blocks, which no light can have."""
     words = {name.partition(".")[0] for name, _, _ in _of_leaves(leaves)}
     blocks = {
         symbols[0].name

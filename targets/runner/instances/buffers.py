@@ -1,0 +1,121 @@
+"""The contents of storage buffers: elements as the bytes that a GPU reads, and back.
+
+``Instance`` keeps one ``Contents`` for each buffer. A host sets a buffer from a list of elements,
+each like the value of a parameter, or from a NumPy array: of numbers, or with a field for each
+member of a structure. Large arrays are packed by NumPy, which is imported only for them.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from .blocks import write
+from .shapes import Elements, Members, Numbers, Shape, part, shape_of
+from .values import ParameterError, accepted, initial, plain, shown, unset
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """One row of the reflection's ``buffers``, parsed."""
+
+    name: str
+    type: str
+    element: Shape
+    stride: int
+    """The distance between elements, in bytes."""
+    counter: str
+    """The parameter that says how many elements there are."""
+
+
+@dataclass(frozen=True, slots=True)
+class Contents:
+    """What a buffer holds."""
+
+    layout: Layout
+    count: int
+    data: bytes
+
+    @property
+    def bound(self) -> bytes:
+        """What a GPU is given: one element of zeros, if there is none."""
+        return self.data or bytes(self.layout.stride)
+
+    def elements(self) -> tuple[Any, ...]:
+        """The elements in the form that hosts use: numbers, tuples, mappings for structures."""
+        shape, stride = self.layout.element, self.layout.stride
+        return tuple(plain(shape, _read(self.data, i * stride, shape)) for i in range(self.count))
+
+
+def layout_of(row: Mapping[str, Any]) -> Layout:
+    """The layout that a row of ``buffers`` describes."""
+    type_: str = row["type"]
+    one = {**row, "type": type_.removesuffix("[]")}
+    one["representation"] = row["representation"].removesuffix("[]")
+    return Layout(row["name"], type_, shape_of(one), row["stride"], row["count"])
+
+
+def empty(layout: Layout) -> Contents:
+    """A buffer without elements, as every one is until a host sets it."""
+    return Contents(layout, 0, b"")
+
+
+def packed(layout: Layout, given: object) -> Contents:
+    """The contents that a host means by ``given``.
+
+    Raises ``ParameterError`` for what is no list of elements, for an element that does not fit or
+    breaks a promise, and for one of which a member is missing.
+    """
+    if hasattr(given, "dtype") and hasattr(given, "shape"):
+        from .arrays import packed_array
+
+        found = packed_array(layout, given)
+        if found is not None:
+            return found
+    items = given.tolist() if hasattr(given, "tolist") else given
+    if isinstance(items, str | bytes | Mapping) or not isinstance(items, Collection):
+        wanted = f"`{layout.name}` takes a list of elements ({layout.type})"
+        raise ParameterError(layout.name, f"{wanted}, and was given {shown(given)}")
+    data = bytearray(len(items) * layout.stride)
+    for number, item in enumerate(items):
+        name = f"{layout.name}[{number}]"
+        value = accepted(layout.element, item, initial(layout.element), name)
+        missing = next(unset(layout.element, value, name), None)
+        if missing is not None:
+            raise ParameterError(missing[0], f"`{missing[0]}` has no value ({missing[1].type})")
+        write(data, number * layout.stride, layout.element, value)
+    return Contents(layout, len(items), bytes(data))
+
+
+_CODES = {"float": "f", "int": "i", "uint": "I", "bool": "I"}
+
+
+def _read(data: bytes, offset: int, shape: Shape) -> Any:
+    """The value at an offset, in the form of ``shapes``."""
+    if isinstance(shape, Numbers):
+        code = f"<{shape.lanes}{_CODES[shape.kind]}"
+        columns = [
+            struct.unpack_from(code, data, offset + number * shape.column_stride)
+            for number in range(max(shape.columns, 1))
+        ]
+        if shape.kind == "bool":
+            columns = [tuple(map(bool, lanes)) for lanes in columns]
+        return tuple(columns) if shape.columns else columns[0]
+    count = shape.count if isinstance(shape, Elements) else len(shape.members)
+    rows = (part(shape, position) for position in range(count))
+    return tuple(_read(data, offset + further, inner) for _, further, inner in rows)
+
+
+def numbers_in(shape: Shape, offset: int = 0, name: str = "") -> list[tuple[str, int, Numbers]]:
+    """The numbers, vectors and matrices that an element consists of: name, offset and shape."""
+    if isinstance(shape, Numbers):
+        return [(name, offset, shape)]
+    assert isinstance(shape, Elements | Members)
+    count = shape.count if isinstance(shape, Elements) else len(shape.members)
+    found: list[tuple[str, int, Numbers]] = []
+    for position in range(count):
+        suffix, further, inner = part(shape, position)
+        found += numbers_in(inner, offset + further, name + suffix)
+    return found
