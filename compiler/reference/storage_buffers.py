@@ -87,10 +87,11 @@ class BufferReader:
         """Where rounding may tip which element is read: any of them."""
         last = len(self._rows) - 1
         low, high = (np.clip(end, 0, last) for end in (position.low, position.high))
-        found = self._exactly(position.value)
+        found: Lanes = self._exactly(position.value)
         if (high - low).max() > FEW:
             ends = _mapped(self._table, lambda column: (column.min(), column.max()))
-            return _joined(found, ends)
+            whole: Lanes = _joined(found, ends)
+            return whole
         for step in range(int((high - low).max()) + 1):
             found = _hulls(found, self._exactly(np.minimum(low + step, high)))
         return found
@@ -128,8 +129,9 @@ class BufferReader:
     def _column(self, kind: ScalarKind, offset: int) -> NDArray[Any]:
         lane = np.ascontiguousarray(self._rows[:, offset : offset + 4]).view(_KINDS[kind])[:, 0]
         if kind == "bool":
-            return lane != 0
-        return lane.astype(np.float64 if kind == "float" else np.int64)
+            return np.asarray(lane, np.bool_)
+        number: NDArray[Any] = np.asarray(lane, np.float64 if kind == "float" else np.int64)
+        return number
 
 
 def reader(values: Mapping[str, Any], node: Node) -> Lanes | None:

@@ -15,7 +15,7 @@ import numpy as np
 from ....stdlib.builtins import BUILTINS
 from ...ir.leaves import Attribute, Buffer, Parameter, Resource
 from ...ir.node import Node, reachable
-from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
+from ...ir.operations import BUFFER, BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import Type, scalar_kind, width
@@ -181,10 +181,10 @@ class StageEvaluator:
 
     def _parameter(self, node: Node) -> Lanes | None:
         if node.op == "buffer":
-            key = node.data, node.type
-            if key not in self._buffers:
-                self._buffers[key] = reader(self._values, node)
-            return self._buffers[key]
+            held = BUFFER.data(node), node.type
+            if held not in self._buffers:
+                self._buffers[held] = reader(self._values, node)
+            return self._buffers[held]
         if not isinstance(node.data, Parameter):
             return None
         if node.data.name not in self._values:

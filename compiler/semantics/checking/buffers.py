@@ -11,9 +11,13 @@ from ..state.scope import Value
 
 
 def count(ctx: Context, buffer: Node) -> Node:
-    """``b.count``."""
-    parameter = leaf_of(buffer).count
-    return ctx.tree.node("parameter", parameter.type, (), parameter)
+    """``b.count``; of a buffer that only a use can tell, some number."""
+    leaf = leaf_of(buffer)
+    if leaf is None:
+        some = ctx.tree.node("formal", INT, (), Formal("count"))
+        ctx.placeholders.add(some)
+        return some
+    return ctx.tree.node("parameter", INT, (), leaf.count)
 
 
 def element(ctx: Context, buffer: Node, position: Node) -> Value:
@@ -30,9 +34,9 @@ def element(ctx: Context, buffer: Node, position: Node) -> Value:
 
 def _is_within(ctx: Context, buffer: Node, position: Node) -> bool:
     """Whether a position is the index of a loop over this buffer's elements."""
-    index = bare(position).data
+    index, leaf = bare(position).data, leaf_of(buffer)
     end = ctx.ends.get(index) if isinstance(index, Formal) else None
-    return end is not None and bare(end).data == leaf_of(buffer).count
+    return leaf is not None and end is not None and bare(end).data == leaf.count
 
 
 def _clamped(ctx: Context, buffer: Node, position: Node) -> Node:
@@ -41,6 +45,7 @@ def _clamped(ctx: Context, buffer: Node, position: Node) -> Node:
     zero, one = (build.constant(graph, INT, number) for number in (0, 1))
     last = graph.node("call", INT, (count(ctx, buffer), one), "sub")
     last = graph.node("call", INT, (last, zero), "max")
-    ctx.notes.names.setdefault(last.id, f"{leaf_of(buffer).name.replace('.', '_')}_last")
+    if (leaf := leaf_of(buffer)) is not None:
+        ctx.notes.names.setdefault(last.id, f"{leaf.name.replace('.', '_')}_last")
     positive = graph.node("call", INT, (position, zero), "max")
     return graph.node("call", INT, (positive, last), "min")

@@ -71,8 +71,7 @@ def member_infos(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
     )  # fmt: skip
 
 
-def leaf_of(node: Node) -> Buffer:
-    """The buffer that a value of the type ``T[]`` is."""
+def leaf_of(node: Node) -> Buffer | None:
+    """The buffer that a value of the type ``T[]`` is; ``None`` for an argument that may be any."""
     leaf = bare(node).data
-    assert isinstance(leaf, Buffer)
-    return leaf
+    return leaf if isinstance(leaf, Buffer) else None

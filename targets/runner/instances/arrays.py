@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .buffers import Contents, Layout, numbers_in
+from .contents import Contents, Layout, numbers_in
 from .shapes import Numbers
 from .values import UNIT_TOLERANCE, UNIT_TYPES, ParameterError, shown
 

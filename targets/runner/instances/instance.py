@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 from ....arguments import expect
 from . import derived
 from .blocks import write
-from .buffers import Contents, empty, layout_of, packed
+from .buffers import packed
+from .contents import Contents, empty, layout_of
 from .names import Names
 from .parts import Part, Rig
 from .shapes import Elements, Numbers
@@ -210,10 +211,8 @@ class Instance:
         none."""
         if self._names.light(name):
             return Part(self, name)
-        if name in self._names.textures:
+        if name in self._names.textures or name in self._buffers:
             return self.get(name)
-        if name in self._buffers:
-            return Part(self, name, self._buffers[name].count)
         try:
             place = self._names.place(name)
         except ParameterError as error:
