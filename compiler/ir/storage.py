@@ -14,8 +14,8 @@ they have a choice, so the text leaves them none:
 - structs start at multiples of 16 bytes, and explicit padding makes them end at one;
 - bools are uints (there is no size of a bool on which all rule sets agree).
 
-Storage buffers follow std430, WGSL's rules, Metal's, and those of Direct3D's structured buffers,
-which pad nothing. There, structures are stored as in blocks, but a scalar or a vector of two lanes
+Storage buffers follow std430, WGSL's rules, and those of Direct3D's structured buffers, which pad
+nothing. There, structures are stored as in blocks, but a scalar or a vector of two lanes
 has no padding between the elements.
 
 Sources: OpenGL 4.6 specification, 7.6.2.2 "Standard Uniform Block Layout"; Microsoft, "Packing
